@@ -1,0 +1,59 @@
+#pragma once
+
+#include <stdint.h>
+
+namespace javino {
+
+/// The most bytes of payload that one radio packet carries (SPEC 6).
+static const uint8_t MAX_RADIO_PAYLOAD = 77;
+
+/// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17).
+struct RadioCounters {
+  uint32_t received;  ///< packets with a right CRC
+  uint32_t damaged;   ///< packets with a wrong symbol, count or CRC
+  uint32_t missed;    ///< packets that came while no buffer was free
+  uint32_t sent;      ///< packets that have been on the air whole
+};
+
+/// A half-duplex packet radio: payloads of 1…77 bytes, as they came from or go to the air (SPEC 6).
+///
+/// The seam between the board's protocol side and the modem. It is virtual so that the host tests can stand a mock
+/// in for the hardware; the price, one table of pointers and an indirect call a packet, is small beside a packet's
+/// tens of milliseconds of air. No function blocks.
+class Radio {
+ public:
+  /// Sets pins and timer, and starts with reception blocked.
+  /// @return false where the pins, the rate or the timer cannot be had.
+  virtual bool begin() = 0;
+
+  /// Opens or blocks reception; received packets that were not fetched yet are forgotten on blocking.
+  virtual void listen(bool open) = 0;
+
+  /// Starts to send a payload, which is copied.
+  /// @param length 1…77
+  /// @return false, and nothing is sent, while another packet is on the air or where the length is out of range.
+  virtual bool send(const uint8_t *payload, uint8_t length) = 0;
+
+  /// @return whether a packet is on the air: false again after its last bit.
+  virtual bool sending() const = 0;
+
+  /// Copies out the oldest received payload, whose CRC was right.
+  /// @param payload room for 77 bytes
+  /// @return its length, 1…77; 0 where none is waiting.
+  virtual uint8_t receive(uint8_t *payload) = 0;
+
+  /// Copies the counters, each of them undivided by interrupts.
+  virtual void counters(RadioCounters &into) const = 0;
+
+  /// Housekeeping outside of interrupts; to be called often, whenever the CPU has woken up.
+  virtual void update() = 0;
+
+  /// @return whether neither update() nor receive() has anything to do: the CPU may sleep until the next interrupt.
+  /// Safe to call with interrupts off.
+  virtual bool idle() const = 0;
+
+ protected:
+  ~Radio() {}  // radios are never deleted through this class: there is no heap
+};
+
+}  // namespace javino
