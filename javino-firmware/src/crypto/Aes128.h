@@ -1,0 +1,36 @@
+#pragma once
+
+#include <stdint.h>
+
+namespace javino {
+
+/// The AES-128 block cipher, forward direction only (FIPS 197); CFB and CMAC need no other.
+///
+/// No branch and no loop depends on key or data. The S-box is read from flash, whose access takes the same time at
+/// every address of an AVR, which has no cache. The round keys take 176 bytes, and are wiped at the end of life.
+class Aes128 {
+ public:
+  static const uint8_t BLOCK_LENGTH = 16;
+  static const uint8_t KEY_LENGTH = 16;
+
+  /// Without a key: setKey() must come before encrypt().
+  Aes128() {}
+  explicit Aes128(const uint8_t *key) { setKey(key); }
+  ~Aes128();
+
+  /// Expands a key of 16 bytes.
+  void setKey(const uint8_t *key);
+
+  /// Encrypts 16 bytes in place.
+  void encrypt(uint8_t *block) const;
+
+ private:
+  static const uint8_t ROUNDS = 10;
+
+  Aes128(const Aes128 &);
+  Aes128 &operator=(const Aes128 &);
+
+  uint8_t roundKeys_[(ROUNDS + 1) * BLOCK_LENGTH];
+};
+
+}  // namespace javino

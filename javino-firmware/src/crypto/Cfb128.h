@@ -1,0 +1,35 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "Aes128.h"
+
+namespace javino {
+
+/// AES-128 in CFB mode with segments of 128 bits (NIST SP 800-38A section 6.3), as a stream: any number of bytes a
+/// call, the last block may be short. One object either encrypts or decrypts one message.
+class Cfb128 {
+ public:
+  /// @param cipher outlives this object
+  /// @param iv 16 bytes, never used twice with a key
+  Cfb128(const Aes128 &cipher, const uint8_t *iv);
+  ~Cfb128();
+
+  /// Encrypts the next bytes in place.
+  void encrypt(uint8_t *bytes, uint16_t length);
+
+  /// Decrypts the next bytes in place.
+  void decrypt(uint8_t *bytes, uint16_t length);
+
+ private:
+  Cfb128(const Cfb128 &);
+  Cfb128 &operator=(const Cfb128 &);
+
+  uint8_t *keyStreamByte();
+
+  const Aes128 &cipher_;
+  uint8_t block_[Aes128::BLOCK_LENGTH];  // key stream; behind the current byte of it, the ciphertext so far
+  uint8_t used_;                         // bytes of the block that are ciphertext by now
+};
+
+}  // namespace javino

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "Aes128.h"
+
+namespace javino {
+
+/// What the board keeps of a shared key, and wipes when done with it (SPEC 5.2). The key itself is not kept: nothing
+/// needs it again, and to derive these anew for each packet would cost six blocks of AES and three key expansions.
+struct DerivedKeys {
+  static const uint8_t CHECK_LENGTH = 3;
+
+  uint8_t encryption[Aes128::KEY_LENGTH];      ///< Kenc
+  uint8_t authentication[Aes128::KEY_LENGTH];  ///< Kmac
+  uint8_t check[CHECK_LENGTH];                 ///< the check value, which is no secret
+
+  ~DerivedKeys();
+
+  /// Derives all three from a shared key of 16 bytes (NIST SP 800-108 section 4.1, counter mode).
+  void derive(const uint8_t *key);
+};
+
+}  // namespace javino

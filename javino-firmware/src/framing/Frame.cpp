@@ -1,0 +1,35 @@
+#include "Frame.h"
+
+#include "../addressing/Base64Digit.h"
+
+namespace javino {
+
+static const uint8_t ORIGIN_AT = 4;
+static const uint8_t SIZE_AT = 8;
+
+FrameError Frame::parse(const uint8_t *bytes, uint16_t length, Frame &into) {
+  if (length < HEADER_LENGTH) return FrameError::TOO_SHORT;
+  const uint8_t high = base64Value(bytes[SIZE_AT]);
+  const uint8_t low = base64Value(bytes[SIZE_AT + 1]);
+  if (!Address::parse(bytes, into.destination) || !Address::parse(bytes + ORIGIN_AT, into.origin) ||
+      high == NOT_A_DIGIT || low == NOT_A_DIGIT) {
+    return FrameError::BAD_DIGIT;
+  }
+  const uint16_t bits = static_cast<uint16_t>(high << 6 | low);
+  if (bits % 8 != 0) return FrameError::PARTIAL_BYTE;
+  into.message = bytes + HEADER_LENGTH;
+  into.length = bits / 8;
+  if (into.length != length - HEADER_LENGTH) return FrameError::SIZE_MISMATCH;
+  if (!into.origin.isDevice() && !into.origin.isSerial()) return FrameError::BAD_ORIGIN;
+  return FrameError::NONE;
+}
+
+void Frame::writeHeader(uint8_t *into, Address destination, Address origin, uint16_t messageLength) {
+  const uint16_t bits = static_cast<uint16_t>(messageLength * 8);
+  destination.write(into);
+  origin.write(into + ORIGIN_AT);
+  into[SIZE_AT] = base64Digit(static_cast<uint8_t>(bits >> 6));
+  into[SIZE_AT + 1] = base64Digit(bits & 0x3F);
+}
+
+}  // namespace javino

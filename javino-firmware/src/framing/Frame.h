@@ -1,0 +1,35 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../addressing/Address.h"
+#include "Limits.h"
+
+namespace javino {
+
+/// Why bytes are no frame, in the order in which it is checked (SPEC 2).
+enum class FrameError : uint8_t {
+  NONE,           ///< they are one
+  TOO_SHORT,      ///< fewer than 10 bytes
+  BAD_DIGIT,      ///< one of the first ten bytes is outside the alphabet
+  PARTIAL_BYTE,   ///< the size is no multiple of 8
+  SIZE_MISMATCH,  ///< the size is not the number of bits that follow the header
+  BAD_ORIGIN      ///< the origin is neither a device nor `++++`
+};
+
+/// A frame, as a view on bytes that stay where they are (SPEC 2).
+struct Frame {
+  Address destination;
+  Address origin;
+  const uint8_t *message;
+  uint16_t length;  ///< of the message, 0…511 bytes
+
+  /// Reads a frame that fills `bytes` exactly; `into` has meaning only where NONE is returned.
+  static FrameError parse(const uint8_t *bytes, uint16_t length, Frame &into);
+
+  /// Writes the ten bytes before a message.
+  /// @param messageLength 0…511 bytes
+  static void writeHeader(uint8_t *into, Address destination, Address origin, uint16_t messageLength);
+};
+
+}  // namespace javino

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "Limits.h"
+
+namespace javino {
+
+/// What a byte from the serial line brought about (SPEC 4.1).
+enum class PacketEvent : uint8_t {
+  NONE,       ///< the packet goes on, or was empty
+  PACKET,     ///< a whole packet is there, its CRC right
+  BAD_COBS,   ///< refused: it ended within a COBS block
+  TOO_LONG,   ///< refused: more than 524 bytes
+  TOO_SHORT,  ///< refused: fewer than 13 bytes
+  BAD_CRC     ///< refused: the CRC is not that of its bytes
+};
+
+/// Finds packets in the bytes of the serial line, one byte at a time, in a buffer of fixed size (SPEC 4.1).
+/// After any damage the next packet begins behind the next 0x00.
+class PacketDecoder {
+ public:
+  PacketDecoder() { restart(); }
+
+  /// Takes the next byte. After PACKET the accessors below hold until the next call.
+  PacketEvent add(uint8_t byte);
+
+  uint8_t sequence() const { return bytes_[0]; }
+  const uint8_t *frame() const { return bytes_ + 1; }
+  uint16_t frameLength() const { return static_cast<uint16_t>(length_ - 3); }
+
+  /// The packet's CRC as it came.
+  uint16_t crc() const;
+
+ private:
+  void restart();
+  void beginBlock(uint8_t code);
+  void append(uint8_t byte);
+  PacketEvent finish();
+  PacketEvent check() const;
+
+  uint8_t bytes_[MAX_PACKET_LENGTH];
+  uint16_t length_;      // decoded bytes; MAX_PACKET_LENGTH + 1 where there were more than that
+  uint8_t left_;         // bytes that the current COBS block still lacks
+  bool zeroOwed_;        // a zero belongs behind the block, if another block follows
+  bool started_;         // a byte other than 0x00 has come
+  bool ended_;           // the next byte begins a new packet
+};
+
+}  // namespace javino

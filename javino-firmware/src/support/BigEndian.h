@@ -1,0 +1,24 @@
+#pragma once
+
+#include <stdint.h>
+
+namespace javino {
+
+/// Numbers of several bytes as the protocol has them, most significant byte first (SPEC, conventions).
+
+inline void writeUint24(uint8_t *into, uint32_t value) {
+  into[0] = static_cast<uint8_t>(value >> 16);
+  into[1] = static_cast<uint8_t>(value >> 8);
+  into[2] = static_cast<uint8_t>(value);
+}
+
+inline void writeUint32(uint8_t *into, uint32_t value) {
+  into[0] = static_cast<uint8_t>(value >> 24);
+  writeUint24(into + 1, value);
+}
+
+inline uint32_t readUint24(const uint8_t *from) {
+  return (static_cast<uint32_t>(from[0]) << 16) | (static_cast<uint16_t>(from[1]) << 8) | from[2];
+}
+
+}  // namespace javino

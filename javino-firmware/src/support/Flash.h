@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stdint.h>
+
+/// Constants that stay in flash on AVR, and are plain constants elsewhere.
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#define JAVINO_FLASH PROGMEM
+#else
+#define JAVINO_FLASH
+#endif
+
+/// Arduino's type of F("…") texts, declared here so that the pure parts need no Arduino header.
+class __FlashStringHelper;
+
+namespace javino {
+
+typedef __FlashStringHelper FlashText;
+
+/// Reads one byte of a constant that was declared with JAVINO_FLASH.
+inline uint8_t flashByte(const uint8_t *at) {
+#ifdef __AVR__
+  return pgm_read_byte(at);
+#else
+  return *at;
+#endif
+}
+
+/// Reads character `index` of a text in flash; 0 is its end.
+inline char flashChar(const FlashText *text, uint16_t index) {
+  return static_cast<char>(flashByte(reinterpret_cast<const uint8_t *>(text) + index));
+}
+
+}  // namespace javino
