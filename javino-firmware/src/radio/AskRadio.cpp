@@ -1,0 +1,140 @@
+#include "AskRadio.h"
+
+#include "AskHardware.h"
+#include "Counting.h"
+
+namespace javino {
+
+namespace {
+
+// The line code never holds a level for more than four bits. Twice five bits without an edge complete the last bits of
+// a packet, or put an impossible symbol at the end of a broken one: then there is nothing left to wait for.
+const uint8_t BITS_TO_ALARM = 5;
+const uint8_t SILENCE_ALARMS = 2;
+
+// 0 for a rate that cannot be had.
+uint16_t ticksPerBit(uint16_t bitRate) {
+  if (bitRate < AskRadio::MIN_BIT_RATE || bitRate > AskRadio::MAX_BIT_RATE) return 0;
+  return static_cast<uint16_t>((askhardware::ticksPerSecond() + bitRate / 2) / bitRate);
+}
+
+}  // namespace
+
+AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
+    : rxPin_(rxPin),
+      txPin_(txPin),
+      bitTicks_(ticksPerBit(bitRate)),
+      counters_(),
+      decoder_(queue_, counters_),
+      bitClock_(bitTicks_),
+      ready_(false),
+      open_(false),
+      sending_(false),
+      nextBit_(false),
+      lastBitOut_(false),
+      alarm_(0),
+      silentAlarms_(SILENCE_ALARMS),
+      heardUntil_(0),
+      level_(false) {}
+
+bool AskRadio::begin() {
+  ready_ = bitTicks_ != 0 && askhardware::begin(rxPin_, txPin_, *this);
+  return ready_;
+}
+
+void AskRadio::listen(bool open) {
+  if (!ready_) return;
+  askhardware::InterruptLock lock;
+  if (open && !open_ && !sending_) startReceiving();
+  if (!open && open_ && !sending_) stopReceiving();
+  open_ = open;
+  if (!open) queue_.clear();
+}
+
+bool AskRadio::send(const uint8_t *payload, uint8_t length) {
+  if (!ready_ || sending_ || !encoder_.start(payload, length)) return false;
+  askhardware::InterruptLock lock;
+  if (open_) stopReceiving();
+  sending_ = true;
+  nextBit_ = encoder_.next();
+  lastBitOut_ = false;
+  alarm_ = static_cast<uint16_t>(askhardware::now() + bitTicks_);
+  askhardware::setAlarm(alarm_);
+  return true;
+}
+
+void AskRadio::counters(RadioCounters &into) const {
+  askhardware::InterruptLock lock;
+  into = counters_;
+}
+
+void AskRadio::onEdge(uint16_t now, bool level) {
+  if (silentAlarms_ == SILENCE_ALARMS) {
+    bitClock_.reset(level);
+    heardUntil_ = now;
+  } else {
+    hear(now);
+  }
+  level_ = level;
+  silentAlarms_ = 0;
+  askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
+}
+
+void AskRadio::onAlarm() {
+  if (sending_) {
+    sendBit();
+  } else {
+    onSilence();
+  }
+}
+
+void AskRadio::startReceiving() {
+  silentAlarms_ = SILENCE_ALARMS;
+  askhardware::watchEdges(true);
+}
+
+void AskRadio::stopReceiving() {
+  askhardware::watchEdges(false);
+  askhardware::clearAlarm();
+  decoder_.abandon();
+}
+
+// Gives the decoder the bits of the time since the line was last looked at.
+void AskRadio::hear(uint16_t now) {
+  uint16_t ticks = static_cast<uint16_t>(now - heardUntil_);
+  bool bit;
+  while (bitClock_.advance(ticks, level_, bit)) decoder_.add(bit);
+  heardUntil_ = now;
+}
+
+void AskRadio::onSilence() {
+  const uint16_t now = askhardware::now();
+  hear(now);
+  silentAlarms_++;
+  if (silentAlarms_ == SILENCE_ALARMS) {
+    askhardware::clearAlarm();
+  } else {
+    askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
+  }
+}
+
+void AskRadio::sendBit() {
+  askhardware::transmit(nextBit_);
+  if (lastBitOut_) {
+    finishSending();
+    return;
+  }
+  lastBitOut_ = !encoder_.hasNext();
+  nextBit_ = encoder_.next();  // off after the last
+  alarm_ += bitTicks_;
+  askhardware::setAlarm(alarm_);
+}
+
+void AskRadio::finishSending() {
+  askhardware::clearAlarm();
+  countUp(counters_.sent);
+  sending_ = false;
+  if (open_) startReceiving();
+}
+
+}  // namespace javino

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "BitClock.h"
+#include "Radio.h"
+#include "RadioDecoder.h"
+#include "RadioEncoder.h"
+#include "RadioQueue.h"
+
+namespace javino {
+
+/// The modem for cheap 433 MHz on-off-keying pairs (SPEC 6): one interrupt a bit while sending, one an edge while
+/// receiving, none while the air is quiet.
+///
+/// Takes timer 1, and so the PWM of its pins (11, 12 and 13 on a Mega), and the pin-change interrupts. Everything
+/// happens in interrupts, which are short and never wait; the loop only fetches what came. Half duplex: nothing is
+/// received while sending, and a packet that was half received then counts as missed.
+class AskRadio : public Radio {
+ public:
+  static const uint16_t MIN_BIT_RATE = 200;
+  static const uint16_t MAX_BIT_RATE = 10000;
+
+  /// @param rxPin digital pin of the receiver's data; it must have a pin-change interrupt (Mega: 10-15, 50-53, A8-A15)
+  /// @param txPin digital pin of the transmitter's data
+  /// @param bitRate bits a second, 200…10000; the same on all boards
+  explicit AskRadio(uint8_t rxPin = 11, uint8_t txPin = 12, uint16_t bitRate = 2000);
+
+  bool begin() override;
+  void listen(bool open) override;
+  bool send(const uint8_t *payload, uint8_t length) override;
+  bool sending() const override { return sending_; }
+  uint8_t receive(uint8_t *payload) override { return queue_.take(payload); }
+  void counters(RadioCounters &into) const override;
+  void update() override {}
+  bool idle() const override { return queue_.empty(); }
+
+  /// Interrupt: the RX pin went to this level.
+  void onEdge(uint16_t now, bool level);
+
+  /// Interrupt: the alarm's time has come.
+  void onAlarm();
+
+ private:
+  void startReceiving();
+  void stopReceiving();
+  void hear(uint16_t now);
+  void onSilence();
+  void sendBit();
+  void finishSending();
+
+  const uint8_t rxPin_;
+  const uint8_t txPin_;
+  const uint16_t bitTicks_;  // 0 for a bit rate that cannot be had
+
+  RadioCounters counters_;
+  RadioQueue queue_;
+  RadioDecoder decoder_;
+  BitClock bitClock_;
+  RadioEncoder encoder_;
+
+  bool ready_;              // begin() succeeded
+  bool open_;               // the sketch wants to hear
+  volatile bool sending_;
+  bool nextBit_;            // computed ahead, so that the carrier switches first thing in the interrupt
+  bool lastBitOut_;         // the last bit is on the air: the next alarm ends the packet
+  uint16_t alarm_;          // when the carrier switches next
+  uint8_t silentAlarms_;    // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
+  uint16_t heardUntil_;     // the time up to which the line has been heard
+  bool level_;              // of the line since then
+};
+
+}  // namespace javino

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stdint.h>
+
+namespace javino {
+
+/// The numbers of VirtualWire's line code (SPEC 6): each nibble travels as a symbol of six bits, three of them ones.
+namespace linecode {
+
+static const uint8_t BITS_PER_SYMBOL = 6;
+
+/// The bits of the start symbols 0x38 and 0x2C as they lie in a 12-bit register that is filled from the top.
+static const uint16_t START = 0xB38;
+static const uint16_t START_TOP_BIT = 0x800;
+
+/// Symbols ahead of the first byte: six of training, then the two of the start symbol.
+static const uint8_t PREAMBLE_SYMBOLS = 8;
+
+/// Bytes of a packet that are not payload: one of count, two of CRC.
+static const uint8_t PACKET_OVERHEAD = 3;
+
+/// What nibbleOf() gives for the 48 symbols that stand for none.
+static const uint8_t NO_NIBBLE = 0xFF;
+
+/// @param nibble 0…15
+uint8_t symbolOf(uint8_t nibble);
+
+/// @param symbol 0…63
+/// @return 0…15, or NO_NIBBLE.
+uint8_t nibbleOf(uint8_t symbol);
+
+/// @param index 0…7
+/// @return that symbol of the training and the start.
+uint8_t preambleSymbol(uint8_t index);
+
+}  // namespace linecode
+}  // namespace javino
