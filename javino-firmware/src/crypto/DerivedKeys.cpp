@@ -43,4 +43,9 @@ void DerivedKeys::derive(const uint8_t *key) {
   wipe(forCheck, sizeof forCheck);
 }
 
+bool DerivedKeys::equals(const DerivedKeys &other) const {
+  return equalInConstantTime(encryption, other.encryption, sizeof encryption) &&
+         equalInConstantTime(authentication, other.authentication, sizeof authentication);
+}
+
 }  // namespace javino

@@ -19,6 +19,9 @@ struct DerivedKeys {
 
   /// Derives all three from a shared key of 16 bytes (NIST SP 800-108 section 4.1, counter mode).
   void derive(const uint8_t *key);
+
+  /// Compares in constant time.
+  bool equals(const DerivedKeys &other) const;
 };
 
 }  // namespace javino

@@ -1,0 +1,66 @@
+#include "Envelope.h"
+
+#include <string.h>
+
+#include "../crypto/Cfb128.h"
+#include "../crypto/Cmac.h"
+#include "../framing/Frame.h"
+
+namespace javino {
+
+const uint8_t Envelope::MIN_FRAME_LENGTH;
+const uint8_t Envelope::NONCE_AT;
+const uint8_t Envelope::CONTENT_AT;
+
+uint16_t Envelope::seal(Address destination, Address origin, const uint8_t *nonce, const uint8_t *content,
+                        uint16_t length, uint8_t *frame) const {
+  memmove(frame + CONTENT_AT, content, length);
+  memcpy(frame + NONCE_AT, nonce, NONCE_LENGTH);
+  Frame::writeHeader(frame, destination, origin, static_cast<uint16_t>(length + SEAL_LENGTH));
+  {
+    const Aes128 cipher(keys_.encryption);
+    uint8_t iv[Aes128::BLOCK_LENGTH];
+    initialVector(frame, cipher, iv);
+    Cfb128(cipher, iv).encrypt(frame + CONTENT_AT, length);
+  }
+  const uint16_t tagged = static_cast<uint16_t>(CONTENT_AT + length);
+  uint8_t full[Aes128::BLOCK_LENGTH];
+  tag(frame, tagged, full);
+  memcpy(frame + tagged, full, TAG_LENGTH);
+  return static_cast<uint16_t>(tagged + TAG_LENGTH);
+}
+
+bool Envelope::isAuthentic(const uint8_t *frame, uint16_t length) const {
+  if (length < MIN_FRAME_LENGTH) return false;
+  const uint16_t tagged = static_cast<uint16_t>(length - TAG_LENGTH);
+  uint8_t expected[Aes128::BLOCK_LENGTH];
+  tag(frame, tagged, expected);
+  return equalInConstantTime(expected, frame + tagged, TAG_LENGTH);
+}
+
+uint16_t Envelope::open(uint8_t *frame, uint16_t length) const {
+  const uint16_t content = static_cast<uint16_t>(length - MIN_FRAME_LENGTH);
+  const Aes128 cipher(keys_.encryption);
+  uint8_t iv[Aes128::BLOCK_LENGTH];
+  initialVector(frame, cipher, iv);
+  Cfb128(cipher, iv).decrypt(frame + CONTENT_AT, content);
+  return content;
+}
+
+// Origin, destination, nonce, two zeroes, encrypted: unpredictable, as CFB wants it (NIST SP 800-38A appendix C).
+void Envelope::initialVector(const uint8_t *frame, const Aes128 &cipher, uint8_t *iv) const {
+  memcpy(iv, frame + Address::TEXT_LENGTH, Address::TEXT_LENGTH);
+  memcpy(iv + Address::TEXT_LENGTH, frame, Address::TEXT_LENGTH);
+  memcpy(iv + 2 * Address::TEXT_LENGTH, frame + NONCE_AT, NONCE_LENGTH);
+  iv[14] = 0;
+  iv[15] = 0;
+  cipher.encrypt(iv);
+}
+
+// The tagged bytes lie in the frame in just the order of SPEC 5: destination, origin, size, N, C.
+void Envelope::tag(const uint8_t *frame, uint16_t length, uint8_t *into) const {
+  const Aes128 cipher(keys_.authentication);
+  cmac(cipher, frame, length, into);
+}
+
+}  // namespace javino

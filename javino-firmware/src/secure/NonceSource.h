@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../storage/BootEpoch.h"
+
+namespace javino {
+
+/// Gives each nonce once: boot epoch and a counter of sealed frames (SPEC 5.1).
+class NonceSource {
+ public:
+  explicit NonceSource(const BootEpoch &epoch) : epoch_(epoch), counter_(0) {}
+
+  /// Whether epoch or counter is used up: nothing can be sealed until the keys are replaced.
+  bool isExhausted() const { return epoch_.value() == BootEpoch::NONE_LEFT || counter_ > LAST_COUNTER; }
+
+  /// Whether the epoch could be stored: where not, a nonce might come again after the next boot, so none is given.
+  bool isStored() const { return epoch_.isStored(); }
+
+  /// Writes the next nonce. To be called only while it is stored and not exhausted.
+  /// @param nonce room for 6 bytes
+  void take(uint8_t *nonce);
+
+ private:
+  static const uint32_t LAST_COUNTER = 0xFFFFFF;
+
+  const BootEpoch &epoch_;
+  uint32_t counter_;
+};
+
+}  // namespace javino

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "Eeprom.h"
+
+namespace javino {
+
+/// Some bytes in EEPROM with a CRC behind them, which are either there whole or not there.
+///
+/// The last byte of the CRC seals the record: it is erased to 0xFF before anything changes and written when all else
+/// stands, and 0xFF is never right there. So a loss of power at any moment leaves the old record, the new one or
+/// none, and never a mixture.
+class EepromRecord {
+ public:
+  enum State : uint8_t {
+    BLANK,    ///< every byte is 0xFF: never written
+    DAMAGED,  ///< erased, half-written or decayed
+    VALID
+  };
+
+  /// What a record takes beyond its data.
+  static const uint8_t CHECK_LENGTH = 2;
+
+  /// @param at the first byte in EEPROM
+  /// @param length of the data, 1…253 bytes
+  EepromRecord(Eeprom &eeprom, uint16_t at, uint8_t length) : eeprom_(eeprom), at_(at), length_(length) {}
+
+  /// Looks at the record without copying it.
+  State state() const;
+
+  /// Copies the data out.
+  /// @return false, and the copy is to be thrown away, where the record is not VALID.
+  bool read(uint8_t *data) const;
+
+  /// Writes the data, unless it is there already.
+  /// @return false where the EEPROM did not keep it.
+  bool write(const uint8_t *data);
+
+  /// Makes the record not VALID; the first `secrets` bytes of data are overwritten too.
+  /// @return false where the EEPROM still holds it.
+  bool erase(uint8_t secrets);
+
+ private:
+  uint16_t sealAt() const { return static_cast<uint16_t>(at_ + length_ + 1); }
+  uint8_t stored(uint8_t index) const { return eeprom_.read(static_cast<uint16_t>(at_ + index)); }
+  bool holds(const uint8_t *data) const;
+  bool isBlank() const;
+
+  Eeprom &eeprom_;
+  uint16_t at_;
+  uint8_t length_;
+};
+
+}  // namespace javino

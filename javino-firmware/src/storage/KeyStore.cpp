@@ -1,0 +1,99 @@
+#include "KeyStore.h"
+
+#include <string.h>
+
+#include "../support/BigEndian.h"
+#include "../support/Wipe.h"
+#include "EepromLayout.h"
+
+namespace javino {
+
+const uint8_t KeyStore::SLOTS;
+const uint8_t KeyStore::NO_SLOT;
+
+namespace {
+
+const uint8_t SECRETS_LENGTH = 2 * Aes128::KEY_LENGTH;
+const uint8_t CHECK_AT = SECRETS_LENGTH;
+const uint8_t ADDRESS_AT = CHECK_AT + DerivedKeys::CHECK_LENGTH;
+
+EepromRecord recordAt(Eeprom &eeprom, uint8_t slot) {
+  return EepromRecord(eeprom, static_cast<uint16_t>(KEYS_AT + slot * KEY_RECORD_LENGTH), KEY_LENGTH);
+}
+
+// A key as EEPROM holds it: secrets first, so that erase() can overwrite just them.
+struct StoredKey {
+  uint8_t bytes[KEY_LENGTH];
+
+  ~StoredKey() { wipe(bytes, sizeof bytes); }
+
+  void pack(Address address, const DerivedKeys &keys) {
+    memcpy(bytes, keys.encryption, Aes128::KEY_LENGTH);
+    memcpy(bytes + Aes128::KEY_LENGTH, keys.authentication, Aes128::KEY_LENGTH);
+    memcpy(bytes + CHECK_AT, keys.check, DerivedKeys::CHECK_LENGTH);
+    writeUint24(bytes + ADDRESS_AT, address.value());
+  }
+
+  void unpack(DerivedKeys &keys) const {
+    memcpy(keys.encryption, bytes, Aes128::KEY_LENGTH);
+    memcpy(keys.authentication, bytes + Aes128::KEY_LENGTH, Aes128::KEY_LENGTH);
+    memcpy(keys.check, bytes + CHECK_AT, DerivedKeys::CHECK_LENGTH);
+  }
+
+  Address address() const { return Address(readUint24(bytes + ADDRESS_AT)); }
+};
+
+}  // namespace
+
+void KeyStore::begin() {
+  for (uint8_t slot = 0; slot < SLOTS; slot++) {
+    StoredKey stored;
+    addresses_[slot] = recordAt(eeprom_, slot).read(stored.bytes) ? stored.address() : Address();
+  }
+}
+
+uint8_t KeyStore::find(Address address) const {
+  for (uint8_t slot = 0; slot < SLOTS; slot++) {
+    if (addresses_[slot] == address && !address.isSerial()) return slot;
+  }
+  return NO_SLOT;
+}
+
+bool KeyStore::load(uint8_t slot, DerivedKeys &into) const {
+  StoredKey stored;
+  if (addresses_[slot].isSerial() || !recordAt(eeprom_, slot).read(stored.bytes)) return false;
+  stored.unpack(into);
+  return true;
+}
+
+KeyStore::Result KeyStore::set(Address address, const uint8_t *key) {
+  const uint8_t slot = placeFor(address);
+  if (slot == NO_SLOT) return FULL;
+  DerivedKeys derived;
+  derived.derive(key);
+  DerivedKeys present;
+  if (load(slot, present) && derived.equals(present)) return UNCHANGED;
+
+  StoredKey stored;
+  stored.pack(address, derived);
+  const bool kept = recordAt(eeprom_, slot).write(stored.bytes);
+  addresses_[slot] = kept ? address : Address();
+  return kept ? STORED : FAILED;
+}
+
+bool KeyStore::erase(uint8_t slot) {
+  const bool erased = recordAt(eeprom_, slot).erase(SECRETS_LENGTH);
+  if (erased) addresses_[slot] = Address();
+  return erased;
+}
+
+uint8_t KeyStore::placeFor(Address address) const {
+  const uint8_t present = find(address);
+  if (present != NO_SLOT) return present;
+  for (uint8_t slot = 0; slot < SLOTS; slot++) {
+    if (addresses_[slot].isSerial()) return slot;
+  }
+  return NO_SLOT;
+}
+
+}  // namespace javino
