@@ -1,0 +1,2 @@
+/** The root of Javino: what all of its packages throw. */
+package javino;

@@ -1,0 +1,127 @@
+package javino.protocol;
+
+/**
+ * An RF address: four Base64 digits, the first two its group, the last two its member (SPEC 1).
+ *
+ * @param value the 24 bits, 0x000000…0xFFFFFF.
+ */
+public record Address(int value) {
+
+    /** The number of digits, and of bytes where an address is written in a frame. */
+    public static final int LENGTH = 4;
+    /** {@code ++++}: the line between a host and its board. */
+    public static final Address SERIAL = parse("++++");
+    /** {@code ////}: every device in range. */
+    public static final Address BROADCAST = parse("////");
+
+    /** What an address stands for. */
+    public enum Kind {
+        /** One device: {@code AAAA}…{@code 9///}. */
+        DEVICE,
+        /** The line between a host and its board: {@code ++++}. */
+        SERIAL,
+        /** Every device in range: {@code ////}. */
+        BROADCAST,
+        /** Every device of a group: {@code //AA}…{@code ///+}. */
+        MULTICAST,
+        /** None of the others; nothing can be sent to it. */
+        RESERVED
+    }
+
+    /** @throws IllegalArgumentException if the value has more than 24 bits. */
+    public Address {
+        if (value < 0 || value > 0xFFFFFF) {
+            throw new IllegalArgumentException("an address has 24 bits, not the value " + value);
+        }
+    }
+
+    /**
+     * Reads four digits such as {@code ROMA}.
+     *
+     * @throws IllegalArgumentException if the text is anything else; the message says what is wrong.
+     */
+    public static Address parse(String text) {
+        if (text.length() != LENGTH) {
+            throw new IllegalArgumentException(
+                    "an address has 4 digits out of A-Z a-z 0-9 + /, but \"" + text + "\" has " + text.length());
+        }
+        int value = 0;
+        for (int i = 0; i < LENGTH; i++) {
+            int digit = Digits.value(text.charAt(i));
+            if (digit < 0) {
+                throw new IllegalArgumentException("an address has 4 digits out of A-Z a-z 0-9 + /, but '"
+                        + text.charAt(i) + "' in \"" + text + "\" is none");
+            }
+            value = value << 6 | digit;
+        }
+        return new Address(value);
+    }
+
+    /**
+     * The multicast address of a group.
+     *
+     * @param group two digits other than {@code //}.
+     * @throws IllegalArgumentException if the group is anything else.
+     */
+    public static Address multicast(String group) {
+        Address address = group.length() == 2 ? parse("//" + group) : null;
+        if (address == null || address.kind() != Kind.MULTICAST) {
+            throw new IllegalArgumentException("a group is two digits other than //, not \"" + group + "\"");
+        }
+        return address;
+    }
+
+    /**
+     * Reads the four bytes at an offset.
+     *
+     * @throws ProtocolException TOO_SHORT or BAD_DIGIT.
+     */
+    static Address decode(Bytes bytes, int offset) throws ProtocolException {
+        if (bytes.length() < offset + LENGTH) {
+            throw new ProtocolException(ProtocolError.TOO_SHORT, "no address at byte " + offset + " of " + bytes.hex());
+        }
+        int value = Digits.parse(bytes, offset, offset + LENGTH);
+        if (value < 0) {
+            throw new ProtocolException(ProtocolError.BAD_DIGIT,
+                    "no address: " + bytes.slice(offset, offset + LENGTH).hex());
+        }
+        return new Address(value);
+    }
+
+    /** What the address stands for. */
+    public Kind kind() {
+        int plus = Digits.value('+');
+        int slash = Digits.value('/');
+        int first = value >> 18;
+        int second = value >> 12 & 0x3F;
+        if (first < plus) {
+            return Kind.DEVICE;
+        }
+        if (first == slash && second == slash) {
+            return (value & 0xFFF) == 0xFFF ? Kind.BROADCAST : Kind.MULTICAST;
+        }
+        // In digits, as SERIAL itself may still be under construction.
+        return toString().equals("++++") ? Kind.SERIAL : Kind.RESERVED;
+    }
+
+    /** The first two digits. */
+    public String group() {
+        return toString().substring(0, 2);
+    }
+
+    /** The last two digits. */
+    public String member() {
+        return toString().substring(2);
+    }
+
+    /** The four digits as bytes. */
+    public Bytes toBytes() {
+        return Bytes.ofText(toString());
+    }
+
+    /** The four digits. */
+    @Override
+    public String toString() {
+        return Digits.format(value, LENGTH);
+    }
+}

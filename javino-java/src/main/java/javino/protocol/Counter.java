@@ -1,0 +1,67 @@
+package javino.protocol;
+
+import java.util.Optional;
+
+/** What a board counts since its boot (SPEC 4.5). */
+public enum Counter {
+    /** Requests that came undamaged. */
+    SERIAL_REQUESTS("serialRequests"),
+    /** Packets refused: COBS, length or CRC. */
+    SERIAL_DAMAGED("serialDamaged"),
+    /** Packets refused: frame. */
+    SERIAL_BAD_FRAMES("serialBadFrames"),
+    /** Requests answered from memory. */
+    SERIAL_REPEATS("serialRepeats"),
+    /** Radio packets with a right CRC. */
+    RADIO_RECEIVED("radioReceived"),
+    /** Radio packets with a wrong symbol, count or CRC. */
+    RADIO_DAMAGED("radioDamaged"),
+    /** Radio packets that came while no buffer was free. */
+    RADIO_MISSED("radioMissed"),
+    /** Right packets that hold no frame, or one from no device. */
+    RADIO_BAD_FRAMES("radioBadFrames"),
+    /** Frames to reserved addresses. */
+    RADIO_RESERVED("radioReserved"),
+    /** Frames to other devices or groups. */
+    RADIO_NOT_FOR_US("radioNotForUs"),
+    /** Frames whose origin is the board's own RF id. */
+    RADIO_OWN("radioOwn"),
+    /** Sealed frames for us without a key for them. */
+    RADIO_NO_KEY("radioNoKey"),
+    /** Sealed frames too short or with a wrong tag. */
+    RADIO_BAD_TAG("radioBadTag"),
+    /** Sealed frames whose nonce is not newer than the last. */
+    RADIO_REPLAYED("radioReplayed"),
+    /** Sealed frames refused since their origin's nonce could not be remembered. */
+    RADIO_REPLAY_FULL("radioReplayFull"),
+    /** Good messages dropped since the receive queue was full. */
+    RADIO_QUEUE_FULL("radioQueueFull"),
+    /** Packets sent. */
+    RADIO_SENT("radioSent"),
+    /** Percepts that did not fit a reply. */
+    PERCEPTS_LEFT_OUT("perceptsLeftOut");
+
+    private static final Counter[] VALUES = values();
+
+    private final String specName;
+
+    Counter(String specName) {
+        this.specName = specName;
+    }
+
+    /** The counter of a number on the line, if there is one. */
+    public static Optional<Counter> of(int number) {
+        return number >= 1 && number <= VALUES.length ? Optional.of(VALUES[number - 1]) : Optional.empty();
+    }
+
+    /** The number on the line, from 1. */
+    public int number() {
+        return ordinal() + 1;
+    }
+
+    /** The name as in SPEC 4.5, such as {@code serialRequests}. */
+    @Override
+    public String toString() {
+        return specName;
+    }
+}

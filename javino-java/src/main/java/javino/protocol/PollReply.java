@@ -1,0 +1,88 @@
+package javino.protocol;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a poll brings (SPEC 4.3).
+ *
+ * @param more    whether more is waiting, so that the host should poll again at once.
+ * @param leftOut whether some percepts did not fit.
+ * @param records in the order of the reply: transmissions, percepts, messages.
+ */
+public record PollReply(boolean more, boolean leftOut, List<Item> records) {
+
+    private static final int MORE = 1;
+    private static final int LEFT_OUT = 2;
+    private static final int RECORD_HEADER_LENGTH = 3;
+    private static final int MESSAGE_HEADER_LENGTH = 1 + 2 * Address.LENGTH;
+
+    /** The records are copied. */
+    public PollReply {
+        records = List.copyOf(records);
+    }
+
+    /** One record of a poll reply. */
+    public sealed interface Item {
+    }
+
+    /** @param literal an AgentSpeak literal, by the board's word; UTF-8. */
+    public record Percept(Bytes literal) implements Item {
+    }
+
+    /**
+     * A message from the radio, opened where it was sealed.
+     *
+     * @param number      0…255 and around; to be named as taken.
+     * @param destination the device, its group, or all.
+     * @param origin      the device that sent it.
+     * @param content     what it said; by the sender's word a {@link Content}.
+     */
+    public record Message(int number, Address destination, Address origin, Bytes content) implements Item {
+    }
+
+    /**
+     * What became of a transmission.
+     *
+     * @param number  0…255, as answered when it was asked for.
+     * @param outcome how it ended.
+     */
+    public record Transmission(int number, Outcome outcome) implements Item {
+    }
+
+    static PollReply decode(Bytes body) throws ProtocolException {
+        Reply.expect(body.length() >= 1, "a poll is answered with flags", body);
+        List<Item> records = new ArrayList<>();
+        int at = 1;
+        while (at < body.length()) {
+            Reply.expect(at + RECORD_HEADER_LENGTH <= body.length(), "a record begins with type and length", body);
+            int start = at + RECORD_HEADER_LENGTH;
+            int end = start + (int) body.number(at + 1, start);
+            Reply.expect(end <= body.length(), "a record of " + (end - start) + " bytes at byte " + at, body);
+            records.add(decodeItem(body.at(at), body.slice(start, end)));
+            at = end;
+        }
+        return new PollReply((body.at(0) & MORE) != 0, (body.at(0) & LEFT_OUT) != 0, records);
+    }
+
+    private static Item decodeItem(int type, Bytes value) throws ProtocolException {
+        return switch (type) {
+            case 'P' -> new Percept(value);
+            case 'M' -> decodeMessage(value);
+            case 'T' -> decodeTransmission(value);
+            default -> throw new ProtocolException(ProtocolError.BAD_REPLY, "unknown type of record " + type);
+        };
+    }
+
+    private static Message decodeMessage(Bytes value) throws ProtocolException {
+        Reply.expect(value.length() >= MESSAGE_HEADER_LENGTH, "a message has number, destination, origin", value);
+        return new Message(value.at(0), Address.decode(value, 1), Address.decode(value, 1 + Address.LENGTH),
+                value.from(MESSAGE_HEADER_LENGTH));
+    }
+
+    private static Transmission decodeTransmission(Bytes value) throws ProtocolException {
+        Reply.expect(value.length() == 2, "a transmission has number and outcome", value);
+        return new Transmission(value.at(0), Outcome.of(value.at(1)).orElseThrow(() ->
+                new ProtocolException(ProtocolError.BAD_REPLY, "unknown outcome " + value.at(1))));
+    }
+}

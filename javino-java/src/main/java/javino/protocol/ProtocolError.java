@@ -1,0 +1,35 @@
+package javino.protocol;
+
+/** Why received bytes were refused (SPEC 2, 3, 4.1, 5, 6). */
+public enum ProtocolError {
+    /** A packet is no COBS encoding (SPEC 4.1). */
+    BAD_COBS,
+    /** A packet decodes to more than 524 bytes (SPEC 4.1), or a content is longer than 497 (SPEC 3). */
+    TOO_LONG,
+    /** A packet decodes to fewer than 13 bytes (SPEC 4.1), or a frame has fewer than 10 (SPEC 2). */
+    TOO_SHORT,
+    /** The checksum is not that of the bytes (SPEC 4.1, 6). */
+    BAD_CRC,
+    /** A character of a header or address is outside the Base64 alphabet (SPEC 1, 2). */
+    BAD_DIGIT,
+    /** A frame's size is no multiple of eight bits (SPEC 2). */
+    PARTIAL_BYTE,
+    /** A frame's size is not that of the bytes that follow its header (SPEC 2). */
+    SIZE_MISMATCH,
+    /** A frame's origin is neither a device nor the serial line (SPEC 2). */
+    BAD_ORIGIN,
+    /** Bytes that should be text are no UTF-8. */
+    BAD_TEXT,
+    /** A content is not {@code force;term} (SPEC 3). */
+    BAD_CONTENT,
+    /** A board's reply does not have the form of SPEC 4.3. */
+    BAD_REPLY,
+    /** A sealed frame is too short, or its tag is not that of its bytes (SPEC 5). */
+    BAD_TAG,
+    /** A radio packet does not begin with the training and start symbols (SPEC 6). */
+    BAD_START,
+    /** A radio packet has a symbol outside the table (SPEC 6). */
+    BAD_SYMBOL,
+    /** A radio packet's count is not 4…80, or not that of its bits (SPEC 6). */
+    BAD_COUNT
+}

@@ -1,0 +1,25 @@
+package javino.protocol;
+
+import javino.JavinoException;
+
+/** Received bytes that are not what SPEC.md says; {@link #error()} says in which way. */
+public final class ProtocolException extends JavinoException {
+
+    private static final long serialVersionUID = 1L;
+
+    private final ProtocolError error;
+
+    /**
+     * @param error    in which way the bytes are wrong.
+     * @param evidence what was found and what was expected, in one line.
+     */
+    public ProtocolException(ProtocolError error, String evidence) {
+        super(error + ": " + evidence);
+        this.error = error;
+    }
+
+    /** In which way the bytes are wrong. */
+    public ProtocolError error() {
+        return error;
+    }
+}

@@ -1,0 +1,93 @@
+package javino.protocol;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A board's answer (SPEC 4.2): a status and, where that is OK, a body whose form depends on the request.
+ *
+ * @param status how the request went.
+ * @param body   what the readers below make sense of.
+ */
+public record Reply(Status status, Bytes body) {
+
+    private static final int CHECK_LENGTH = 3;
+    private static final int COUNTER_LENGTH = 5;
+
+    /**
+     * A key that a board has.
+     *
+     * @param address whom it is shared with.
+     * @param check   its check value (SPEC 5.2), 3 bytes.
+     */
+    public record StoredKey(Address address, Bytes check) {
+    }
+
+    /** @throws ProtocolException BAD_REPLY if the frame is not from board to host, or has no known status. */
+    public static Reply decode(Frame frame) throws ProtocolException {
+        expect(frame.destination().equals(Address.SERIAL) && frame.origin().equals(Address.SERIAL),
+                "a reply goes from ++++ to ++++", frame.header());
+        expect(frame.message().length() > 0, "a reply has a status", frame.message());
+        Status status = Status.of(frame.message().at(0)).orElseThrow(() ->
+                new ProtocolException(ProtocolError.BAD_REPLY, "unknown status " + frame.message().at(0)));
+        return new Reply(status, frame.message().from(1));
+    }
+
+    /** The answer to hello. */
+    public BoardInfo boardInfo() throws ProtocolException {
+        return BoardInfo.decode(body);
+    }
+
+    /** The answer to poll. */
+    public PollReply poll() throws ProtocolException {
+        return PollReply.decode(body);
+    }
+
+    /** The answer to set key: the key's check value, 3 bytes. */
+    public Bytes checkValue() throws ProtocolException {
+        expect(body.length() == CHECK_LENGTH, "a check value has 3 bytes", body);
+        return body;
+    }
+
+    /** The answer to list keys. */
+    public List<StoredKey> storedKeys() throws ProtocolException {
+        int entry = Address.LENGTH + CHECK_LENGTH;
+        expect(body.length() % entry == 0, "listed keys have 7 bytes each", body);
+        List<StoredKey> keys = new ArrayList<>();
+        for (int at = 0; at < body.length(); at += entry) {
+            keys.add(new StoredKey(Address.decode(body, at), body.slice(at + Address.LENGTH, at + entry)));
+        }
+        return List.copyOf(keys);
+    }
+
+    /** The answer to statistics, without counters that only later firmware has. */
+    public Map<Counter, Long> statistics() throws ProtocolException {
+        expect(body.length() % COUNTER_LENGTH == 0, "counters have 5 bytes each", body);
+        Map<Counter, Long> values = new EnumMap<>(Counter.class);
+        for (int at = 0; at < body.length(); at += COUNTER_LENGTH) {
+            long value = body.number(at + 1, at + COUNTER_LENGTH);
+            Counter.of(body.at(at)).ifPresent(counter -> values.put(counter, value));
+        }
+        return Collections.unmodifiableMap(values);
+    }
+
+    /** The answer to a transmission: its number, 0…255. */
+    public int transmissionNumber() throws ProtocolException {
+        expect(body.length() == 1, "a transmission's number has 1 byte", body);
+        return body.at(0);
+    }
+
+    /** The answer to all other requests: nothing. */
+    public void nothing() throws ProtocolException {
+        expect(body.length() == 0, "nothing was to be answered", body);
+    }
+
+    static void expect(boolean condition, String expected, Bytes found) throws ProtocolException {
+        if (!condition) {
+            throw new ProtocolException(ProtocolError.BAD_REPLY, expected + ", found " + found.hex());
+        }
+    }
+}

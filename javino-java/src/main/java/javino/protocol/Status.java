@@ -1,0 +1,55 @@
+package javino.protocol;
+
+import java.util.Optional;
+
+/** How a board answers a request (SPEC 4.4). The ordinal is the value on the line. */
+public enum Status {
+    /** Done. */
+    OK("done"),
+    /** The board has (re)started. */
+    NOT_GREETED("the board has restarted and was not greeted yet"),
+    /** No such command in this version. */
+    UNKNOWN_COMMAND("the board's firmware does not know this command; flash a current one"),
+    /** The body is not what the command takes. */
+    BAD_ARGUMENT("the board does not take this argument"),
+    /** The sketch has no action of this name. */
+    UNKNOWN_ACTION("the sketch has no action of this name"),
+    /** The sketch refused the action or its arguments. */
+    ACTION_FAILED("the sketch refused the action or its arguments"),
+    /** The board has no RF id yet. */
+    NO_RF_ID("the board has no RF id yet; set one first"),
+    /** The frame's origin is not the board's RF id. */
+    WRONG_ORIGIN("the origin is not the board's RF id"),
+    /** Nothing can be sent to this address. */
+    BAD_DESTINATION("nothing can be sent to this address: it is reserved or the board's own"),
+    /** No key is stored for this address. */
+    NO_KEY("the board has no key for this address; set one over the serial line"),
+    /** The content does not fit. */
+    TOO_LONG("the content is too long for one radio packet: 67 bytes in a broadcast, 53 sealed"),
+    /** The transmit queue is full. */
+    QUEUE_FULL("the board's transmit queue is full; try again later"),
+    /** The key store is full. */
+    STORE_FULL("the board's key store is full; delete a key first"),
+    /** The EEPROM did not keep what was written. */
+    STORE_FAILED("the board's EEPROM did not keep what was written"),
+    /** No nonce is left. */
+    NONCE_EXHAUSTED("the board has used all its nonces; its keys must be replaced");
+
+    private static final Status[] VALUES = values();
+
+    private final String explanation;
+
+    Status(String explanation) {
+        this.explanation = explanation;
+    }
+
+    /** The status of a value on the line, if there is one. */
+    public static Optional<Status> of(int value) {
+        return value >= 0 && value < VALUES.length ? Optional.of(VALUES[value]) : Optional.empty();
+    }
+
+    /** What it means and, where something can be done, what; for people. */
+    public String explanation() {
+        return explanation;
+    }
+}
