@@ -1,0 +1,28 @@
+package javino.link;
+
+import java.time.Duration;
+
+/** An open two-way stream of bytes to a board. One thread reads and writes; any may close. */
+public interface Link extends AutoCloseable {
+
+    /**
+     * Writes all the bytes.
+     *
+     * @throws LinkException if the link is broken or closed.
+     */
+    void write(byte[] bytes) throws LinkException;
+
+    /**
+     * Waits until at least one byte is there, and reads what is.
+     *
+     * @param into    filled from its start.
+     * @param timeout how long to wait at most; implementations may round it up to 100 ms.
+     * @return how many bytes were read, or 0 if none came in time.
+     * @throws LinkException if the link is broken or closed.
+     */
+    int read(byte[] into, Duration timeout) throws LinkException;
+
+    /** Closes the link; a second time does nothing. */
+    @Override
+    void close();
+}

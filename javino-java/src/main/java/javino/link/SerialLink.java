@@ -1,0 +1,120 @@
+package javino.link;
+
+import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.time.Duration;
+
+/** A serial port: 8 data bits, no parity, one stop bit, no flow control (SPEC 4). */
+public final class SerialLink implements Link {
+
+    /** The rate that boards have unless they were built otherwise. */
+    public static final int DEFAULT_BAUD = 115_200;
+
+    private static final String NO_PORT = "there is no such port; is the board plugged in?";
+
+    private final String name;
+    private final SerialPort port;
+    private int timeoutMillis = -1;
+
+    private SerialLink(String name, SerialPort port) {
+        this.name = name;
+        this.port = port;
+    }
+
+    /** An opener at {@link #DEFAULT_BAUD}; see {@link #opener(String, int)}. */
+    public static LinkOpener opener(String name) {
+        return opener(name, DEFAULT_BAUD);
+    }
+
+    /**
+     * An opener of a port.
+     *
+     * @param name a path that exists when the port is opened, whose symbolic links are followed anew each time;
+     *             or else the system's name of a port, such as {@code COM5} or {@code ttyACM0}.
+     * @param baud bits a second.
+     */
+    public static LinkOpener opener(String name, int baud) {
+        return new LinkOpener() {
+            @Override
+            public Link open() throws LinkException {
+                return SerialLink.open(name, baud);
+            }
+
+            @Override
+            public String name() {
+                return name;
+            }
+        };
+    }
+
+    private static SerialLink open(String name, int baud) throws LinkException {
+        SerialPort port = find(name);
+        port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+        port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+        // 0: jSerialComm would otherwise sleep for 200 ms before it opens.
+        if (!port.openPort(0)) {
+            throw new LinkException(name, "cannot be opened" + cause(port)
+                    + "; is another program using it, and may you read and write it?");
+        }
+        return new SerialLink(name, port);
+    }
+
+    private static SerialPort find(String name) throws LinkException {
+        try {
+            Path path = Path.of(name);
+            if (Files.exists(path)) {
+                return SerialPort.getCommPort(path.toRealPath().toString());
+            }
+            if (path.getNameCount() > 1) {
+                // jSerialComm would take the last part of a path for a port in /dev.
+                throw new LinkException(name, NO_PORT);
+            }
+            return SerialPort.getCommPort(name);
+        } catch (SerialPortInvalidPortException | InvalidPathException e) {
+            throw new LinkException(name, NO_PORT);
+        } catch (IOException e) {
+            throw new LinkException(name, "the link cannot be followed: " + e.getMessage());
+        }
+    }
+
+    private static String cause(SerialPort port) {
+        int code = port.getLastErrorCode();
+        return code == 0 ? "" : " (system error " + code + ")";
+    }
+
+    @Override
+    public void write(byte[] bytes) throws LinkException {
+        int written = 0;
+        while (written < bytes.length) {
+            int count = port.writeBytes(bytes, bytes.length - written, written);
+            if (count <= 0) {
+                throw new LinkException(name, "cannot be written" + cause(port) + "; was the board unplugged?");
+            }
+            written += count;
+        }
+    }
+
+    @Override
+    public int read(byte[] into, Duration timeout) throws LinkException {
+        // Rounded up: jSerialComm takes 0 for "wait for ever".
+        int millis = (int) Math.max(1, timeout.toMillis());
+        if (millis != timeoutMillis) {
+            port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, millis, 0);
+            timeoutMillis = millis;
+        }
+        int count = port.readBytes(into, into.length);
+        if (count < 0) {
+            throw new LinkException(name, "cannot be read" + cause(port) + "; was the board unplugged?");
+        }
+        return count;
+    }
+
+    @Override
+    public void close() {
+        port.closePort();
+    }
+}
