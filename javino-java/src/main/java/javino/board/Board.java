@@ -1,0 +1,201 @@
+package javino.board;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import javino.link.LinkOpener;
+import javino.protocol.Address;
+import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Counter;
+import javino.protocol.Key;
+import javino.protocol.ProtocolException;
+import javino.protocol.Reply;
+import javino.protocol.Request;
+import javino.protocol.Status;
+
+/**
+ * A session with one board, which is greeted, polled, and found again when it was gone, all on a daemon thread.
+ *
+ * <p>Nothing here waits for the board: requests return futures, which complete on the session's thread (so what
+ * depends on them must not block). A request made while the board is offline waits for it, at most
+ * {@link BoardConfig#patience()}. A future fails with
+ * <ul>
+ * <li>{@link RequestFailedException} where the board refused,
+ * <li>{@link BoardOfflineException} where it was not reached,
+ * <li>{@link OutcomeUnknownException} where it was lost or reset while the request was under way,
+ * <li>{@link QueueFullException} where too many requests wait,
+ * <li>{@link ProtocolException} where the reply made no sense.
+ * </ul>
+ */
+public final class Board implements AutoCloseable {
+
+    private static final Duration CLOSE_TIMEOUT = Duration.ofSeconds(2);
+
+    private final BoardConfig config;
+    private final RequestQueue queue;
+    private final Wishes wishes = new Wishes();
+    private final Tally tally = new Tally();
+    private final Session session;
+    private final Thread thread;
+
+    private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
+        this.config = config;
+        queue = new RequestQueue(config.queueCapacity());
+        session = new Session(opener, config, queue, wishes, tally, new ListenerGuard(listener, tally));
+        thread = new Thread(session, "javino " + opener.name());
+        thread.setDaemon(true);
+    }
+
+    /** Begins a session; the board need not be there yet. */
+    public static Board open(LinkOpener opener, BoardConfig config, BoardListener listener) {
+        Board board = new Board(opener, config, listener);
+        board.thread.start();
+        return board;
+    }
+
+    /**
+     * Has the sketch perform an action.
+     *
+     * @param action {@code name} or {@code name(arguments)}, 1…510 bytes of UTF-8.
+     * @throws IllegalArgumentException if the action is empty or too long.
+     */
+    public CompletableFuture<Void> act(String action) {
+        return ask(new Request.Act(action), Board::nothing);
+    }
+
+    /**
+     * Has a content sent by radio from the board's own address.
+     *
+     * @return the transmission's number, 0…255, with which {@link BoardListener#transmitted} tells its end.
+     * @throws IllegalArgumentException if the destination is the serial line.
+     */
+    public CompletableFuture<Integer> transmit(Address to, Content content) {
+        if (to.equals(Address.SERIAL)) {
+            throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
+        }
+        String description = "transmit to " + to + ": " + content;
+        return ask(description, board -> {
+            Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
+            return new Request.Transmit(to, origin, content);
+        }, Reply::transmissionNumber);
+    }
+
+    /**
+     * Gives the board its address; it keeps it.
+     *
+     * @throws IllegalArgumentException if the address is no device's.
+     */
+    public CompletableFuture<Void> setRfId(Address id) {
+        return ask(new Request.SetRfId(id), reply -> {
+            reply.nothing();
+            session.renamed(id);
+            return null;
+        });
+    }
+
+    /** Has radio messages received, or not, now and whenever the board comes online again. */
+    public CompletableFuture<Void> radio(boolean open) {
+        wishes.setRadio(open);
+        return ask(new Request.Radio(open), Board::nothing);
+    }
+
+    /**
+     * Stores a key in the board; it keeps it.
+     *
+     * @param address the device or group that the key is shared with.
+     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
+     * @throws IllegalArgumentException if the address is neither a device's nor a group's.
+     */
+    public CompletableFuture<Bytes> setKey(Address address, Key key) {
+        return ask(new Request.SetKey(address, key), Reply::checkValue);
+    }
+
+    /** Has the board forget a key. */
+    public CompletableFuture<Void> deleteKey(Address address) {
+        return ask(new Request.DeleteKey(address), Board::nothing);
+    }
+
+    /** The addresses and check values of the board's keys. */
+    public CompletableFuture<List<Reply.StoredKey>> keys() {
+        return ask(new Request.ListKeys(), Reply::storedKeys);
+    }
+
+    /** The board's counters. */
+    public CompletableFuture<Map<Counter, Long>> statistics() {
+        return ask(new Request.Statistics(), Reply::statistics);
+    }
+
+    /** Has percepts asked for, or not; without, the listener is told an empty set. At first they are not. */
+    public void percepts(boolean wanted) {
+        wishes.setPercepts(wanted);
+        queue.wake();
+    }
+
+    /**
+     * Limits how often percepts are asked for.
+     *
+     * @param least the least time between two sets; zero, as at first, for each poll.
+     * @throws IllegalArgumentException if it is negative.
+     */
+    public void perceptInterval(Duration least) {
+        if (least.isNegative()) {
+            throw new IllegalArgumentException("the least time between percepts cannot be negative: " + least);
+        }
+        wishes.setPerceptInterval(least);
+    }
+
+    /** How the session stands with the board. */
+    public BoardState state() {
+        return session.state();
+    }
+
+    /** The board as it was greeted last, with its present address; nothing before the first time. */
+    public Optional<BoardInfo> info() {
+        return session.info();
+    }
+
+    /** The session's own counters. */
+    public Map<SessionCounter, Long> counters() {
+        return tally.snapshot();
+    }
+
+    /** Ends the session; requests that wait fail. Waits for the thread's end, except on that thread itself. */
+    @Override
+    public void close() {
+        queue.close("the session was closed");
+        if (Thread.currentThread() == thread) {
+            return;
+        }
+        try {
+            thread.join(CLOSE_TIMEOUT.toMillis());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static Void nothing(Reply reply) throws ProtocolException {
+        reply.nothing();
+        return null;
+    }
+
+    private <T> CompletableFuture<T> ask(Request request, Pending.Reader<T> reader) {
+        return ask(request.toString(), board -> request, reader);
+    }
+
+    private <T> CompletableFuture<T> ask(String description, Pending.Source source, Pending.Reader<T> reader) {
+        CompletableFuture<T> result = new CompletableFuture<>();
+        try {
+            queue.add(new Pending<>(description, source, reader, result, Deadline.in(config.patience())));
+        } catch (QueueFullException e) {
+            tally.count(SessionCounter.REFUSED_REQUESTS);
+            result.completeExceptionally(e);
+        } catch (BoardOfflineException e) {
+            result.completeExceptionally(e);
+        }
+        return result;
+    }
+}

@@ -1,0 +1,117 @@
+package javino.board;
+
+import java.time.Duration;
+import java.util.function.Consumer;
+
+/**
+ * How a session behaves. All times are positive.
+ *
+ * @param pollInterval   from one poll to the next while nothing else is to do; 20 ms by default.
+ * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default (SPEC 4.2).
+ * @param attempts       how often a request is sent before the board counts as offline, at least 1; 5 by default.
+ * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.
+ * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.
+ * @param patience       how long a request may wait for the board to come online, and how long an open link may be
+ *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
+ * @param queueCapacity  how many requests may wait, at least 1; 64 by default.
+ */
+public record BoardConfig(Duration pollInterval, Duration replyTimeout, int attempts, Duration helloInterval,
+                          Duration reopenInterval, Duration patience, int queueCapacity) {
+
+    /** @throws IllegalArgumentException if a value is out of its range. */
+    public BoardConfig {
+        checkPositive("pollInterval", pollInterval);
+        checkPositive("replyTimeout", replyTimeout);
+        checkPositive("helloInterval", helloInterval);
+        checkPositive("reopenInterval", reopenInterval);
+        checkPositive("patience", patience);
+        checkPositive("attempts", attempts);
+        checkPositive("queueCapacity", queueCapacity);
+    }
+
+    private static void checkPositive(String name, Duration value) {
+        if (value.isNegative() || value.isZero()) {
+            throw new IllegalArgumentException(name + " must be positive, not " + value);
+        }
+    }
+
+    private static void checkPositive(String name, int value) {
+        if (value < 1) {
+            throw new IllegalArgumentException(name + " must be at least 1, not " + value);
+        }
+    }
+
+    /** All defaults. */
+    public static BoardConfig create() {
+        return create(builder -> { });
+    }
+
+    /** The defaults, but for what the consumer sets. */
+    public static BoardConfig create(Consumer<Builder> configure) {
+        Builder builder = new Builder();
+        configure.accept(builder);
+        return builder.build();
+    }
+
+    /** Collects settings; see {@link BoardConfig} for their meanings. */
+    public static final class Builder {
+
+        private Duration pollInterval = Duration.ofMillis(20);
+        private Duration replyTimeout = Duration.ofMillis(200);
+        private int attempts = 5;
+        private Duration helloInterval = Duration.ofMillis(100);
+        private Duration reopenInterval = Duration.ofMillis(200);
+        private Duration patience = Duration.ofSeconds(5);
+        private int queueCapacity = 64;
+
+        private Builder() {
+        }
+
+        /** Sets {@link BoardConfig#pollInterval()}. */
+        public Builder setPollInterval(Duration interval) {
+            pollInterval = interval;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#replyTimeout()}. */
+        public Builder setReplyTimeout(Duration timeout) {
+            replyTimeout = timeout;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#attempts()}. */
+        public Builder setAttempts(int count) {
+            attempts = count;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#helloInterval()}. */
+        public Builder setHelloInterval(Duration interval) {
+            helloInterval = interval;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#reopenInterval()}. */
+        public Builder setReopenInterval(Duration interval) {
+            reopenInterval = interval;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#patience()}. */
+        public Builder setPatience(Duration longest) {
+            patience = longest;
+            return this;
+        }
+
+        /** Sets {@link BoardConfig#queueCapacity()}. */
+        public Builder setQueueCapacity(int capacity) {
+            queueCapacity = capacity;
+            return this;
+        }
+
+        private BoardConfig build() {
+            return new BoardConfig(pollInterval, replyTimeout, attempts, helloInterval, reopenInterval, patience,
+                    queueCapacity);
+        }
+    }
+}

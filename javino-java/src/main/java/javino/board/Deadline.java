@@ -1,0 +1,19 @@
+package javino.board;
+
+import java.time.Duration;
+
+/** A moment on the monotonic clock. */
+record Deadline(long nanos) {
+
+    static Deadline in(Duration duration) {
+        return new Deadline(System.nanoTime() + duration.toNanos());
+    }
+
+    long nanosLeft() {
+        return nanos - System.nanoTime();
+    }
+
+    boolean passed() {
+        return nanosLeft() <= 0;
+    }
+}

@@ -1,0 +1,106 @@
+package javino.board;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import java.util.function.IntPredicate;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.protocol.Bytes;
+import javino.protocol.Packet;
+import javino.protocol.PacketDecoder;
+import javino.protocol.ProtocolException;
+import javino.protocol.Reply;
+import javino.protocol.Request;
+
+/** Asks one request after the other over an open link, and finds each one's reply (SPEC 4.2). */
+final class Exchange {
+
+    /** An empty packet, which ends what damage may have left open at the other side. */
+    private static final Bytes SEPARATOR = Bytes.of(0);
+
+    private final Link link;
+    private final Tally tally;
+    private final PacketDecoder decoder = new PacketDecoder();
+    private final Deque<PacketDecoder.Result> arrived = new ArrayDeque<>();
+    private final byte[] buffer = new byte[1024];
+    private int sequence;
+
+    /** @param firstSequence that of the first request, 0…255. */
+    Exchange(Link link, int firstSequence, Tally tally) {
+        this.link = link;
+        this.tally = tally;
+        this.sequence = firstSequence - 1;
+    }
+
+    /**
+     * A reply, and what was needed to get it.
+     *
+     * @param reply    the board's.
+     * @param attempts how often the request was sent, at least 1.
+     */
+    record Answer(Reply reply, int attempts) {
+    }
+
+    /**
+     * Sends a request until it is answered.
+     *
+     * @param timeout how long each attempt waits.
+     * @param again   given how often the request was sent, says whether to send it once more.
+     * @return nothing if there was no reply.
+     * @throws LinkException     if the link broke.
+     * @throws ProtocolException if the reply makes no sense.
+     */
+    Optional<Answer> ask(Request request, Duration timeout, IntPredicate again)
+            throws LinkException, ProtocolException {
+        sequence = sequence + 1 & 0xFF;
+        Bytes packet = new Packet(sequence, request.frame()).encode();
+        byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
+        tally.count(SessionCounter.REQUESTS);
+        int attempts = 0;
+        do {
+            if (attempts > 0) {
+                tally.count(SessionCounter.REPEATS);
+            }
+            link.write(bytes);
+            attempts++;
+            Optional<Packet> reply = awaitReply(Deadline.in(timeout));
+            if (reply.isPresent()) {
+                return Optional.of(new Answer(Reply.decode(reply.get().frame()), attempts));
+            }
+        } while (again.test(attempts));
+        return Optional.empty();
+    }
+
+    private Optional<Packet> awaitReply(Deadline deadline) throws LinkException {
+        while (true) {
+            Optional<Packet> reply = takeArrived();
+            if (reply.isPresent()) {
+                return reply;
+            }
+            if (deadline.passed()) {
+                if (decoder.abandon()) {
+                    tally.count(SessionCounter.DAMAGED_PACKETS);
+                }
+                return Optional.empty();
+            }
+            int count = link.read(buffer, Duration.ofNanos(Math.max(1, deadline.nanosLeft())));
+            arrived.addAll(decoder.feed(buffer, count));
+        }
+    }
+
+    /** The reply that is waited for, if it is among what arrived; all before it is counted and dropped. */
+    private Optional<Packet> takeArrived() {
+        while (!arrived.isEmpty()) {
+            if (!(arrived.remove() instanceof PacketDecoder.Found found)) {
+                tally.count(SessionCounter.DAMAGED_PACKETS);
+            } else if (found.packet().sequence() != sequence) {
+                tally.count(SessionCounter.STALE_REPLIES);
+            } else {
+                return Optional.of(found.packet());
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,17 @@
+package javino.board;
+
+import javino.JavinoException;
+
+/** The board was lost or reset while a request was under way; nobody knows whether it was performed. */
+public final class OutcomeUnknownException extends JavinoException {
+
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * @param request describes what was asked.
+     * @param why     what happened meanwhile.
+     */
+    public OutcomeUnknownException(String request, String why) {
+        super(why + "; it is not known whether " + request + " was performed");
+    }
+}

@@ -1,0 +1,47 @@
+package javino.board;
+
+import java.util.concurrent.CompletableFuture;
+import javino.JavinoException;
+import javino.protocol.BoardInfo;
+import javino.protocol.ProtocolException;
+import javino.protocol.Reply;
+import javino.protocol.Request;
+import javino.protocol.Status;
+
+/**
+ * A request that waits for the board.
+ *
+ * @param description for error lines.
+ * @param source      makes the request when its turn has come.
+ * @param reader      makes the result of the reply.
+ * @param result      completed on the session's thread.
+ * @param expiry      when it fails if the board is still offline.
+ */
+record Pending<T>(String description, Source source, Reader<T> reader, CompletableFuture<T> result, Deadline expiry) {
+
+    /** Makes a request for the board as it is then. */
+    interface Source {
+        Request request(BoardInfo board) throws RequestFailedException;
+    }
+
+    /** Makes a result of an OK reply. */
+    interface Reader<T> {
+        T read(Reply reply) throws ProtocolException;
+    }
+
+    void answer(Reply reply) throws ProtocolException {
+        if (reply.status() != Status.OK) {
+            result.completeExceptionally(new RequestFailedException(description, reply.status()));
+        } else {
+            result.complete(reader.read(reply));
+        }
+    }
+
+    void fail(JavinoException cause) {
+        result.completeExceptionally(cause);
+    }
+
+    void failOffline(String why) {
+        fail(new BoardOfflineException(description, why));
+    }
+}
