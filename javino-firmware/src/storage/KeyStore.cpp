@@ -66,6 +66,11 @@ bool KeyStore::load(uint8_t slot, DerivedKeys &into) const {
   return true;
 }
 
+void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
+  const uint16_t at = static_cast<uint16_t>(KEYS_AT + slot * KEY_RECORD_LENGTH + CHECK_AT);
+  for (uint8_t i = 0; i < DerivedKeys::CHECK_LENGTH; i++) check[i] = eeprom_.read(static_cast<uint16_t>(at + i));
+}
+
 KeyStore::Result KeyStore::set(Address address, const uint8_t *key) {
   const uint8_t slot = placeFor(address);
   if (slot == NO_SLOT) return FULL;

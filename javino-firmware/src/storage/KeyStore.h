@@ -40,6 +40,10 @@ class KeyStore {
   /// @return false where it is free or no longer readable.
   bool load(uint8_t slot, DerivedKeys &into) const;
 
+  /// Reads the check value of the key at a place that is not free, without touching its secrets.
+  /// @param check room for 3 bytes
+  void readCheckValue(uint8_t slot, uint8_t *check) const;
+
   /// Stores a key of 16 bytes: some 140 ms of EEPROM, unless it is there already.
   /// @param address a device or a multicast address
   Result set(Address address, const uint8_t *key);

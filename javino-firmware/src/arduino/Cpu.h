@@ -1,0 +1,19 @@
+#pragma once
+
+namespace javino {
+
+/// Sleep and interrupts of the CPU; bound when linking, to CpuAvr.cpp on a board and to a mock in the host tests.
+namespace cpu {
+
+/// Keeps interrupts away, so that nothing can come between the look whether there is work and the sleep.
+void holdInterrupts();
+
+/// Lets them come again.
+void releaseInterrupts();
+
+/// Lets interrupts come again and sleeps until one has come; one that waits already ends the sleep at once.
+/// Timers, UART and pins stay awake.
+void releaseInterruptsAndIdle();
+
+}  // namespace cpu
+}  // namespace javino

@@ -1,0 +1,27 @@
+#ifdef __AVR__
+
+#include <avr/interrupt.h>
+#include <avr/sleep.h>
+
+#include "Cpu.h"
+
+namespace javino {
+namespace cpu {
+
+void holdInterrupts() { cli(); }
+
+void releaseInterrupts() { sei(); }
+
+// The instruction behind sei is always performed before any interrupt, so none is lost between the two.
+void releaseInterruptsAndIdle() {
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  sleep_enable();
+  sei();
+  sleep_cpu();
+  sleep_disable();
+}
+
+}  // namespace cpu
+}  // namespace javino
+
+#endif

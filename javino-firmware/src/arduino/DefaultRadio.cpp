@@ -1,0 +1,14 @@
+#include "../radio/AskRadio.h"
+#include "JavinoBoard.h"
+
+namespace javino {
+
+// Apart from the rest, and made on first use: a sketch that brings its own radio links no AskRadio.
+static Radio &defaultRadio() {
+  static AskRadio radio;
+  return radio;
+}
+
+Javino::Javino(HardwareSerial &serial, const char *firmwareName) : Javino(serial, firmwareName, defaultRadio()) {}
+
+}  // namespace javino

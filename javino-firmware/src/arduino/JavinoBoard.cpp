@@ -1,0 +1,25 @@
+#include "JavinoBoard.h"
+
+#include "Cpu.h"
+
+namespace javino {
+
+Javino::Javino(HardwareSerial &serial, const char *firmwareName, Radio &radio)
+    : serial_(serial), port_(serial), board_(port_, eeprom_, radio, firmwareName) {}
+
+bool Javino::begin(unsigned long baud) {
+  serial_.begin(baud);
+  return board_.begin();
+}
+
+void Javino::run() {
+  board_.run();
+  cpu::holdInterrupts();
+  if (board_.isIdle()) {
+    cpu::releaseInterruptsAndIdle();
+  } else {
+    cpu::releaseInterrupts();
+  }
+}
+
+}  // namespace javino

@@ -1,0 +1,50 @@
+#include "Actions.h"
+
+namespace javino {
+
+namespace {
+
+bool equal(const FlashText *known, const char *name, uint16_t length) {
+  for (uint16_t i = 0; i < length; i++) {
+    if (flashChar(known, i) != name[i]) return false;  // its closing zero is no character of a name
+  }
+  return flashChar(known, length) == 0;
+}
+
+bool equal(const FlashText *known, const FlashText *name) {
+  for (uint16_t i = 0;; i++) {
+    const char next = flashChar(name, i);
+    if (flashChar(known, i) != next) return false;
+    if (next == 0) return true;
+  }
+}
+
+}  // namespace
+
+bool Actions::add(const FlashText *name, Action action) {
+  if (name == nullptr || action == nullptr || flashChar(name, 0) == 0 || count_ == config::ACTIONS) return false;
+  for (uint8_t i = 0; i < count_; i++) {
+    if (equal(entries_[i].name, name)) return false;
+  }
+  entries_[count_].name = name;
+  entries_[count_].action = action;
+  count_++;
+  return true;
+}
+
+Status Actions::perform(const uint8_t *action, uint16_t length) const {
+  Arguments arguments;
+  if (!arguments.parse(action, length)) return Status::BAD_ARGUMENT;
+  const Action found = find(arguments.name(), arguments.nameLength());
+  if (found == nullptr) return Status::UNKNOWN_ACTION;
+  return found(arguments) ? Status::OK : Status::ACTION_FAILED;
+}
+
+Action Actions::find(const char *name, uint16_t length) const {
+  for (uint8_t i = 0; i < count_; i++) {
+    if (equal(entries_[i].name, name, length)) return entries_[i].action;
+  }
+  return nullptr;
+}
+
+}  // namespace javino

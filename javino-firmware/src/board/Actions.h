@@ -1,0 +1,40 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../Config.h"
+#include "../support/Flash.h"
+#include "Arguments.h"
+#include "Status.h"
+
+namespace javino {
+
+/// A sketch's function for an action.
+/// @return false where it refuses the action or its arguments; the agent's plan then fails.
+typedef bool (*Action)(const Arguments &arguments);
+
+/// The actions that a sketch has named.
+class Actions {
+ public:
+  Actions() : count_(0) {}
+
+  /// @return false, and nothing changes, where name or function is missing, the name is taken or the table is full.
+  bool add(const FlashText *name, Action action);
+
+  /// Performs what a request asks for.
+  /// @return OK, BAD_ARGUMENT, UNKNOWN_ACTION or ACTION_FAILED
+  Status perform(const uint8_t *action, uint16_t length) const;
+
+ private:
+  struct Entry {
+    const FlashText *name;
+    Action action;
+  };
+
+  Action find(const char *name, uint16_t length) const;
+
+  Entry entries_[config::ACTIONS];
+  uint8_t count_;
+};
+
+}  // namespace javino

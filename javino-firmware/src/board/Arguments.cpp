@@ -1,0 +1,105 @@
+#include "Arguments.h"
+
+#include <limits.h>
+
+#include "ArgumentScanner.h"
+
+namespace javino {
+
+namespace {
+
+bool isBlank(char next) { return next == ' ' || next == '\t'; }
+bool isDigit(char next) { return next >= '0' && next <= '9'; }
+
+bool isNameCharacter(char next) {
+  return (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z') || isDigit(next) || next == '_' || next == '.';
+}
+
+}  // namespace
+
+bool Arguments::parse(const uint8_t *action, uint16_t length) {
+  *this = Arguments();
+  return parseName(reinterpret_cast<const char *>(action), length) && (inner_ == nullptr || countArguments());
+}
+
+bool Arguments::integer(uint8_t index, long &into) const {
+  Span span;
+  if (!find(index, span)) return false;
+  const bool negative = span.at[0] == '-';
+  const unsigned long limit = static_cast<unsigned long>(LONG_MAX) + negative;
+  unsigned long magnitude = 0;
+  if (span.length == negative) return false;
+  for (uint16_t i = negative; i < span.length; i++) {
+    if (!isDigit(span.at[i])) return false;
+    const uint8_t digit = static_cast<uint8_t>(span.at[i] - '0');
+    if (magnitude > (limit - digit) / 10) return false;
+    magnitude = magnitude * 10 + digit;
+  }
+  // The smallest long has no positive counterpart, so one less is negated.
+  into = negative && magnitude != 0 ? -static_cast<long>(magnitude - 1) - 1 : static_cast<long>(magnitude);
+  return true;
+}
+
+bool Arguments::text(uint8_t index, char *into, size_t size) const {
+  Span span;
+  if (!find(index, span)) return false;
+  const bool quoted = span.length >= 2 && span.at[0] == '"' && span.at[span.length - 1] == '"';
+  const uint16_t end = static_cast<uint16_t>(span.length - quoted);
+  size_t used = 0;
+  for (uint16_t i = quoted; i < end; i++) {
+    char next = span.at[i];
+    if (quoted && next == '\\' && i + 1 < end) {
+      next = span.at[++i];
+      if (next == 'n') next = '\n';
+    }
+    if (used + 1 >= size) return false;
+    into[used++] = next;
+  }
+  if (used >= size) return false;
+  into[used] = 0;
+  return true;
+}
+
+bool Arguments::parseName(const char *action, uint16_t length) {
+  name_ = action;
+  while (nameLength_ < length && isNameCharacter(action[nameLength_])) nameLength_++;
+  if (nameLength_ == 0) return false;
+  if (nameLength_ == length) return true;
+  if (action[nameLength_] != '(' || action[length - 1] != ')') return false;
+  inner_ = action + nameLength_ + 1;
+  innerLength_ = static_cast<uint16_t>(length - nameLength_ - 2);
+  return nameLength_ + 2 <= length;
+}
+
+bool Arguments::countArguments() {
+  ArgumentScanner scanner;
+  uint16_t count = 1;
+  for (uint16_t i = 0; i < innerLength_; i++) count = static_cast<uint16_t>(count + scanner.add(inner_[i]));
+  if (!scanner.balanced() || count > UINT8_MAX) return false;
+  count_ = static_cast<uint8_t>(count);
+  for (uint8_t i = 0; i < count_; i++) {
+    Span span;
+    if (!find(i, span)) return false;
+  }
+  return true;
+}
+
+// Finds an argument; false where there is none of this index or it is empty.
+bool Arguments::find(uint8_t index, Span &into) const {
+  if (index >= count_) return false;
+  ArgumentScanner scanner;
+  uint16_t start = 0;
+  uint16_t end = 0;
+  for (; end < innerLength_; end++) {
+    if (!scanner.add(inner_[end])) continue;
+    if (index-- == 0) break;
+    start = static_cast<uint16_t>(end + 1);
+  }
+  while (start < end && isBlank(inner_[start])) start++;
+  while (start < end && isBlank(inner_[end - 1])) end--;
+  into.at = inner_ + start;
+  into.length = static_cast<uint16_t>(end - start);
+  return into.length != 0;
+}
+
+}  // namespace javino

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace javino {
+
+/// The action that an agent asks for, `name` or `name(arguments)`, as a view on the request's bytes (SPEC 4.3, act).
+/// Arguments are the texts between the commas outside of quotes and brackets, without the blanks around them.
+class Arguments {
+ public:
+  Arguments() : name_(nullptr), nameLength_(0), inner_(nullptr), innerLength_(0), count_(0) {}
+
+  /// Reads an action.
+  /// @return false where there is no name, or brackets or quotes do not match, or an argument is empty.
+  bool parse(const uint8_t *action, uint16_t length);
+
+  /// The action's name, not ended by a zero.
+  const char *name() const { return name_; }
+  uint16_t nameLength() const { return nameLength_; }
+
+  uint8_t count() const { return count_; }
+
+  // Reads argument `index` (from 0) as a whole number.
+  // Returns false, and `into` is untouched, where there is none, it is no whole number or none that a long holds.
+  bool integer(uint8_t index, long &into) const;
+
+  // Copies argument `index` (from 0) as text: the content of a quoted one, any other as it stands. Ends it by a zero.
+  // Returns false, and `into` holds nothing of use, where there is none or it needs more than `size` bytes.
+  bool text(uint8_t index, char *into, size_t size) const;
+
+ private:
+  struct Span {
+    const char *at;
+    uint16_t length;
+  };
+
+  bool parseName(const char *action, uint16_t length);
+  bool countArguments();
+  bool find(uint8_t index, Span &into) const;
+
+  const char *name_;
+  uint16_t nameLength_;
+  const char *inner_;  // between the outer brackets
+  uint16_t innerLength_;
+  uint8_t count_;
+};
+
+}  // namespace javino

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "../radio/Radio.h"
+#include "../secure/NonceSource.h"
+#include "../storage/BootEpoch.h"
+#include "../storage/Eeprom.h"
+#include "../storage/KeyStore.h"
+#include "../storage/RfId.h"
+#include "Actions.h"
+#include "Commands.h"
+#include "Counters.h"
+#include "KeyCommands.h"
+#include "Poll.h"
+#include "Receiver.h"
+#include "Sender.h"
+#include "SerialPort.h"
+#include "SerialSession.h"
+#include "Transmitter.h"
+
+namespace javino {
+
+/// A whole board without its hardware: what the protocol asks of it, behind the three seams serial port, EEPROM and
+/// radio. The class Javino puts it on an Arduino.
+class Board {
+ public:
+  /// All that is given outlives the board.
+  Board(SerialPort &port, Eeprom &eeprom, Radio &radio, const char *firmwareName);
+
+  /// Reads the EEPROM, raises the boot epoch and starts the radio. To be called once, after a boot.
+  /// @return false where the radio could not be started or the EEPROM not be written; all else works nevertheless.
+  bool begin();
+
+  /// Handles what serial line and radio brought. Never waits, but for the EEPROM where a command writes to it.
+  void run();
+
+  /// Whether run() has nothing to do until the next interrupt. Safe to call with interrupts off.
+  bool isIdle() const;
+
+  void onPercepts(PerceptSource source) { poll_.setSource(source); }
+  bool action(const FlashText *name, Action action) { return actions_.add(name, action); }
+
+ private:
+  Radio &radio_;
+  Counters counters_;
+  RfId id_;
+  BootEpoch epoch_;
+  KeyStore keys_;
+  NonceSource nonces_;
+  Transmitter transmitter_;
+  Receiver receiver_;
+  Sender sender_;
+  Actions actions_;
+  Poll poll_;
+  KeyCommands keyCommands_;
+  Commands commands_;
+  SerialSession session_;
+};
+
+}  // namespace javino

@@ -1,0 +1,118 @@
+#include "Commands.h"
+
+#include "../support/BigEndian.h"
+
+namespace javino {
+
+namespace {
+
+const char HELLO = 'H';
+const uint8_t MAX_FIRMWARE_NAME = 100;
+const uint8_t PERCEPTS_WANTED = 1;
+
+bool isForBoard(const Frame &request) { return request.destination.isSerial(); }
+
+}  // namespace
+
+bool Commands::perform(const Frame &request, Reply &reply) {
+  const bool allowed = greeted_ || isAlwaysPerformed(request);
+  reply.setStatus(allowed ? dispatch(request, reply) : Status::NOT_GREETED);
+  return allowed;
+}
+
+bool Commands::isAlwaysPerformed(const Frame &request) const {
+  return isForBoard(request) && request.length != 0 && request.message[0] == HELLO;
+}
+
+Status Commands::dispatch(const Frame &request, Reply &reply) {
+  if (!isForBoard(request)) return transmit(request, reply);
+  if (!request.origin.isSerial()) return Status::WRONG_ORIGIN;
+  if (request.length == 0) return Status::UNKNOWN_COMMAND;
+  return command(static_cast<char>(request.message[0]), request.message + 1,
+                 static_cast<uint16_t>(request.length - 1), reply);
+}
+
+Status Commands::transmit(const Frame &request, Reply &reply) {
+  uint8_t number = 0;
+  const Status status = sender_.send(request, number);
+  reply.add(number);
+  return status;
+}
+
+Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply &reply) {
+  switch (name) {
+    case HELLO:
+      return hello(body, length, reply);
+    case 'P':
+      return poll(body, length, reply);
+    case 'A':
+      return actions_.perform(body, length);
+    case 'I':
+      return setRfId(body, length);
+    case 'R':
+      return openRadio(body, length);
+    case 'K':
+      return keys_.set(body, length, reply);
+    case 'D':
+      return keys_.erase(body, length);
+    case 'L':
+      return keys_.list(length, reply);
+    case 'S':
+      return statistics(length, reply);
+    default:
+      return Status::UNKNOWN_COMMAND;
+  }
+}
+
+Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
+  if (length != 1) return Status::BAD_ARGUMENT;
+  greeted_ = body[0] == PROTOCOL_VERSION;
+  uint8_t fixed[1 + Address::TEXT_LENGTH + 3];
+  fixed[0] = PROTOCOL_VERSION;
+  id_.address().write(fixed + 1);
+  writeUint24(fixed + 1 + Address::TEXT_LENGTH, epoch_.value());
+  reply.add(fixed, sizeof fixed);
+  for (uint8_t i = 0; i < MAX_FIRMWARE_NAME && firmwareName_[i] != 0; i++) {
+    reply.add(static_cast<uint8_t>(firmwareName_[i]));
+  }
+  return Status::OK;
+}
+
+Status Commands::poll(const uint8_t *body, uint16_t length, Reply &reply) {
+  if (length < 1 || length > 2 || (body[0] & ~PERCEPTS_WANTED) != 0) return Status::BAD_ARGUMENT;
+  if (length == 2) poll_.taken(body[1]);
+  poll_.answer((body[0] & PERCEPTS_WANTED) != 0, reply);
+  return Status::OK;
+}
+
+Status Commands::setRfId(const uint8_t *body, uint16_t length) {
+  Address address;
+  if (length != Address::TEXT_LENGTH || !Address::parse(body, address) || !address.isDevice()) {
+    return Status::BAD_ARGUMENT;
+  }
+  return id_.set(address) ? Status::OK : Status::STORE_FAILED;
+}
+
+Status Commands::openRadio(const uint8_t *body, uint16_t length) {
+  if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
+  radio_.listen(body[0] == 1);
+  return Status::OK;
+}
+
+Status Commands::statistics(uint16_t length, Reply &reply) {
+  if (length != 0) return Status::BAD_ARGUMENT;
+  RadioCounters radio;
+  radio_.counters(radio);
+  counters_.set(Counter::RADIO_RECEIVED, radio.received);
+  counters_.set(Counter::RADIO_DAMAGED, radio.damaged);
+  counters_.set(Counter::RADIO_MISSED, radio.missed);
+  counters_.set(Counter::RADIO_SENT, radio.sent);
+  for (uint8_t number = 1; number <= Counters::COUNT; number++) {
+    uint8_t entry[1 + 4] = {number};
+    writeUint32(entry + 1, counters_.value(static_cast<Counter>(number)));
+    reply.add(entry, sizeof entry);
+  }
+  return Status::OK;
+}
+
+}  // namespace javino

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../radio/Radio.h"
+#include "../storage/BootEpoch.h"
+#include "../storage/KeyStore.h"
+#include "../storage/RfId.h"
+#include "Actions.h"
+#include "Counters.h"
+#include "KeyCommands.h"
+#include "Poll.h"
+#include "RequestHandler.h"
+#include "Sender.h"
+
+namespace javino {
+
+/// Performs the requests of SPEC 4.3: finds the command, checks its body, and hands it to the part that does it.
+class Commands : public RequestHandler {
+ public:
+  /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
+  Commands(const char *firmwareName, Radio &radio, RfId &id, const BootEpoch &epoch, KeyCommands &keys,
+           Sender &sender, Poll &poll, Actions &actions, Counters &counters)
+      : firmwareName_(firmwareName),
+        radio_(radio),
+        id_(id),
+        epoch_(epoch),
+        keys_(keys),
+        sender_(sender),
+        poll_(poll),
+        actions_(actions),
+        counters_(counters),
+        greeted_(false) {}
+
+  bool perform(const Frame &request, Reply &reply) override;
+  bool isAlwaysPerformed(const Frame &request) const override;
+
+ private:
+  Status dispatch(const Frame &request, Reply &reply);
+  Status transmit(const Frame &request, Reply &reply);
+  Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
+  Status hello(const uint8_t *body, uint16_t length, Reply &reply);
+  Status poll(const uint8_t *body, uint16_t length, Reply &reply);
+  Status setRfId(const uint8_t *body, uint16_t length);
+  Status openRadio(const uint8_t *body, uint16_t length);
+  Status statistics(uint16_t length, Reply &reply);
+
+  const char *const firmwareName_;
+  Radio &radio_;
+  RfId &id_;
+  const BootEpoch &epoch_;
+  KeyCommands &keys_;
+  Sender &sender_;
+  Poll &poll_;
+  Actions &actions_;
+  Counters &counters_;
+  bool greeted_;
+};
+
+}  // namespace javino

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <stdint.h>
+
+namespace javino {
+
+/// The counters' numbers (SPEC 4.5).
+enum class Counter : uint8_t {
+  SERIAL_REQUESTS = 1,
+  SERIAL_DAMAGED,
+  SERIAL_BAD_FRAMES,
+  SERIAL_REPEATS,
+  RADIO_RECEIVED,
+  RADIO_DAMAGED,
+  RADIO_MISSED,
+  RADIO_BAD_FRAMES,
+  RADIO_RESERVED,
+  RADIO_NOT_FOR_US,
+  RADIO_OWN,
+  RADIO_NO_KEY,
+  RADIO_BAD_TAG,
+  RADIO_REPLAYED,
+  RADIO_REPLAY_FULL,
+  RADIO_QUEUE_FULL,
+  RADIO_SENT,
+  PERCEPTS_LEFT_OUT
+};
+
+/// What was done, damaged and dropped since the boot; nothing is dropped without a count.
+class Counters {
+ public:
+  static const uint8_t COUNT = static_cast<uint8_t>(Counter::PERCEPTS_LEFT_OUT);
+
+  Counters() : values_() {}
+
+  /// Adds one; a counter stops at 4294967295.
+  void count(Counter counter);
+
+  /// Takes over a value that is counted elsewhere.
+  void set(Counter counter, uint32_t value) { values_[indexOf(counter)] = value; }
+
+  uint32_t value(Counter counter) const { return values_[indexOf(counter)]; }
+
+ private:
+  static uint8_t indexOf(Counter counter) { return static_cast<uint8_t>(static_cast<uint8_t>(counter) - 1); }
+
+  uint32_t values_[COUNT];
+};
+
+}  // namespace javino

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "Counters.h"
+#include "Percepts.h"
+#include "ReceiveQueue.h"
+#include "Reply.h"
+#include "Transmitter.h"
+
+namespace javino {
+
+/// A sketch's function that says what the board perceives now.
+typedef void (*PerceptSource)(Percepts &percepts);
+
+/// Answers a poll: outcomes of transmissions, percepts, received messages, in one reply (SPEC 4.3).
+class Poll {
+ public:
+  Poll(Transmitter &transmitter, ReceiveQueue &received, Counters &counters)
+      : transmitter_(transmitter), received_(received), counters_(counters), source_(nullptr) {}
+
+  void setSource(PerceptSource source) { source_ = source; }
+
+  /// The host has taken over the message of this number and all before it.
+  void taken(uint8_t number) { received_.forgetUpTo(number); }
+
+  /// Writes the reply's body.
+  /// @param perceptsWanted bit 0 of the request's flags
+  void answer(bool perceptsWanted, Reply &reply);
+
+ private:
+  static const uint8_t MORE_WAITING = 1;
+  static const uint8_t PERCEPTS_LEFT_OUT = 2;
+
+  void addOutcomes(Reply &reply);
+  bool addPercepts(Reply &reply);
+  bool addMessages(Reply &reply);
+  bool addMessage(uint8_t index, Reply &reply);
+
+  Transmitter &transmitter_;
+  ReceiveQueue &received_;
+  Counters &counters_;
+  PerceptSource source_;
+};
+
+}  // namespace javino

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../framing/Frame.h"
+#include "../secure/NonceSource.h"
+#include "../storage/KeyStore.h"
+#include "../storage/RfId.h"
+#include "Status.h"
+#include "Transmitter.h"
+
+namespace javino {
+
+/// Turns a host's frame to an RF address into a packet for the air: as it is for a broadcast, sealed for all others
+/// (SPEC 4.2, 5).
+class Sender {
+ public:
+  Sender(Transmitter &transmitter, const RfId &id, const KeyStore &keys, NonceSource &nonces)
+      : transmitter_(transmitter), id_(id), keys_(keys), nonces_(nonces) {}
+
+  /// @param frame with the plain content as message
+  /// @param number the transmission's number, where OK is returned
+  /// @return OK, NO_RF_ID, WRONG_ORIGIN, BAD_DESTINATION, NO_KEY, TOO_LONG, QUEUE_FULL, NONCE_EXHAUSTED or STORE_FAILED (the
+  ///         boot epoch could not be stored): the first that applies, in this order
+  Status send(const Frame &frame, uint8_t &number);
+
+ private:
+  Status checkAddresses(const Frame &frame) const;
+  Status sendPlain(const Frame &frame, uint8_t &number);
+  Status sendSealed(const Frame &frame, uint8_t &number);
+
+  Transmitter &transmitter_;
+  const RfId &id_;
+  const KeyStore &keys_;
+  NonceSource &nonces_;
+};
+
+}  // namespace javino

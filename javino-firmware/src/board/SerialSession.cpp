@@ -1,0 +1,71 @@
+#include "SerialSession.h"
+
+namespace javino {
+
+SerialSession::SerialSession(SerialPort &port, RequestHandler &handler, Counters &counters)
+    : port_(port),
+      handler_(handler),
+      counters_(counters),
+      requestWaits_(false),
+      remembers_(false),
+      lastSequence_(0),
+      lastCrc_(0) {}
+
+void SerialSession::run() {
+  write();
+  read();
+  while (requestWaits_ && encoder_.done()) {
+    requestWaits_ = false;
+    answer();
+    write();
+    read();
+  }
+}
+
+bool SerialSession::isIdle() const {
+  const bool canTakeMore = !requestWaits_ && port_.canRead();
+  const bool canGiveMore = !encoder_.done() && port_.canWrite();
+  return !canTakeMore && !canGiveMore && !(requestWaits_ && encoder_.done());
+}
+
+void SerialSession::read() {
+  while (!requestWaits_ && port_.canRead()) take(decoder_.add(port_.read()));
+}
+
+void SerialSession::take(PacketEvent event) {
+  if (event == PacketEvent::PACKET) {
+    requestWaits_ = true;
+  } else if (event != PacketEvent::NONE) {
+    counters_.count(Counter::SERIAL_DAMAGED);
+  }
+}
+
+void SerialSession::answer() {
+  Frame request;
+  if (Frame::parse(decoder_.frame(), decoder_.frameLength(), request) != FrameError::NONE) {
+    counters_.count(Counter::SERIAL_BAD_FRAMES);
+    return;
+  }
+  counters_.count(Counter::SERIAL_REQUESTS);
+  if (isRepeat(request)) {
+    counters_.count(Counter::SERIAL_REPEATS);
+  } else {
+    reply_.begin(decoder_.sequence());
+    remembers_ = handler_.perform(request, reply_);
+    lastSequence_ = decoder_.sequence();
+    lastCrc_ = decoder_.crc();
+    reply_.finish();
+  }
+  encoder_.start(reply_.packet(), reply_.packetLength());
+}
+
+bool SerialSession::isRepeat(const Frame &request) const {
+  return remembers_ && decoder_.sequence() == lastSequence_ && decoder_.crc() == lastCrc_ &&
+         !handler_.isAlwaysPerformed(request);
+}
+
+void SerialSession::write() {
+  while (!encoder_.done() && port_.canWrite()) port_.write(encoder_.next());
+}
+
+}  // namespace javino
