@@ -1,0 +1,62 @@
+package diffuser;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicLong;
+
+import jason.JasonException;
+import jason.asSemantics.Circumstance;
+import jason.asSemantics.ConcurrentInternalAction;
+import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.Intention;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Term;
+
+/**
+ * An internal action that waits for the board: it suspends its intention, not its agent, until the board has answered,
+ * and resumes or fails it in the agent's own cycle, as {@link ConcurrentInternalAction} does.
+ */
+public abstract class BoardAction extends DefaultInternalAction {
+
+    private static final long serialVersionUID = 1L;
+
+    private static final AtomicLong COUNT = new AtomicLong();
+
+    /**
+     * Asks the board.
+     *
+     * @return completes when the intention may go on; fails with what the intention is to fail with. It always does
+     *         one or the other in the end, so no further time-out is needed.
+     * @throws JasonException if there is nothing to wait for.
+     */
+    protected abstract CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException;
+
+    @Override
+    public final boolean suspendIntention() {
+        return true;
+    }
+
+    @Override
+    public final boolean canBeUsedInContext() {
+        return false;
+    }
+
+    @Override
+    public final Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
+        checkArguments(args);
+        CompletableFuture<?> answer = start(Diffuser.of(ts), args);
+        String key = suspend(ts.getC());
+        answer.whenComplete((done, thrown) -> ConcurrentInternalAction.resume(ts, key, thrown != null,
+                thrown == null ? null : Failure.of(thrown).annotations()));
+        return true;
+    }
+
+    private String suspend(Circumstance circumstance) {
+        String key = getClass().getSimpleName() + "/javino/" + COUNT.incrementAndGet();
+        Intention intention = circumstance.getSelectedIntention();
+        intention.setSuspended(true);
+        circumstance.addPendingIntention(key, ASSyntax.createAtom("board"), intention, true);
+        return key;
+    }
+}

@@ -1,0 +1,205 @@
+package diffuser;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+
+import jason.asSyntax.Literal;
+
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.board.ReceivedMessage;
+import javino.link.LinkOpener;
+import javino.protocol.Address;
+import javino.protocol.BoardInfo;
+import javino.protocol.Content;
+
+/**
+ * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
+ * agent finds it in its next cycle; then the agent is woken.
+ */
+final class Device implements BoardListener {
+
+    /** Longer than a session waits and repeats, so that it ends only what the session itself has lost. */
+    private static final long ANSWER_SECONDS = 10;
+
+    private final String port;
+    private final Surroundings surroundings;
+    private final Percepts percepts;
+    private final CompletableFuture<Board> session = new CompletableFuture<>();
+    private final CompletableFuture<Void> decided = new CompletableFuture<>();
+    private final Set<String> unknownActions = ConcurrentHashMap.newKeySet();
+    private volatile Wishes wishes;
+    private volatile boolean online;
+    private volatile boolean closed;
+
+    /**
+     * The agent around a device.
+     *
+     * @param agent    its name.
+     * @param inbox    where its messages go.
+     * @param warnings where its user is told what went wrong.
+     * @param wake     ends its sleep.
+     */
+    record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake) {
+    }
+
+    private Device(String port, Wishes wishes, Surroundings surroundings) {
+        this.port = port;
+        this.wishes = wishes;
+        this.surroundings = surroundings;
+        this.percepts = new Percepts(port, wishes.percepts(), surroundings.warnings());
+    }
+
+    /** Starts to look for a board, and returns at once. */
+    static Device open(LinkOpener link, Wishes wishes, Surroundings surroundings) {
+        Device device = new Device(link.name(), wishes, surroundings);
+        Board board = Board.open(link, BoardConfig.create(), device);
+        device.session.complete(board);
+        device.wish(wishes);
+        // First in the board's queue, so that the agent's first message finds the address set.
+        wishes.rfId().ifPresent(board::setRfId);
+        if (wishes.radio()) {
+            board.radio(true);
+        }
+        return device;
+    }
+
+    /** Completes as soon as it is known whether a board is there; never fails. */
+    CompletableFuture<Void> decided() {
+        return decided;
+    }
+
+    /** The port as the agent's program names it. */
+    String port() {
+        return port;
+    }
+
+    /** Whether the board is there. */
+    boolean isOnline() {
+        return online;
+    }
+
+    /** All that the board lets the agent perceive now; another state is another list. */
+    List<Literal> perceived() {
+        return percepts.snapshot();
+    }
+
+    /** How many percepts were left out as malformed. */
+    long malformedPercepts() {
+        return percepts.malformed();
+    }
+
+    /** Whether the board has said, since it came online, that it knows no action of this name. */
+    boolean disowns(String action) {
+        return unknownActions.contains(action);
+    }
+
+    /** Remembers that the board knows no action of this name. */
+    void disown(String action) {
+        unknownActions.add(action);
+    }
+
+    /** Has the board do as wished, now and whenever it comes back; {@link #setRfId} and {@link #radio} add when. */
+    void wish(Wishes wanted) {
+        wishes = wanted;
+        Board board = session.join();
+        board.perceptInterval(wanted.limit());
+        board.percepts(wanted.percepts());
+        percepts.open(wanted.percepts());
+    }
+
+    /** Sets the board's address. */
+    CompletableFuture<Void> setRfId(Address id) {
+        return bounded(session.join().setRfId(id));
+    }
+
+    /** Opens or blocks the radio. */
+    CompletableFuture<Void> radio(boolean open) {
+        return bounded(session.join().radio(open));
+    }
+
+    /** Has the board perform an action. */
+    CompletableFuture<Void> act(String action) {
+        return bounded(session.join().act(action));
+    }
+
+    /** Has the board transmit; completes as soon as it has taken the message. */
+    CompletableFuture<Integer> transmit(Address to, Content content) {
+        return bounded(session.join().transmit(to, content));
+    }
+
+    /** Ends the session; nothing comes from this device any more. */
+    void close() {
+        closed = true;
+        session.join().close();
+    }
+
+    private static <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
+        return answer.copy().orTimeout(ANSWER_SECONDS, TimeUnit.SECONDS);
+    }
+
+    // On the session's thread:
+
+    @Override
+    public void online(BoardInfo info) {
+        unknownActions.clear();
+        Wishes wanted = wishes;
+        boolean stranger = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
+        if (stranger) {
+            session.thenCompose(board -> board.setRfId(wanted.rfId().get())).whenComplete((done, thrown) -> {
+                if (thrown != null) {
+                    surroundings.warnings().always(Failure.of(thrown).message());
+                }
+                nowOnline();
+            });
+        } else {
+            nowOnline();
+        }
+    }
+
+    /** Only now may the agent act: its address is set. */
+    private void nowOnline() {
+        online = true;
+        percepts.port(true);
+        decided.complete(null);
+        tellAgent();
+    }
+
+    @Override
+    public void offline(String why) {
+        online = false;
+        percepts.port(false);
+        if (!closed) {
+            surroundings.warnings().always("the board on " + port + " is off: " + why);
+        }
+        decided.complete(null);
+        tellAgent();
+    }
+
+    @Override
+    public void percepts(List<String> literals) {
+        percepts.sensors(literals);
+        tellAgent();
+    }
+
+    @Override
+    public void message(ReceivedMessage message) {
+        surroundings.inbox().put(message, surroundings.agent());
+        tellAgent();
+    }
+
+    @Override
+    public void warning(String what) {
+        surroundings.warnings().once(what);
+    }
+
+    private void tellAgent() {
+        if (!closed) {
+            surroundings.wake().run();
+        }
+    }
+}

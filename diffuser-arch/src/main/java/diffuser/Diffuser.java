@@ -1,0 +1,240 @@
+package diffuser;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+
+import jason.JasonException;
+import jason.ReceiverNotFoundException;
+import jason.architecture.AgArch;
+import jason.asSemantics.ActionExec;
+import jason.asSemantics.Message;
+import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.Literal;
+
+import javino.link.LinkOpener;
+import javino.link.SerialLink;
+import javino.protocol.Address;
+import javino.protocol.Content;
+
+/**
+ * An agent with a board. Written as {@code agentArchClass diffuser.Diffuser} in a {@code .mas2j}, or as
+ * {@code ag-arch: diffuser.Diffuser} in a {@code .jcm}.
+ *
+ * <p>It translates between the board on one side and percepts, messages and actions on the other, and passes on all
+ * that is not the board's to the architectures behind it. A reasoning cycle never waits for the board.
+ *
+ * <p>Its methods are for the agent's own thread, as Jason calls them.
+ */
+public class Diffuser extends AgArch {
+
+    private static final long serialVersionUID = 1L;
+
+    private final transient Warnings warnings = new Warnings(() -> getTS().getLogger());
+    private final transient Inbox inbox = new Inbox(warnings);
+    private final transient ActionRouter router = new ActionRouter(this, super::act, warnings);
+    private transient Wishes wishes = Wishes.NONE;
+    /** Also asked by threads that stop the agent, or show its status. */
+    private transient volatile Device device;
+
+    /** What the architectures behind this one perceive; they answer null as long as that has not changed. */
+    private transient Collection<Literal> othersPercepts = List.of();
+    private transient List<Literal> boardPercepts = List.of();
+
+    /**
+     * The Diffuser among an agent's architectures.
+     *
+     * @throws JasonException no_diffuser if it has none.
+     */
+    public static Diffuser of(TransitionSystem ts) throws JasonException {
+        for (AgArch arch = ts.getAgArch(); arch != null; arch = arch.getNextAgArch()) {
+            if (arch instanceof Diffuser diffuser) {
+                return diffuser;
+            }
+        }
+        throw new Failure("no_diffuser", "agent " + ts.getAgArch().getAgName() + " can have no board; give it the"
+                + " architecture diffuser.Diffuser (agentArchClass in a .mas2j, ag-arch in a .jcm)").toException();
+    }
+
+    /** How a port is opened; tests open other links. */
+    protected LinkOpener link(String port) {
+        return SerialLink.opener(port);
+    }
+
+    /**
+     * Looks for a board on a port, in place of the one before.
+     *
+     * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
+     * @return completes as soon as it is known whether a board is there; never fails, since it may come later.
+     */
+    public CompletableFuture<Void> openPort(String port) {
+        closeDevice();
+        device = Device.open(link(port), wishes, new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
+        return device.decided();
+    }
+
+    /** Makes sensors beliefs, or not. */
+    public void openPercepts(boolean open) {
+        wish(old -> old.withPercepts(open));
+    }
+
+    /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */
+    public void limitPercepts(Duration least) {
+        wish(old -> old.withLimit(least));
+    }
+
+    /** Sets the device's address: now where a board is there, or else as soon as one comes. */
+    public CompletableFuture<Void> setRfId(Address id) {
+        wish(old -> old.withRfId(id));
+        return whereThere(board -> board.setRfId(id));
+    }
+
+    /** Listens to the radio, or not: now where a board is there, or else as soon as one comes. */
+    public CompletableFuture<Void> openRadio(boolean open) {
+        wish(old -> old.withRadio(open));
+        return whereThere(board -> board.radio(open));
+    }
+
+    /**
+     * Has the board perform an action.
+     *
+     * @param action {@code name} or {@code name(arguments)}.
+     * @return fails with what {@link Failure#of} reads.
+     * @throws JasonException no_port if no port was opened; too_long if the action fits no request.
+     */
+    public CompletableFuture<Void> perform(String action) throws JasonException {
+        Device board = requireDevice();
+        try {
+            return board.act(action);
+        } catch (IllegalArgumentException e) {
+            throw new Failure("too_long", e.getMessage()).toException();
+        }
+    }
+
+    /**
+     * Has the board transmit a message.
+     *
+     * @return completes as soon as the board has taken the message; fails with what {@link Failure#of} reads.
+     * @throws JasonException no_port if no port was opened.
+     */
+    public CompletableFuture<Integer> diffuse(Address to, Content content) throws JasonException {
+        if (Destinations.isMistakable(to)) {
+            warnings.once(to + " is the device // of group " + to.group() + "; for the whole group write \"//"
+                    + to.group() + "\"");
+        }
+        return requireDevice().transmit(to, content);
+    }
+
+    /** The board, if a port was opened. */
+    Optional<Device> device() {
+        return Optional.ofNullable(device);
+    }
+
+    // The hooks of the reasoning cycle.
+
+    /** {@inheritDoc} Null, as Jason has it, if nothing has changed, neither at the board nor elsewhere. */
+    @Override
+    public Collection<Literal> perceive() {
+        Collection<Literal> others = super.perceive();
+        List<Literal> board = boardPerceives();
+        if (others == null && board == boardPercepts) {
+            return null;
+        }
+        if (others != null) {
+            othersPercepts = new ArrayList<>(others);
+        }
+        boardPercepts = board;
+        Collection<Literal> all = new ArrayList<>(othersPercepts);
+        all.addAll(board);
+        return all;
+    }
+
+    @Override
+    public void checkMail() {
+        super.checkMail();
+        for (Optional<Message> message = inbox.take(); message.isPresent(); message = inbox.take()) {
+            getTS().getC().addMsg(message.get());
+        }
+    }
+
+    @Override
+    public void act(ActionExec action) {
+        router.act(action);
+    }
+
+    /** {@inheritDoc} To an RF address, if no local agent has that name. */
+    @Override
+    public void sendMsg(Message message) throws Exception {
+        try {
+            super.sendMsg(message);
+        } catch (ReceiverNotFoundException e) {
+            Address to = Destinations.find(message.getReceiver()).filter(address -> device != null).orElseThrow(() -> e);
+            Content content = Texts.content(message.getIlForce(), message.getPropCont().toString());
+            diffuse(to, content).exceptionally(thrown -> {
+                warnings.always(Failure.of(thrown).message());
+                return null;
+            });
+        }
+    }
+
+    @Override
+    public boolean canSleep() {
+        return super.canSleep() && inbox.isEmpty() && boardPerceives() == boardPercepts;
+    }
+
+    @Override
+    public void stop() {
+        closeDevice();
+        super.stop();
+    }
+
+    /** {@inheritDoc} Adds what came from the board, and what was dropped. */
+    @Override
+    public Map<String, Object> getStatus() {
+        Map<String, Object> status = super.getStatus();
+        status.put("rfMessages", inbox.received());
+        status.put("rfMessagesMalformed", inbox.malformed());
+        device().ifPresent(board -> {
+            status.put("port", board.port());
+            status.put("portOn", board.isOnline());
+            status.put("perceptsMalformed", board.malformedPercepts());
+        });
+        return status;
+    }
+
+    private List<Literal> boardPerceives() {
+        return device == null ? List.of() : device.perceived();
+    }
+
+    private Device requireDevice() throws JasonException {
+        return device().orElseThrow(() -> new Failure("no_port",
+                "agent " + getAgName() + " has no board yet; open one with .port, such as .port(\"/dev/ttyACM0\")")
+                .toException());
+    }
+
+    private void wish(UnaryOperator<Wishes> change) {
+        wishes = change.apply(wishes);
+        device().ifPresent(board -> board.wish(wishes));
+    }
+
+    /** Asks the board in any case; waits for its answer only if it is there. */
+    private CompletableFuture<Void> whereThere(Function<Device, CompletableFuture<Void>> request) {
+        Optional<CompletableFuture<Void>> answer = device().map(request);
+        boolean waiting = answer.isPresent() && device.isOnline();
+        return waiting ? answer.get() : CompletableFuture.completedFuture(null);
+    }
+
+    private void wakeAgent() {
+        getTS().getAgArch().wakeUpSense();
+    }
+
+    private void closeDevice() {
+        device().ifPresent(Device::close);
+    }
+}

@@ -1,0 +1,84 @@
+package diffuser;
+
+import java.util.Locale;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.TimeoutException;
+
+import jason.JasonException;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Structure;
+
+import javino.board.BoardOfflineException;
+import javino.board.OutcomeUnknownException;
+import javino.board.QueueFullException;
+import javino.board.RequestFailedException;
+import javino.protocol.Status;
+
+/**
+ * Why a board's action or message failed, in terms that a plan can match: {@code error(Error)} and
+ * {@code error_msg(Message)}. The errors are listed in the README.
+ *
+ * @param error   an atom's name, such as {@code no_key}.
+ * @param message one line: what was wrong and, where it helps, what to do.
+ */
+record Failure(String error, String message) {
+
+    private static final String UNKNOWN_ACTION = nameOf(Status.UNKNOWN_ACTION);
+
+    /** Reads what a future of the board failed with. */
+    static Failure of(Throwable thrown) {
+        if (thrown instanceof CompletionException && thrown.getCause() != null) {
+            return of(thrown.getCause());
+        }
+        if (thrown instanceof JasonException exception) {
+            return new Failure(((Structure) exception.getErrorTerms().get(0)).getTerm(0).toString(),
+                    exception.getMessage());
+        }
+        if (thrown instanceof TimeoutException) {
+            return new Failure("timeout", "the board has not answered in time; it may or may not have done it");
+        }
+        return new Failure(errorOf(thrown), String.valueOf(thrown.getMessage()));
+    }
+
+    private static String errorOf(Throwable thrown) {
+        if (thrown instanceof RequestFailedException refused) {
+            return nameOf(refused.status());
+        }
+        if (thrown instanceof BoardOfflineException) {
+            return "port_off";
+        }
+        if (thrown instanceof OutcomeUnknownException) {
+            return "outcome_unknown";
+        }
+        if (thrown instanceof QueueFullException) {
+            return "queue_full";
+        }
+        return "board_error";
+    }
+
+    private static String nameOf(Status status) {
+        return status.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether the board's sketch has no such action. */
+    boolean isUnknownAction() {
+        return error.equals(UNKNOWN_ACTION);
+    }
+
+    /** As an exception of an internal action. */
+    JasonException toException() {
+        return new JasonException(message, ASSyntax.createAtom(error));
+    }
+
+    /** {@code error(Error)}. */
+    Literal annotation() {
+        return ASSyntax.createLiteral("error", ASSyntax.createAtom(error));
+    }
+
+    /** {@code [error(Error), error_msg(Message)]}. */
+    ListTerm annotations() {
+        return JasonException.createBasicErrorAnnots(error, message);
+    }
+}

@@ -1,0 +1,82 @@
+package diffuser;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+
+/**
+ * What a board lets its agent perceive: {@code port(P,on)} or {@code port(P,off)}, and its sensors where they are open.
+ * The board's thread changes it; the agent's reads an immutable snapshot, and so never waits.
+ */
+final class Percepts {
+
+    private final String port;
+    private final Warnings warnings;
+    private final AtomicLong malformed = new AtomicLong();
+    private List<Literal> state = List.of();
+    private List<Literal> sensors = List.of();
+    private boolean open;
+    private volatile List<Literal> snapshot = List.of();
+
+    /**
+     * @param port as the agent's program names it.
+     * @param open whether sensors become beliefs.
+     */
+    Percepts(String port, boolean open, Warnings warnings) {
+        this.port = port;
+        this.open = open;
+        this.warnings = warnings;
+    }
+
+    /** All that is perceived now. A list is never changed: another state is another list. */
+    List<Literal> snapshot() {
+        return snapshot;
+    }
+
+    /** Lets the agent perceive whether its board is there. A board that is not has no sensors. */
+    synchronized void port(boolean on) {
+        state = List.of(ASSyntax.createLiteral("port",
+                ASSyntax.createString(port), ASSyntax.createAtom(on ? "on" : "off")));
+        if (!on) {
+            sensors = List.of();
+        }
+        compose();
+    }
+
+    /** Lets the agent perceive the sensors, or not. */
+    synchronized void open(boolean wanted) {
+        open = wanted;
+        compose();
+    }
+
+    /** Replaces what the sensors say; texts that are no beliefs are left out, counted and reported, one by one. */
+    synchronized void sensors(List<String> texts) {
+        List<Literal> literals = new ArrayList<>(texts.size());
+        for (String text : texts) {
+            try {
+                literals.add(Texts.readPercept(text));
+            } catch (MalformedTextException e) {
+                malformed.incrementAndGet();
+                warnings.once("skipped a percept of the board on " + port + " that is no AgentSpeak, " + e.getMessage());
+            }
+        }
+        sensors = List.copyOf(literals);
+        compose();
+    }
+
+    /** How many percepts were left out as malformed. */
+    long malformed() {
+        return malformed.get();
+    }
+
+    private void compose() {
+        List<Literal> all = new ArrayList<>(state);
+        if (open) {
+            all.addAll(sensors);
+        }
+        snapshot = List.copyOf(all);
+    }
+}

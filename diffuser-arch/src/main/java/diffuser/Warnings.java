@@ -1,0 +1,33 @@
+package diffuser;
+
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import java.util.logging.Logger;
+
+/** Tells the user each thing once, however often it happens. */
+final class Warnings {
+
+    /** From here on new texts are no longer logged, so that a mad board fills neither the log nor the memory. */
+    private static final int MOST_TEXTS = 500;
+
+    private final Set<String> told = ConcurrentHashMap.newKeySet();
+    private final Supplier<Logger> logger;
+
+    /** @param logger asked anew each time, as an agent's logger changes while the agent is made. */
+    Warnings(Supplier<Logger> logger) {
+        this.logger = logger;
+    }
+
+    /** Logs the text unless it was logged before. */
+    void once(String text) {
+        if (told.size() < MOST_TEXTS && told.add(text)) {
+            always(text);
+        }
+    }
+
+    /** Logs the text. */
+    void always(String text) {
+        logger.get().warning(text);
+    }
+}

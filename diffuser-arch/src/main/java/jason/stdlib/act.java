@@ -1,0 +1,60 @@
+package jason.stdlib;
+
+import java.util.concurrent.CompletableFuture;
+
+import jason.JasonException;
+import jason.asSyntax.Literal;
+import jason.asSyntax.StringTerm;
+import jason.asSyntax.Term;
+
+import diffuser.BoardAction;
+import diffuser.Diffuser;
+import diffuser.Texts;
+
+/**
+ * <p>Internal action: <b><code>.act(<i>A</i>)</code></b>.
+ *
+ * <p>Description: has the board perform an action that its sketch has. The intention is suspended until the board has
+ * answered. It fails, among others, with the errors <code>unknown_action</code>, <code>action_failed</code> and
+ * <code>port_off</code>. The same action can be written without <code>.act</code>; then it goes to the environment if
+ * the board does not know it.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.act(stop)</code>
+ * <li> <code>.act(speed(80))</code>
+ * </ul>
+ */
+public class act extends BoardAction {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public int getMinArgs() {
+        return 1;
+    }
+
+    @Override
+    public int getMaxArgs() {
+        return 1;
+    }
+
+    @Override
+    protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
+        return diffuser.perform(text(args[0]));
+    }
+
+    private String text(Term action) throws JasonException {
+        if (action instanceof StringTerm string && !string.getString().isEmpty()) {
+            return string.getString();
+        }
+        if (action.isLiteral()) {
+            return Texts.action((Literal) action);
+        }
+        throw JasonException.createWrongArgument(this,
+                "an action such as stop or speed(80) was expected, not '" + action + "'.");
+    }
+}

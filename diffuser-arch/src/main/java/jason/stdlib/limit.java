@@ -1,0 +1,73 @@
+package jason.stdlib;
+
+import java.time.Duration;
+
+import jason.JasonException;
+import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.NumberTerm;
+import jason.asSyntax.Term;
+
+import diffuser.Diffuser;
+
+/**
+ * <p>Internal action: <b><code>.limit(<i>Ms</i>)</code></b>.
+ *
+ * <p>Description: sets the least time between two readings of the board's sensors, so that an agent is not kept busy by
+ * sensors that never rest. At first it is 0: they are read each time that the board is polled. Can be said before there
+ * is a board.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ Ms (number): milliseconds, 0 to 3600000.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.limit(500)</code>: the sensors are read twice a second at most.
+ * </ul>
+ */
+public class limit extends DefaultInternalAction {
+
+    private static final long serialVersionUID = 1L;
+
+    private static final double LONGEST = Duration.ofHours(1).toMillis();
+
+    @Override
+    public boolean canBeUsedInContext() {
+        return false;
+    }
+
+    @Override
+    public int getMinArgs() {
+        return 1;
+    }
+
+    @Override
+    public int getMaxArgs() {
+        return 1;
+    }
+
+    @Override
+    protected void checkArguments(Term[] args) throws JasonException {
+        super.checkArguments(args);
+        if (!args[0].isNumeric()) {
+            throw wrong(args[0]);
+        }
+    }
+
+    @Override
+    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
+        checkArguments(args);
+        double milliseconds = ((NumberTerm) args[0]).solve();
+        if (!(milliseconds >= 0 && milliseconds <= LONGEST)) {
+            throw wrong(args[0]);
+        }
+        Diffuser.of(ts).limitPercepts(Duration.ofMillis((long) milliseconds));
+        return true;
+    }
+
+    private JasonException wrong(Term found) {
+        return JasonException.createWrongArgument(this,
+                "milliseconds from 0 to " + (long) LONGEST + " were expected, not '" + found + "'.");
+    }
+}

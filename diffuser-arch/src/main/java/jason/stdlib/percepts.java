@@ -1,0 +1,50 @@
+package jason.stdlib;
+
+import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.Term;
+
+import diffuser.Arguments;
+import diffuser.Diffuser;
+
+/**
+ * <p>Internal action: <b><code>.percepts(<i>S</i>)</code></b>.
+ *
+ * <p>Description: makes what the board's sensors say beliefs of the agent, or not. At first they are blocked. When they
+ * are blocked, the beliefs go. Can be said before there is a board.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ S (atom): <code>open</code> or <code>block</code>.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.percepts(open)</code>: from then on the agent believes, for instance, <code>proximity(17)</code>.
+ * </ul>
+ */
+public class percepts extends DefaultInternalAction {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public boolean canBeUsedInContext() {
+        return false;
+    }
+
+    @Override
+    public int getMinArgs() {
+        return 1;
+    }
+
+    @Override
+    public int getMaxArgs() {
+        return 1;
+    }
+
+    @Override
+    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
+        checkArguments(args);
+        Diffuser.of(ts).openPercepts(Arguments.isOpen(this, args[0]));
+        return true;
+    }
+}

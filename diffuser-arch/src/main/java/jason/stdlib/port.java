@@ -1,0 +1,47 @@
+package jason.stdlib;
+
+import java.util.concurrent.CompletableFuture;
+
+import jason.JasonException;
+import jason.asSyntax.Term;
+
+import diffuser.BoardAction;
+import diffuser.Diffuser;
+import diffuser.Names;
+
+/**
+ * <p>Internal action: <b><code>.port(<i>P</i>)</code></b>.
+ *
+ * <p>Description: looks for the agent's board on a port, in place of any port opened before. The belief
+ * <code>port(<i>P</i>,on)</code> or <code>port(<i>P</i>,off)</code>, <i>P</i> as a string, follows the board from then
+ * on. The intention is suspended until it is known whether a board is there: at most about 5 s, as a board that
+ * starts needs 2 s. That none is there is no failure: it is believed, logged, and the board may still come.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ P (string, atom or the name of a variable without value): a path, or what the system calls the port.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.port(COM5)</code>, <code>.port(ttyACM0)</code>, <code>.port("/dev/serial/by-id/usb-Arduino")</code>
+ * </ul>
+ */
+public class port extends BoardAction {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public int getMinArgs() {
+        return 1;
+    }
+
+    @Override
+    public int getMaxArgs() {
+        return 1;
+    }
+
+    @Override
+    protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
+        return diffuser.openPort(Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
+                "a port's name such as \"/dev/ttyACM0\" or \"COM5\" was expected, not '" + args[0] + "'.")));
+    }
+}

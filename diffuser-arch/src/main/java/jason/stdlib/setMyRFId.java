@@ -1,0 +1,45 @@
+package jason.stdlib;
+
+import java.util.concurrent.CompletableFuture;
+
+import jason.JasonException;
+import jason.asSyntax.Term;
+
+import diffuser.BoardAction;
+import diffuser.Destinations;
+import diffuser.Diffuser;
+
+/**
+ * <p>Internal action: <b><code>.setMyRFId(<i>Id</i>)</code></b>.
+ *
+ * <p>Description: gives the device its address on the radio; the board keeps it. The first two digits are its group, the
+ * last two its number there. Where no board is there, it is set as soon as one comes; otherwise the intention is
+ * suspended until it is set.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ Id (string, atom or the name of a variable without value): four Base64 digits, the first neither + nor /.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.setMyRFId(ROMA)</code>, <code>.setMyRFId("SUPO")</code>: <code>SUPO</code> is in group <code>SU</code>.
+ * </ul>
+ */
+public class setMyRFId extends BoardAction {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public int getMinArgs() {
+        return 1;
+    }
+
+    @Override
+    public int getMaxArgs() {
+        return 1;
+    }
+
+    @Override
+    protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
+        return diffuser.setRfId(Destinations.device(args[0]));
+    }
+}
