@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One emulated Arduino Mega: an ATmega2560 at 16 MHz with its firmware, its pins and its clock.
+#ifndef JAVINO_BOARD_H
+#define JAVINO_BOARD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clock.h"
+#include "pins.h"
+
+struct avr_t;
+struct avr_irq_t;
+
+#define BOARD_PORTS 12 // 'A'…'L'
+
+typedef enum { RESET_POWER, RESET_EXTERNAL, RESET_WATCHDOG } reset_cause;
+
+typedef struct {
+    void *context;
+    // The board drives an observed pin to another level.
+    void (*output)(void *context, int pin, bool level, cycles_t at);
+    // The board has been reset, the power-on included.
+    void (*reset)(void *context, reset_cause cause);
+} board_listener;
+
+// A level that an input pin will have.
+typedef struct {
+    cycles_t at;
+    int pin;
+    bool level;
+} board_input;
+
+typedef struct {
+    struct avr_t *avr;
+    board_listener listener;
+    cycles_t limit;     // the board runs up to here
+    bool reset_pending; // the chip was reset, its surroundings not yet told
+    reset_cause cause;
+    bool halted;        // sleeps with interrupts off: only a reset wakes it
+    struct {
+        uint8_t direction, latch; // DDRx and PORTx
+        uint8_t observed;         // pins whose output is of interest
+        uint8_t driven, external; // pins driven from outside, and their levels
+        struct board_port_link *link;
+    } ports[BOARD_PORTS];
+    board_input *inputs; // still to come, latest first
+    size_t input_count, input_capacity;
+} board;
+
+// Makes the chip and loads the firmware. The board is not running until board_power_on.
+// Returns 0, or -1 with one line in `error`: no ELF file, or one for another chip.
+int board_init(board *b, const char *firmware, board_listener listener, char *error, size_t error_size);
+void board_release(board *b);
+
+// Reports changes of this pin's output level from now on.
+void board_observe(board *b, int pin);
+
+void board_power_on(board *b);
+void board_reset(board *b);
+
+// Whether the board now drives the pin high.
+bool board_output(const board *b, int pin);
+
+// An input pin gets a level, now or at `at`.
+void board_drive(board *b, int pin, bool level);
+void board_drive_at(board *b, int pin, bool level, cycles_t at);
+
+// Runs until the clock is at `until` or at most a few microseconds past it.
+// Returns 0, or -1 when the program has crashed.
+int board_run(board *b, cycles_t until);
+
+cycles_t board_now(const board *b);
+
+// When the board has something to do next: its clock while it runs, later while it sleeps.
+cycles_t board_next_event(const board *b);
+
+// The program counter, in bytes.
+uint32_t board_pc(const board *b);
+
+#endif

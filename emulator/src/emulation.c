@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emulation.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "utf8.h"
+
+static void pin_changed(void *context, int pin, bool level, cycles_t at)
+{
+    node *n = context;
+    emulation *e = n->owner;
+    if (pin == n->config->tx_pin) {
+        rf_bus_carrier(&e->air, n->index, level, at);
+        sniffer_tx_edge(&e->listener, n->index, level, at);
+    }
+    for (size_t i = 0; i < n->config->sensor_count; i++)
+        sensor_output(&n->sensors[i], pin, level, at);
+    for (size_t i = 0; i < n->config->watch_count; i++) {
+        if (n->config->watches[i].pin != pin)
+            continue;
+        trace_begin(e->out, at, n->config->name, "pin");
+        trace_count(e->out, "pin", (uint64_t)pin);
+        trace_text(e->out, "name", n->config->watches[i].name);
+        trace_count(e->out, "level", level);
+        trace_end(e->out);
+    }
+}
+
+static void board_was_reset(void *context, reset_cause cause)
+{
+    static const char *const CAUSES[] = {"power", "external", "watchdog"};
+    node *n = context;
+    uart_reset(&n->serial);
+    n->resets += cause != RESET_POWER;
+    trace_begin(n->owner->out, board_now(&n->mega), n->config->name, "reset");
+    trace_text(n->owner->out, "why", n->reset_why ? n->reset_why : CAUSES[cause]);
+    trace_end(n->owner->out);
+    n->reset_why = NULL;
+}
+
+static void reset_node(node *n, const char *why)
+{
+    n->reset_why = why;
+    board_reset(&n->mega);
+}
+
+static void uart_line(void *context, const uint8_t *bytes, size_t length)
+{
+    node *n = context;
+    trace *out = n->owner->out;
+    trace_begin(out, board_now(&n->mega), n->config->name, "uart");
+    if (utf8_valid(bytes, length))
+        trace_utf8(out, "line", bytes, length);
+    else
+        trace_hex(out, "hex", bytes, length);
+    trace_end(out);
+}
+
+static void level_arrives(void *context, size_t receiver, bool level, cycles_t at)
+{
+    emulation *e = context;
+    node *n = &e->nodes[receiver];
+    board_drive_at(&n->mega, n->config->rx_pin, level, at);
+    sniffer_rx_edge(&e->listener, receiver, level, at);
+}
+
+static void carriers_overlap(void *context, size_t receiver, uint64_t sources, cycles_t at)
+{
+    emulation *e = context;
+    sniffer_collision(&e->listener, receiver, sources, at);
+}
+
+static int plug(emulation *e, node *n)
+{
+    return pty_plug(&n->port, n->config->port, e->error, sizeof e->error);
+}
+
+static void observe_pins(node *n)
+{
+    board_observe(&n->mega, n->config->tx_pin);
+    for (size_t i = 0; i < n->config->watch_count; i++)
+        board_observe(&n->mega, n->config->watches[i].pin);
+    board_drive(&n->mega, n->config->rx_pin, false);
+}
+
+static int open_node(emulation *e, node *n)
+{
+    char error[400];
+    if (board_init(&n->mega, n->config->firmware, (board_listener){n, pin_changed, board_was_reset}, error,
+                   sizeof error) != 0) {
+        snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
+        return -1;
+    }
+    uart_init(&n->serial, n->mega.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line});
+    n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
+    for (size_t i = 0; i < n->config->sensor_count; i++)
+        sensor_init(&n->sensors[i], &n->mega, &n->config->sensors[i]);
+    observe_pins(n);
+    if (n->config->eeprom &&
+        eeprom_file_open(&n->eeprom, n->mega.avr, n->config->eeprom, e->error, sizeof e->error) != 0)
+        return -1;
+    if (n->config->port && plug(e, n) != 0)
+        return -1;
+    board_power_on(&n->mega);
+    return 0;
+}
+
+int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out)
+{
+    memset(e, 0, sizeof *e);
+    e->config = config;
+    e->out = out;
+    e->next_eeprom_save = EEPROM_INTERVAL;
+    e->nodes = calloc(config->board_count, sizeof *e->nodes);
+    if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
+        sniffer_init(&e->listener, config, &e->air, out) != 0 || !e->nodes) {
+        snprintf(e->error, sizeof e->error, "boards and jam faults together must not be more than 64");
+        return -1;
+    }
+    for (; e->node_count < config->board_count; e->node_count++) {
+        node *n = &e->nodes[e->node_count];
+        n->owner = e;
+        n->index = e->node_count;
+        n->config = &config->boards[n->index];
+        n->port.master = -1;
+    }
+    for (size_t i = 0; i < e->node_count; i++)
+        if (open_node(e, &e->nodes[i]) != 0)
+            return -1;
+    return 0;
+}
+
+static void trace_port(const node *n, const char *state)
+{
+    trace_begin(n->owner->out, n->owner->now, n->config->name, "port");
+    trace_text(n->owner->out, "state", state);
+    trace_end(n->owner->out);
+}
+
+static void trace_fault(const emulation *e, const fault_config *fault)
+{
+    trace_begin(e->out, e->now, fault->kind == FAULT_JAM ? NULL : e->nodes[fault->board].config->name, "fault");
+    trace_text(e->out, "do", fault_name(fault->kind));
+    if (fault->kind == FAULT_JAM)
+        trace_time(e->out, "until", e->now + seconds_to_cycles(fault->duration_s));
+    trace_end(e->out);
+}
+
+static int perform_fault(emulation *e, const fault_config *fault)
+{
+    node *n = &e->nodes[fault->board];
+    trace_fault(e, fault);
+    switch (fault->kind) {
+    case FAULT_RESET:
+        reset_node(n, "fault");
+        break;
+    case FAULT_UNPLUG:
+        pty_unplug(&n->port);
+        trace_port(n, "unplugged");
+        break;
+    case FAULT_PLUG:
+        if (n->port.master < 0) {
+            trace_port(n, "plugged");
+            return plug(e, n);
+        }
+        break;
+    case FAULT_JAM:
+        rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s));
+        break;
+    }
+    return 0;
+}
+
+static int perform_faults(emulation *e)
+{
+    while (e->next_fault < e->config->fault_count &&
+           seconds_to_cycles(e->config->faults[e->next_fault].t_s) <= e->now)
+        if (perform_fault(e, &e->config->faults[e->next_fault++]) != 0)
+            return -1;
+    return 0;
+}
+
+static int save_eeproms(emulation *e)
+{
+    for (size_t i = 0; i < e->node_count; i++)
+        if (e->nodes[i].eeprom.live && eeprom_file_save(&e->nodes[i].eeprom, e->error, sizeof e->error) != 0)
+            return -1;
+    return 0;
+}
+
+// Faults and EEPROM files come when their time is reached, at the border of two steps.
+static int do_due(emulation *e)
+{
+    if (perform_faults(e) != 0)
+        return -1;
+    if (e->now < e->next_eeprom_save)
+        return 0;
+    e->next_eeprom_save = e->now + EEPROM_INTERVAL;
+    return save_eeproms(e);
+}
+
+static cycles_t earliest(cycles_t a, cycles_t b)
+{
+    return a < b ? a : b;
+}
+
+static cycles_t node_next_event(const node *n)
+{
+    cycles_t next = board_next_event(&n->mega);
+    for (size_t i = 0; i < n->config->sensor_count; i++)
+        next = earliest(next, sensor_next_event(&n->sensors[i]));
+    return next;
+}
+
+// One step; a longer one while all boards sleep, up to where the first thing happens.
+static cycles_t step_end(const emulation *e, cycles_t until)
+{
+    cycles_t end = e->air.next_event;
+    if (e->next_fault < e->config->fault_count)
+        end = earliest(end, seconds_to_cycles(e->config->faults[e->next_fault].t_s));
+    for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
+        end = earliest(end, node_next_event(&e->nodes[i]));
+    end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
+    return earliest(end, until);
+}
+
+static int run_board(emulation *e, node *n, cycles_t end)
+{
+    for (size_t i = 0; i < n->config->sensor_count; i++)
+        sensor_advance(&n->sensors[i], end);
+    if (board_run(&n->mega, end) == 0)
+        return 0;
+    snprintf(e->error, sizeof e->error, "board %s: its program crashed at pc 0x%05x, after %.6f s",
+             n->config->name, board_pc(&n->mega), cycles_to_seconds(board_now(&n->mega)));
+    return -1;
+}
+
+int emulation_run(emulation *e, cycles_t until)
+{
+    while (e->now < until) {
+        if (do_due(e) != 0)
+            return -1;
+        cycles_t end = step_end(e, until);
+        for (size_t i = 0; i < e->node_count; i++)
+            if (run_board(e, &e->nodes[i], end) != 0)
+                return -1;
+        // In this order a packet is known at its sender before it arrives anywhere.
+        sniffer_advance_tx(&e->listener, end);
+        rf_bus_advance(&e->air, end);
+        sniffer_advance_rx(&e->listener, end);
+        e->now = end;
+    }
+    return 0;
+}
+
+void emulation_exchange(emulation *e)
+{
+    for (size_t i = 0; i < e->node_count; i++) {
+        node *n = &e->nodes[i];
+        pty_change change = pty_exchange(&n->port);
+        if (change != PTY_SAME)
+            trace_port(n, change == PTY_OPENED ? "open" : "closed");
+        if (change == PTY_OPENED && n->config->reset_on_open)
+            reset_node(n, "port opened");
+        uart_pump(&n->serial);
+    }
+}
+
+size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < e->node_count; i++) {
+        int descriptor = pty_poll_descriptor(&e->nodes[i].port);
+        if (descriptor >= 0)
+            descriptors[count++] = (struct pollfd){descriptor, POLLIN, 0};
+    }
+    return count;
+}
+
+static void trace_counters(const emulation *e, const node *n)
+{
+    const sniffer_counters *radio = &e->listener.stations[n->index].counters;
+    trace_begin(e->out, e->now, n->config->name, "counters");
+    trace_count(e->out, "resets", n->resets);
+    trace_count(e->out, "serialReceived", n->port.received);
+    trace_count(e->out, "serialSent", n->port.sent);
+    trace_count(e->out, "serialDropped", n->port.dropped);
+    trace_count(e->out, "radioSent", radio->sent);
+    trace_count(e->out, "radioUndecodable", radio->undecodable);
+    trace_count(e->out, "radioReceived", radio->received);
+    trace_count(e->out, "radioDamaged", radio->damaged);
+    trace_count(e->out, "radioCollisions", radio->collisions);
+    trace_count(e->out, "radioNotFollowed", radio->not_followed);
+    trace_end(e->out);
+}
+
+static void close_node(emulation *e, node *n)
+{
+    if (n->mega.avr && n->serial.input) {
+        uart_flush(&n->serial);
+        trace_counters(e, n);
+    }
+    pty_unplug(&n->port);
+    board_release(&n->mega);
+    free(n->sensors);
+}
+
+int emulation_close(emulation *e)
+{
+    int result = save_eeproms(e);
+    for (size_t i = 0; i < e->node_count; i++)
+        close_node(e, &e->nodes[i]);
+    sniffer_release(&e->listener);
+    rf_bus_release(&e->air);
+    free(e->nodes);
+    return result;
+}

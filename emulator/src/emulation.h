@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All boards of a scenario, the air between them and what is plugged into them.
+#ifndef JAVINO_EMULATION_H
+#define JAVINO_EMULATION_H
+
+#include <poll.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "board.h"
+#include "eeprom_file.h"
+#include "pty.h"
+#include "rf_bus.h"
+#include "scenario.h"
+#include "sensor.h"
+#include "sniffer.h"
+#include "trace.h"
+#include "uart.h"
+
+// How often EEPROM files are brought up to date.
+#define EEPROM_INTERVAL (50 * CYCLES_PER_MS)
+
+// A board and what hangs on it.
+typedef struct {
+    struct emulation *owner;
+    size_t index;
+    const board_config *config;
+    board mega;
+    pty port;
+    uart serial;
+    eeprom_file eeprom;
+    sensor *sensors;
+    uint64_t resets;
+    const char *reset_why; // of the reset under way, where the emulation itself asks for it
+} node;
+
+typedef struct emulation {
+    const scenario *config;
+    trace *out;
+    rf_bus air;
+    sniffer listener;
+    node *nodes;
+    size_t node_count;
+    size_t next_fault, next_jam;
+    cycles_t now;
+    cycles_t next_eeprom_save;
+    char error[512]; // why a call returned -1
+} emulation;
+
+// Powers all boards on. `config` and `out` must outlive the emulation; close it either way.
+// Returns 0, or -1 with one line in `error`.
+int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out);
+
+// Runs all boards up to `until`. Returns 0, or -1 with one line in `error`: a program crashed, or
+// a port or file could not be written.
+int emulation_run(emulation *e, cycles_t until);
+
+// Moves bytes between boards and hosts, and sees who opened or closed a port. Call it every
+// millisecond or so.
+void emulation_exchange(emulation *e);
+
+// Fills in what to wait on for input from hosts; `descriptors` has room for one a board.
+// Returns how many there are.
+size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors);
+
+// Writes the counters, saves the EEPROM files and takes the ports away.
+// Returns 0, or -1 with one line in `error`.
+int emulation_close(emulation *e);
+
+#endif

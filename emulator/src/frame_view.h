@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a sniffer without keys can tell of a radio payload (SPEC sections 1 to 3 and 5).
+#ifndef JAVINO_FRAME_VIEW_H
+#define JAVINO_FRAME_VIEW_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum { KIND_BROADCAST, KIND_MULTICAST, KIND_UNICAST, KIND_RESERVED } frame_kind;
+
+typedef struct {
+    const uint8_t *destination; // four digits
+    const uint8_t *origin;      // four digits
+    const uint8_t *message;
+    size_t message_length;
+    frame_kind kind;
+    bool sealed; // a multicast or unicast with room for nonce and tag that does not read as content
+} frame_view;
+
+// Reads a payload as a frame. Returns 0, or -1 where it is none (SPEC section 2).
+int frame_view_read(frame_view *view, const uint8_t *payload, size_t length);
+
+const char *frame_kind_text(frame_kind kind);
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line code of SPEC section 6, read off a level: on-off keying, training, start symbol,
+// 6-bit symbols, count, CRC. Written for the sniffer; shares nothing with the firmware.
+#ifndef JAVINO_LINE_CODE_H
+#define JAVINO_LINE_CODE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clock.h"
+
+#define LINE_MIN_COUNT 4
+#define LINE_MAX_COUNT 80
+#define LINE_MAX_PAYLOAD (LINE_MAX_COUNT - 3)
+// The silence after which the next carrier begins a new packet.
+#define LINE_IDLE_BITS 16
+
+typedef enum { LINE_BAD_SYMBOL, LINE_BAD_COUNT, LINE_BAD_CRC } line_error;
+
+typedef struct {
+    const uint8_t *payload;
+    size_t length;
+    cycles_t start; // first carrier of the training
+    cycles_t end;   // end of the last bit
+} line_packet;
+
+typedef struct {
+    void *context;
+    void (*packet)(void *context, const line_packet *packet);
+    void (*damaged)(void *context, line_error error, cycles_t at);
+} line_listener;
+
+typedef struct {
+    line_listener listener;
+    double bit_cycles;
+    bool level;
+    double next_sample; // cycle at which the level is read next: the middle of a bit
+    unsigned idle_bits; // zeros in a row, up to LINE_IDLE_BITS
+    cycles_t start;
+    uint16_t window;    // the last 12 bits, first one lowest
+    bool receiving;     // the start symbol has been seen
+    unsigned bit_count; // bits of the current byte, 0…11
+    uint8_t bytes[LINE_MAX_COUNT];
+    size_t byte_count;
+} line_decoder;
+
+void line_decoder_init(line_decoder *decoder, double bit_rate, line_listener listener);
+
+// The level changes at `at`, which must not lie before the last call's time.
+void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at);
+
+// Nothing else happens before `now`.
+void line_decoder_advance(line_decoder *decoder, cycles_t now);
+
+// What to call the error in the trace.
+const char *line_error_text(line_error error);
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line.
+#ifndef JAVINO_OPTIONS_H
+#define JAVINO_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define MAX_OVERRIDES 16
+
+typedef struct {
+    const char *scenario;
+    const char *directory;  // "." by default
+    const char *trace_path; // NULL: none; "-": standard output
+    double duration_s;      // 0: without end
+    double speed;           // 0: as fast as possible
+    uint64_t seed;
+    const char *overrides[MAX_OVERRIDES];
+    size_t override_count;
+    bool help;
+} options;
+
+extern const char OPTIONS_USAGE[];
+
+// Returns 0, or -1 with one line in `error`.
+int options_parse(options *o, int argc, char **argv, char *error, size_t error_size);
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pseudo-random numbers: xoshiro256** (Blackman and Vigna, 2018), seeded by splitmix64.
+#ifndef JAVINO_PRNG_H
+#define JAVINO_PRNG_H
+
+#include <stdint.h>
+
+typedef struct {
+    uint64_t state[4];
+} prng;
+
+// Starts stream number `stream` of `seed`; streams of one seed are independent of each other.
+void prng_seed(prng *generator, uint64_t seed, uint64_t stream);
+
+// The next 64 random bits.
+uint64_t prng_next(prng *generator);
+
+// True with the given probability, 0…1.
+int prng_chance(prng *generator, double probability);
+
+#endif

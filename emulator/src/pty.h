@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pseudo-terminal whose path is stable: a symlink that the scenario names.
+#ifndef JAVINO_PTY_H
+#define JAVINO_PTY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define PTY_BUFFER 4096
+
+typedef struct {
+    const char *link; // the symlink's path
+    char slave[64];   // what it points to
+    int master;       // -1: unplugged
+    bool open;        // a host has the slave open
+    uint8_t in[PTY_BUFFER]; // from the host, not yet taken
+    size_t in_start, in_end;
+    uint8_t out[PTY_BUFFER]; // for the host, not yet written
+    size_t out_length;
+    uint64_t received, sent; // bytes
+    uint64_t dropped;        // bytes from the board that no host read
+} pty;
+
+typedef enum { PTY_SAME, PTY_OPENED, PTY_CLOSED } pty_change;
+
+// Makes a pty in raw mode and then the symlink, with its folders, in place of an older symlink.
+// Returns 0, or -1 with one line in `error`; anything at `link` that is no symlink is left alone.
+int pty_plug(pty *p, const char *link, char *error, size_t error_size);
+
+// Takes pty and symlink away; a host that has it open gets an end of file. Counters stay.
+void pty_unplug(pty *p);
+
+// Moves bytes both ways without waiting, and tells whether a host has opened or closed the pty.
+// A close and an open between two calls are not seen.
+pty_change pty_exchange(pty *p);
+
+// The next byte from the host; false when there is none.
+bool pty_take(pty *p, uint8_t *byte);
+
+// A byte for the host; dropped and counted when the host is gone or does not read.
+void pty_put(pty *p, uint8_t byte);
+
+// What to wait on for input, or -1 when there is nothing that could be taken.
+int pty_poll_descriptor(const pty *p);
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is emulated: the scenario file, read and checked. emulator/README.md documents every key.
+#ifndef JAVINO_SCENARIO_H
+#define JAVINO_SCENARIO_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "series.h"
+
+#define MAX_BOARDS 32
+
+typedef struct {
+    double bit_rate;       // bit/s, 100…10000
+    double range_m;        // metres, 0 or more
+    double bit_error_rate; // probability 0…1 for each bit slot and receiver
+} radio_config;
+
+typedef enum { SENSOR_HC_SR04, SENSOR_LDR, SENSOR_DIGITAL } sensor_kind;
+
+typedef struct {
+    sensor_kind kind;
+    int pin;       // LDR: analog pin; digital: pin; HC-SR04: echo
+    int trigger;   // HC-SR04 only
+    series values; // HC-SR04: cm; LDR: 0…1023 as analogRead() gives; digital: 0 or 1
+    int after_pin; // the series' clock starts when this pin first has after_level; -1: at once
+    int after_level;
+} sensor_config;
+
+typedef struct {
+    int pin;
+    char *name;
+} watch_config;
+
+typedef struct {
+    char *name;
+    char *firmware; // path of an ELF file, as the process sees it
+    char *port;     // path of the pty's symlink, NULL: UART lines go to the trace
+    char *eeprom;   // path of the EEPROM file, NULL: forgotten at exit
+    double x_m, y_m;
+    bool reset_on_open;
+    int tx_pin, rx_pin;
+    sensor_config *sensors;
+    size_t sensor_count;
+    watch_config *watches;
+    size_t watch_count;
+} board_config;
+
+typedef enum { FAULT_RESET, FAULT_UNPLUG, FAULT_PLUG, FAULT_JAM } fault_kind;
+
+typedef struct {
+    double t_s;
+    fault_kind kind;
+    size_t board;      // index; not for jam
+    double duration_s; // jam only
+    bool has_position; // jam only; without one it is heard everywhere
+    double x_m, y_m;
+} fault_config;
+
+typedef struct {
+    radio_config radio;
+    board_config *boards;
+    size_t board_count;
+    fault_config *faults; // in rising order of time
+    size_t fault_count;
+} scenario;
+
+// What the command line adds to the file.
+typedef struct {
+    const char *directory;  // ports and EEPROM files are relative to it
+    const char **overrides; // "radio.key=value"
+    size_t override_count;
+} scenario_context;
+
+// Reads `path` into `result`. Returns 0, or -1 with one line in `error`; release it either way.
+int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error,
+                  size_t error_size);
+
+void scenario_release(scenario *result);
+
+// The fault's name in the file.
+const char *fault_name(fault_kind kind);
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The `boards` part of the scenario file.
+#ifndef JAVINO_SCENARIO_BOARD_H
+#define JAVINO_SCENARIO_BOARD_H
+
+#include "json_reader.h"
+#include "scenario.h"
+
+// Reads one board; mistakes are recorded in the reader of `node`.
+void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
+                       const char *directory);
+
+void board_config_release(board_config *board);
+
+// Reads [x, y], in metres.
+void position_read(const json_node *node, double *x_m, double *y_m);
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulator_log.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <simavr/sim_avr.h>
+
+// simavr's logger is one for the whole process, and so is this.
+static unsigned long warnings;
+
+static void log_warning(struct avr_t *avr, const int level, const char *format, va_list arguments)
+{
+    char text[300];
+    (void)avr;
+    if (level != LOG_ERROR && level != LOG_WARNING)
+        return;
+    if (++warnings > SIMULATOR_LOG_MAX)
+        return;
+    vsnprintf(text, sizeof text, format, arguments);
+    text[strcspn(text, "\r\n")] = '\0';
+    fprintf(stderr, "javino-emulator: simavr: %s\n", text);
+}
+
+void simulator_log_install(void)
+{
+    avr_global_logger_set(log_warning);
+}
+
+unsigned long simulator_log_suppressed(void)
+{
+    return warnings > SIMULATOR_LOG_MAX ? warnings - SIMULATOR_LOG_MAX : 0;
+}

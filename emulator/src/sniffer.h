@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Listens to each board's TX pin and to what reaches each board's RX pin, and writes down what a
+// bystander without keys can tell: rf-tx, rf-rx, rf-damaged and rf-collision events.
+#ifndef JAVINO_SNIFFER_H
+#define JAVINO_SNIFFER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clock.h"
+#include "line_code.h"
+#include "rf_bus.h"
+#include "scenario.h"
+#include "trace.h"
+
+#define SNIFFER_MAX_EXPECTED 8
+
+// A packet that was sent in a receiver's range and has not arrived yet.
+typedef struct {
+    size_t source;
+    cycles_t start;
+    cycles_t deadline;
+    uint8_t payload[LINE_MAX_PAYLOAD];
+    size_t length;
+} sniffer_expected;
+
+typedef struct {
+    uint64_t sent;           // packets that left the TX pin whole
+    uint64_t undecodable;    // started on the TX pin, but not by the line code
+    uint64_t received;       // packets that reached the RX pin whole
+    uint64_t damaged;        // packets that were in range and did not
+    uint64_t collisions;     // overlaps at the RX pin
+    uint64_t not_followed;   // packets in range beyond what can be followed at once
+} sniffer_counters;
+
+typedef struct {
+    struct sniffer *owner;
+    size_t board;
+    line_decoder tx, rx;
+    sniffer_expected expected[SNIFFER_MAX_EXPECTED];
+    size_t expected_count;
+    line_error last_error; // of the RX pin
+    cycles_t last_error_at;
+    sniffer_counters counters;
+} sniffer_station;
+
+typedef struct sniffer {
+    const scenario *config;
+    const rf_bus *bus;
+    trace *out;
+    sniffer_station *stations;
+    cycles_t next_deadline;
+    double bit_cycles;
+} sniffer;
+
+// Returns 0, or -1 where the memory does not suffice.
+int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *out);
+void sniffer_release(sniffer *s);
+
+void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at);
+void sniffer_rx_edge(sniffer *s, size_t board, bool level, cycles_t at);
+void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t at);
+
+// Nothing else happens on any TX pin, or any RX pin, before `now`.
+void sniffer_advance_tx(sniffer *s, cycles_t now);
+void sniffer_advance_rx(sniffer *s, cycles_t now);
+
+#endif

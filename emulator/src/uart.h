@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A board's first UART: joined to a pty, or written to the trace line by line.
+#ifndef JAVINO_UART_H
+#define JAVINO_UART_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "pty.h"
+
+struct avr_t;
+struct avr_irq_t;
+
+#define UART_MAX_LINE 256
+
+typedef struct {
+    void *context;
+    // A line without its end, or UART_MAX_LINE bytes of a longer one. NULL where there is a pty.
+    void (*line)(void *context, const uint8_t *bytes, size_t length);
+} uart_listener;
+
+typedef struct {
+    struct avr_irq_t *input;
+    pty *port; // NULL: lines go to the listener
+    uart_listener listener;
+    bool stopped; // the UART takes no byte now
+    uint8_t line[UART_MAX_LINE];
+    size_t line_length;
+} uart;
+
+// Joins UART 0 of the chip to `port`, or where that is NULL to the listener.
+void uart_init(uart *u, struct avr_t *avr, pty *port, uart_listener listener);
+
+// The chip was reset: nothing is sent to it before its program enables the receiver.
+void uart_reset(uart *u);
+
+// Passes on what the host has sent, as far as the UART takes it.
+void uart_pump(uart *u);
+
+// Hands over a line that has no end yet.
+void uart_flush(uart *u);
+
+#endif
