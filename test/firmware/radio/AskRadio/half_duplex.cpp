@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "support/Modem.h"
+
+TEST(AskRadio, isDeafWhileSending) {
+  Modem modem;
+  modem.send(Bytes(77, 1));
+  modem.hardware.play(packetLine({1, 2, 3}));
+  EXPECT_TRUE(modem.radio.sending());
+  EXPECT_EQ(modem.take(), Bytes());
+  EXPECT_EQ(modem.counters().damaged, 0u);
+}
+
+TEST(AskRadio, hearsAgainAfterSending) {
+  Modem modem;
+  modem.send({1, 2, 3});
+  modem.hardware.wait(200 * Modem::BIT);
+  modem.hardware.play(packetLine({4, 5}));
+  EXPECT_EQ(modem.take(), (Bytes{4, 5}));
+}
+
+TEST(AskRadio, countsAsMissedThePacketThatItsOwnSendingCuts) {
+  Modem modem;
+  const Bits bits = reference::packetBits({1, 2, 3, 4});
+  modem.hardware.play(AirLine().bits(Bits(bits.begin(), bits.begin() + 80), Modem::BIT));
+  modem.send({9});
+  modem.hardware.play(AirLine().bits(Bits(bits.begin() + 80, bits.end()), Modem::BIT).silence(200 * Modem::BIT));
+  EXPECT_EQ(modem.counters().missed, 1u);
+  EXPECT_EQ(modem.counters().received, 0u);
+  EXPECT_EQ(modem.counters().sent, 1u);
+}
+
+TEST(AskRadio, keepsWhatItReceivedBeforeSending) {
+  Modem modem;
+  modem.hardware.play(packetLine({1, 2}));
+  modem.send({9});
+  modem.hardware.wait(200 * Modem::BIT);
+  EXPECT_EQ(modem.take(), (Bytes{1, 2}));
+}
+
+TEST(AskRadio, hearsNothingWhileBlocked) {
+  Modem modem;
+  modem.radio.listen(false);
+  modem.hardware.play(packetLine({1, 2}));
+  EXPECT_EQ(modem.take(), Bytes());
+  EXPECT_EQ(modem.hardware.interrupts(), 0u);
+}
+
+TEST(AskRadio, forgetsOnBlockingWhatWasNotFetched) {
+  Modem modem;
+  modem.hardware.play(packetLine({1, 2}));
+  modem.radio.listen(false);
+  EXPECT_TRUE(modem.radio.idle());
+  modem.radio.listen(true);
+  EXPECT_EQ(modem.take(), Bytes());
+}
+
+TEST(AskRadio, opensOrBlocksAfterThePacketThatIsOnTheAir) {
+  Modem modem;
+  modem.send({9});
+  modem.radio.listen(false);
+  modem.radio.listen(true);
+  modem.radio.listen(false);
+  modem.hardware.wait(200 * Modem::BIT);
+  EXPECT_EQ(modem.counters().sent, 1u);
+  modem.hardware.play(packetLine({1}));
+  EXPECT_EQ(modem.take(), Bytes());
+
+  modem.send({9});
+  modem.radio.listen(true);
+  modem.hardware.wait(200 * Modem::BIT);
+  EXPECT_EQ(modem.counters().sent, 2u);
+  modem.hardware.play(packetLine({2}));
+  EXPECT_EQ(modem.take(), Bytes{2});
+}
+
+TEST(AskRadio, isNotDisturbedByOpeningWhatIsOpen) {
+  Modem modem;
+  const Bits bits = reference::packetBits({1, 2, 3, 4});
+  modem.hardware.play(AirLine().bits(Bits(bits.begin(), bits.begin() + 80), Modem::BIT));
+  modem.radio.listen(true);
+  modem.hardware.play(AirLine().bits(Bits(bits.begin() + 80, bits.end()), Modem::BIT).silence(12 * Modem::BIT));
+  EXPECT_EQ(modem.take(), (Bytes{1, 2, 3, 4}));
+}

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include "support/Modem.h"
+#include "support/Vectors.h"
+
+namespace {
+
+const int PACKETS = 60;
+
+}  // namespace
+
+TEST(AskRadio, receivesTheVectors) {
+  Modem modem;
+  for (const RadioVector &vector : radioVectors()) {
+    modem.hardware.play(AirLine().bits(vector.bits, Modem::BIT).silence(12 * Modem::BIT));
+    EXPECT_EQ(modem.take(), vector.payload);
+  }
+}
+
+TEST(AskRadio, receivesFromClocksThatAreThreePercentOff) {
+  std::mt19937 random(21);
+  for (double skew = -0.03; skew < 0.031; skew += 0.005) {
+    Modem modem;
+    for (int i = 0; i < PACKETS; i++) {
+      const Bytes payload = randomPayload(random);
+      modem.hardware.play(packetLine(payload, Modem::BIT * (1 + skew)));
+      EXPECT_EQ(modem.take(), payload) << "skew " << skew;
+    }
+  }
+}
+
+TEST(AskRadio, receivesEdgesThatAreATenthOfABitOff) {
+  std::mt19937 random(22);
+  for (double skew : {-0.02, 0.0, 0.02}) {
+    Modem modem;
+    for (int i = 0; i < PACKETS; i++) {
+      const Bytes payload = randomPayload(random);
+      modem.hardware.play(packetLine(payload, Modem::BIT * (1 + skew)).jitter(100, random));
+      EXPECT_EQ(modem.take(), payload) << "skew " << skew;
+    }
+  }
+}
+
+TEST(AskRadio, receivesThroughGlitchesOfATenthOfABit) {
+  std::mt19937 random(23);
+  Modem modem;
+  for (int i = 0; i < PACKETS; i++) {
+    const Bytes payload = randomPayload(random);
+    modem.hardware.play(packetLine(payload).glitches(100, 3 * Modem::BIT, random).silence(12 * Modem::BIT));
+    EXPECT_EQ(modem.take(), payload);
+  }
+}
+
+TEST(AskRadio, receivesWhatASenderWithEightSamplesABitMakes) {
+  std::mt19937 random(24);
+  Modem modem;
+  for (int i = 0; i < PACKETS; i++) {
+    const Bytes payload = randomPayload(random);
+    modem.hardware.play(packetLine(payload, Modem::BIT * 1.01).quantise(Modem::BIT / 8.0));
+    EXPECT_EQ(modem.take(), payload);
+  }
+}
+
+TEST(AskRadio, receivesWhenOtherInterruptsDelayItsOwn) {
+  std::mt19937 random(25);
+  Modem modem;
+  modem.hardware.delayInterrupts(100);  // 50 µs
+  for (int i = 0; i < PACKETS; i++) {
+    const Bytes payload = randomPayload(random);
+    modem.hardware.play(packetLine(payload));
+    EXPECT_EQ(modem.take(), payload);
+  }
+}
+
+TEST(AskRadio, receivesAfterAnyPauseAlsoOfWholeTimerRounds) {
+  for (uint64_t pause : {0ull, 1ull, 1000ull, 65535ull, 65536ull, 65537ull, 131072ull, 10000000ull}) {
+    Modem modem;
+    modem.hardware.play(packetLine({1, 2, 3}));
+    modem.hardware.wait(pause);
+    modem.hardware.play(packetLine({4, 5}));
+    EXPECT_EQ(modem.take(), (Bytes{1, 2, 3}));
+    EXPECT_EQ(modem.take(), (Bytes{4, 5})) << "pause of " << pause << " ticks";
+  }
+}
+
+TEST(AskRadio, receivesAPacketRightBehindAnother) {
+  Modem modem;
+  AirLine line;
+  for (uint8_t i = 0; i < 3; i++) line.bits(reference::packetBits({i, 9, 9}), Modem::BIT);
+  modem.hardware.play(line.silence(12 * Modem::BIT));
+  for (uint8_t i = 0; i < 3; i++) EXPECT_EQ(modem.take(), (Bytes{i, 9, 9}));
+}
+
+TEST(AskRadio, receivesThePacketsOfNoisyAir) {
+  std::mt19937 random(26);
+  int received = 0;
+  Modem modem;
+  for (int i = 0; i < PACKETS; i++) {
+    const Bytes payload = randomPayload(random);
+    modem.hardware.play(AirLine()
+                            .noise(200 * Modem::BIT, Modem::BIT, random)
+                            .bits(reference::packetBits(payload), Modem::BIT)
+                            .noise(100 * Modem::BIT, Modem::BIT, random));
+    if (modem.take() == payload) received++;
+  }
+  // Noise may hold a start symbol just before the packet, once in some hundred times.
+  EXPECT_GE(received, PACKETS - 2);
+}
+
+TEST(AskRadio, needsNoLoopToFinishAPacketWhoseEndHasNoEdge) {
+  for (int byte = 0; byte < 256; byte++) {
+    const Bytes payload(3, static_cast<uint8_t>(byte));
+    Modem modem;
+    modem.hardware.play(packetLine(payload));
+    EXPECT_FALSE(modem.radio.idle());
+    EXPECT_EQ(modem.take(), payload);
+    EXPECT_TRUE(modem.radio.idle());
+  }
+}
+
+TEST(AskRadio, takesNoInterruptInQuietAirAndOneAnEdgeOtherwise) {
+  Modem modem;
+  modem.hardware.wait(10000000);
+  EXPECT_EQ(modem.hardware.interrupts(), 0u);
+  const AirLine line = packetLine({1, 2, 3});
+  modem.hardware.play(line);
+  modem.hardware.wait(10000000);
+  const uint32_t edges = static_cast<uint32_t>(line.runs().size()) - 1;
+  EXPECT_EQ(modem.hardware.interrupts(), edges + 2);  // and two alarms at the end
+}
+
+TEST(AskRadio, endsTheAlarmUnderAConstantCarrier) {
+  Modem modem;
+  modem.hardware.play(AirLine().hold(true, 100 * Modem::BIT));
+  EXPECT_TRUE(modem.hardware.quiet());
+  modem.hardware.play(packetLine({1}));
+  EXPECT_EQ(modem.take(), Bytes{1});
+}
+
+TEST(AskRadio, countsAsMissedTheFourthPacketThatNobodyFetched) {
+  Modem modem;
+  for (uint8_t i = 0; i < 4; i++) modem.hardware.play(packetLine({i}));
+  EXPECT_EQ(modem.counters().received, 3u);
+  EXPECT_EQ(modem.counters().missed, 1u);
+  EXPECT_EQ(modem.take(), Bytes{0});
+}

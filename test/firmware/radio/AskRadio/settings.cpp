@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "support/Modem.h"
+
+using javino::AskRadio;
+
+TEST(AskRadio, beginsAtRatesFrom200To10000) {
+  SimulatedAsk hardware;
+  for (uint16_t rate : {200, 1000, 2000, 10000}) EXPECT_TRUE(AskRadio(11, 12, rate).begin()) << rate;
+  for (uint16_t rate : {0, 1, 199, 10001, 65535}) EXPECT_FALSE(AskRadio(11, 12, rate).begin()) << rate;
+}
+
+TEST(AskRadio, doesNotBeginOnAPinWithoutEdges) {
+  SimulatedAsk hardware;
+  EXPECT_FALSE(AskRadio(SimulatedAsk::PIN_WITHOUT_EDGES, 12).begin());
+}
+
+TEST(AskRadio, doesNothingWhereItCouldNotBegin) {
+  SimulatedAsk hardware;
+  AskRadio radio(11, 12, 0);
+  EXPECT_FALSE(radio.begin());
+  const uint8_t payload[] = {1};
+  EXPECT_FALSE(radio.send(payload, 1));
+  radio.listen(true);
+  hardware.play(packetLine({1}));
+  EXPECT_EQ(hardware.interrupts(), 0u);
+  EXPECT_TRUE(radio.idle());
+}
+
+TEST(AskRadio, startsWithReceptionBlocked) {
+  SimulatedAsk hardware;
+  AskRadio radio;
+  ASSERT_TRUE(radio.begin());
+  hardware.play(packetLine({1}));
+  EXPECT_EQ(hardware.interrupts(), 0u);
+}
+
+TEST(AskRadio, sendsAndReceivesAtEachRate) {
+  for (uint16_t rate : {200, 300, 1200, 2000, 4800, 9600}) {
+    const double bitTicks = double(SimulatedAsk::TICKS_PER_SECOND) / rate;
+    SimulatedAsk hardware;
+    AskRadio radio(11, 12, rate);
+    ASSERT_TRUE(radio.begin());
+    radio.listen(true);
+    hardware.play(packetLine({1, 2, 3}, bitTicks));
+    uint8_t payload[77];
+    EXPECT_EQ(radio.receive(payload), 3) << rate << " bit/s";
+
+    ASSERT_TRUE(radio.send(payload, 3));
+    hardware.wait(static_cast<uint64_t>(122 * bitTicks));
+    EXPECT_FALSE(radio.sending()) << rate << " bit/s";
+  }
+}

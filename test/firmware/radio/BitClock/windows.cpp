@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "radio/BitClock.h"
+#include "support/AirLine.h"
+
+using javino::BitClock;
+
+namespace {
+
+const uint16_t BIT = 1000;
+
+// The bits of a line, in chunks of at most so many ticks.
+Bits bitsOf(const AirLine &line, uint16_t chunk) {
+  BitClock clock(BIT);
+  Bits bits;
+  for (const AirLine::Run &run : line.runs()) {
+    uint32_t left = static_cast<uint32_t>(run.ticks);
+    while (left != 0) {
+      uint16_t ticks = static_cast<uint16_t>(std::min<uint32_t>(chunk, left));
+      left -= ticks;
+      bool bit;
+      while (clock.advance(ticks, run.level, bit)) bits.push_back(bit);
+    }
+  }
+  return bits;
+}
+
+Bits randomBits(size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  Bits bits(1, true);  // a line begins with a change
+  while (bits.size() < count) bits.push_back(random() & 1);
+  return bits;
+}
+
+}  // namespace
+
+TEST(BitClock, givesEachBitOnce) {
+  const Bits sent = randomBits(2000, 1);
+  EXPECT_EQ(bitsOf(AirLine().bits(sent, BIT), 60000), sent);
+}
+
+TEST(BitClock, givesTheSameBitsInEachChunkSize) {
+  std::mt19937 random(2);
+  AirLine line;
+  line.bits(randomBits(300, 2), BIT * 1.01).jitter(150, random).quantise(1);
+  const Bits whole = bitsOf(line, 60000);
+  for (uint16_t chunk = 1; chunk <= 2 * BIT; chunk = static_cast<uint16_t>(chunk + 1 + chunk / 7)) {
+    EXPECT_EQ(bitsOf(line, chunk), whole) << "chunks of " << chunk;
+  }
+}
+
+TEST(BitClock, takesTheLevelOfMoreThanHalfOfABit) {
+  // Twelve short pulses in one bit: none lasts long enough to steer.
+  const auto bitWithHighTicks = [](double high) {
+    AirLine line;
+    line.bits({true, false, true, false}, BIT);
+    for (int i = 0; i < 12; i++) line.hold(false, (BIT - high) / 12).hold(true, high / 12);
+    line.hold(false, BIT);
+    return bool(bitsOf(line, 60000).at(4));
+  };
+  EXPECT_FALSE(bitWithHighTicks(480));
+  EXPECT_TRUE(bitWithHighTicks(528));
+}
+
+TEST(BitClock, survivesAPulseInTheMiddleOfEachBit) {
+  const Bits sent = randomBits(500, 3);
+  AirLine line;
+  for (bool bit : sent) line.hold(bit, 400).hold(!bit, 200).hold(bit, 400);
+  EXPECT_EQ(bitsOf(line, 60000), sent);
+}
+
+TEST(BitClock, worksAtTheShortestAndTheLongestBit) {
+  const Bits sent = randomBits(200, 4);
+  for (uint16_t bitTicks : {16, 200, 10000, 13107}) {
+    BitClock clock(bitTicks);
+    Bits received;
+    for (bool level : sent) {
+      uint16_t ticks = bitTicks;
+      bool bit;
+      while (clock.advance(ticks, level, bit)) received.push_back(bit);
+    }
+    EXPECT_EQ(received, sent) << bitTicks;
+  }
+}

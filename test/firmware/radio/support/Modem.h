@@ -1,0 +1,42 @@
+#pragma once
+
+#include "support/SimulatedAsk.h"
+
+// A modem on simulated hardware, with reception open.
+class Modem {
+ public:
+  static const int BIT = 1000;  // ticks, at 2000 bit/s
+
+  Modem() {
+    radio.begin();
+    radio.listen(true);
+  }
+
+  Bytes take() {
+    uint8_t payload[77];
+    const uint8_t length = radio.receive(payload);
+    return Bytes(payload, payload + length);
+  }
+
+  bool send(const Bytes &payload) { return radio.send(payload.data(), static_cast<uint8_t>(payload.size())); }
+
+  javino::RadioCounters counters() const {
+    javino::RadioCounters counters;
+    radio.counters(counters);
+    return counters;
+  }
+
+  SimulatedAsk hardware;
+  javino::AskRadio radio;
+};
+
+// A packet with silence behind it, long enough for the receiver to close it.
+inline AirLine packetLine(const Bytes &payload, double bitTicks = Modem::BIT) {
+  return AirLine().bits(reference::packetBits(payload), bitTicks).silence(12 * bitTicks);
+}
+
+inline Bytes randomPayload(std::mt19937 &random) {
+  Bytes payload(random() % 77 + 1);
+  for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
+  return payload;
+}
