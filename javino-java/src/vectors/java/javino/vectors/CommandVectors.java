@@ -1,0 +1,168 @@
+package javino.vectors;
+
+import static javino.vectors.Vectors.vector;
+import static javino.vectors.Wire.bytes;
+import static javino.vectors.Wire.counting;
+import static javino.vectors.Wire.join;
+import static javino.vectors.Wire.text;
+
+import java.util.List;
+import java.util.Map;
+
+/** SPEC 4.3 and 4.4: each command, each record of a poll, each status. */
+final class CommandVectors {
+
+    private CommandVectors() {
+    }
+
+    static Map<String, List<Map<String, Object>>> all() {
+        var lists = Vectors.lists("requests", requests());
+        lists.put("badRequests", badRequests());
+        lists.put("replies", replies());
+        lists.put("badReplies", badReplies());
+        return lists;
+    }
+
+    private static List<Map<String, Object>> requests() {
+        byte[] key = counting(0, 16);
+        return List.of(
+                vector("name", "hello", "version", 1, "message", "4801"),
+                poll(false, null), poll(true, null), poll(false, 0), poll(true, 255),
+                vector("name", "act", "action", "stop", "message", Wire.hex(text("Astop"))),
+                vector("name", "act", "action", "goTo(12,\"\u00e9\")",
+                        "message", Wire.hex(text("AgoTo(12,\"\u00e9\")"))),
+                vector("name", "setRfId", "address", "ROMA", "message", Wire.hex(text("IROMA"))),
+                vector("name", "radio", "open", true, "message", "5201"),
+                vector("name", "radio", "open", false, "message", "5200"),
+                vector("name", "setKey", "address", "SUPO", "key", Wire.hex(key),
+                        "message", Wire.hex(join(text("KSUPO"), key))),
+                vector("name", "setKey", "address", "//SU", "key", Wire.hex(key),
+                        "message", Wire.hex(join(text("K//SU"), key))),
+                vector("name", "deleteKey", "address", "//SU", "message", Wire.hex(text("D//SU"))),
+                vector("name", "listKeys", "message", "4c"),
+                vector("name", "statistics", "message", "53"),
+                transmit("////", "ROMA", "tell;help"),
+                transmit("//SU", "SUPO", "tell;someoneNeedHelp"),
+                transmit("SUHO", "SUPP", "achieve;goTo(12,\"km\")"));
+    }
+
+    private static Map<String, Object> poll(boolean percepts, Integer taken) {
+        byte[] flags = bytes('P', percepts ? 1 : 0);
+        return vector("name", "poll", "percepts", percepts, "taken", taken,
+                "message", Wire.hex(taken == null ? flags : join(flags, bytes(taken))));
+    }
+
+    private static Map<String, Object> transmit(String destination, String origin, String content) {
+        return vector("name", "transmit", "destination", destination, "origin", origin, "content", content,
+                "message", Wire.hex(text(content)));
+    }
+
+    /** What a greeted board without a key answers to commands that are none. */
+    private static List<Map<String, Object>> badRequests() {
+        return List.of(
+                badRequest(bytes('Z'), "UNKNOWN_COMMAND"),
+                badRequest(bytes(0), "UNKNOWN_COMMAND"),
+                badRequest(bytes('h', 1), "UNKNOWN_COMMAND"),
+                badRequest(bytes('P'), "BAD_ARGUMENT"),
+                badRequest(bytes('P', 0, 1, 2), "BAD_ARGUMENT"),
+                badRequest(bytes('R'), "BAD_ARGUMENT"),
+                badRequest(bytes('R', 2), "BAD_ARGUMENT"),
+                badRequest(text("IROM"), "BAD_ARGUMENT"),
+                badRequest(text("IROMAA"), "BAD_ARGUMENT"),
+                badRequest(text("I////"), "BAD_ARGUMENT"),
+                badRequest(text("I//SU"), "BAD_ARGUMENT"),
+                badRequest(text("I++++"), "BAD_ARGUMENT"),
+                badRequest(text("IRO-A"), "BAD_ARGUMENT"),
+                badRequest(text("KROMA0123456789abcde"), "BAD_ARGUMENT"),
+                badRequest(text("KROMA0123456789abcdefg"), "BAD_ARGUMENT"),
+                badRequest(text("K////0123456789abcdef"), "BAD_ARGUMENT"),
+                badRequest(text("K+FAA0123456789abcdef"), "BAD_ARGUMENT"),
+                badRequest(text("DROM"), "BAD_ARGUMENT"));
+    }
+
+    private static Map<String, Object> badRequest(byte[] message, String status) {
+        return vector("message", Wire.hex(message), "status", status);
+    }
+
+    private static List<Map<String, Object>> replies() {
+        return List.of(
+                ok("hello", join(bytes(1), text("++++"), bytes(0, 0, 1), text("blink 1.0")),
+                        vector("version", 1, "rfId", null, "bootCount", 1, "firmware", "blink 1.0")),
+                ok("hello", join(bytes(2), text("ROMA"), bytes(0xFF, 0xFF, 0xFE)),
+                        vector("version", 2, "rfId", "ROMA", "bootCount", 0xFFFFFE, "firmware", "")),
+                ok("poll", bytes(0), vector("more", false, "leftOut", false, "records", List.of())),
+                ok("poll", join(bytes(3), bytes('T', 0, 2, 9, 0), record('P', text("proximity(17)")),
+                                record('P', text("dark")),
+                                record('M', join(bytes(255), text("////ROMAtell;help"))),
+                                record('M', join(bytes(0), text("SUPOROMAtell;x(\"\u00e9\")")))),
+                        vector("more", true, "leftOut", true, "records", List.of(
+                                vector("type", "transmission", "number", 9, "outcome", 0),
+                                percept("proximity(17)"), percept("dark"),
+                                message(255, "////", "ROMA", "tell;help"),
+                                message(0, "SUPO", "ROMA", "tell;x(\"\u00e9\")")))),
+                ok("poll", join(bytes(1), record('P', text("x".repeat(300))), record('P', new byte[0])),
+                        vector("more", true, "leftOut", false, "records",
+                                List.of(percept("x".repeat(300)), percept("")))),
+                ok("act", new byte[0], vector()),
+                ok("setKey", bytes(0xAB, 0, 0x12), vector("check", "ab0012")),
+                ok("listKeys", new byte[0], vector("keys", List.of())),
+                ok("listKeys", join(text("SUPO"), bytes(1, 2, 3), text("//SU"), bytes(0, 0, 0)),
+                        vector("keys", List.of(vector("address", "SUPO", "check", "010203"),
+                                vector("address", "//SU", "check", "000000")))),
+                ok("statistics", bytes(1, 0, 0, 1, 2, 18, 0xFF, 0xFF, 0xFF, 0xFF, 200, 0, 0, 0, 1),
+                        vector("counters", vector("serialRequests", 258, "perceptsLeftOut", 4294967295L))),
+                ok("transmit", bytes(255), vector("number", 255)),
+                refused(1, "NOT_GREETED"), refused(2, "UNKNOWN_COMMAND"), refused(3, "BAD_ARGUMENT"),
+                refused(4, "UNKNOWN_ACTION"), refused(5, "ACTION_FAILED"), refused(6, "NO_RF_ID"),
+                refused(7, "WRONG_ORIGIN"), refused(8, "BAD_DESTINATION"), refused(9, "NO_KEY"),
+                refused(10, "TOO_LONG"), refused(11, "QUEUE_FULL"), refused(12, "STORE_FULL"),
+                refused(13, "STORE_FAILED"), refused(14, "NONCE_EXHAUSTED"));
+    }
+
+    private static byte[] record(char type, byte[] value) {
+        return join(bytes(type, value.length >> 8, value.length), value);
+    }
+
+    private static Map<String, Object> percept(String literal) {
+        return vector("type", "percept", "literal", literal);
+    }
+
+    private static Map<String, Object> message(int number, String destination, String origin, String content) {
+        return vector("type", "message", "number", number, "destination", destination, "origin", origin,
+                "content", content);
+    }
+
+    private static Map<String, Object> ok(String name, byte[] body, Map<String, Object> fields) {
+        return vector("name", name, "status", "OK", "fields", fields, "message", Wire.hex(join(bytes(0), body)));
+    }
+
+    private static Map<String, Object> refused(int value, String status) {
+        return vector("name", "act", "status", status, "fields", vector(), "message", Wire.hex(bytes(value)));
+    }
+
+    private static List<Map<String, Object>> badReplies() {
+        return List.of(
+                badReply("act", new byte[0], "no status"),
+                badReply("act", bytes(15), "unknown status"),
+                badReply("act", bytes(0, 1), "something where nothing is due"),
+                badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0)), "a byte short"),
+                badReply("hello", join(bytes(0, 1), text("RO-A"), bytes(0, 0, 1)), "no address"),
+                badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0, 1, 0xFF)), "name is no UTF-8"),
+                badReply("poll", bytes(0), "no flags"),
+                badReply("poll", bytes(0, 0, 'P', 0), "half a record header"),
+                badReply("poll", bytes(0, 0, 'P', 0, 2, 'x'), "record longer than the reply"),
+                badReply("poll", bytes(0, 0, 'Q', 0, 0), "unknown type of record"),
+                badReply("poll", bytes(0, 0, 'T', 0, 1, 1), "transmission without outcome"),
+                badReply("poll", bytes(0, 0, 'T', 0, 2, 1, 9), "unknown outcome"),
+                badReply("poll", join(bytes(0, 0, 'M', 0, 8, 1), text("////ROM")), "half a message"),
+                badReply("poll", join(bytes(0, 0, 'M', 0, 9, 1), text("////RO=A")), "message without an origin"),
+                badReply("setKey", bytes(0, 1, 2), "short check value"),
+                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(1, 2)), "half a key"),
+                badReply("statistics", bytes(0, 1, 0, 0, 0), "half a counter"),
+                badReply("transmit", bytes(0), "no number"));
+    }
+
+    private static Map<String, Object> badReply(String name, byte[] message, String why) {
+        return vector("name", name, "message", Wire.hex(message), "why", why);
+    }
+}
