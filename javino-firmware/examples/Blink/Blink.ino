@@ -1,0 +1,36 @@
+// Lets an agent switch a lamp and see whether it is lit: the smallest board with something to do.
+//
+// Wiring: none; the lamp is the one on the board (pin 13). USB to the computer that runs the agent.
+//
+// Actions:  ledOn, ledOff
+// Percepts: led(on) or led(off)
+
+#include <Javino.h>
+
+javino::Javino board(Serial, "blink 1.0");
+
+bool ledOn(const javino::Arguments &) {
+  digitalWrite(LED_BUILTIN, HIGH);
+  return true;
+}
+
+bool ledOff(const javino::Arguments &) {
+  digitalWrite(LED_BUILTIN, LOW);
+  return true;
+}
+
+void perceive(javino::Percepts &percepts) {
+  percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)"));
+}
+
+void setup() {
+  pinMode(LED_BUILTIN, OUTPUT);
+  board.onPercepts(perceive);
+  board.action(F("ledOn"), ledOn);
+  board.action(F("ledOff"), ledOff);
+  board.begin(115200);
+}
+
+void loop() {
+  board.run();
+}

@@ -1,0 +1,18 @@
+// Gives an agent that stays in one place a radio: it hears and talks, and has nothing to sense or to move.
+//
+// Wiring: 433 MHz receiver's data to pin 11, transmitter's data to pin 12. USB to the computer that runs the agent.
+//
+// No actions, no percepts. The lamp on the board (pin 13) stays dark unless the radio or the EEPROM fails.
+
+#include <Javino.h>
+
+javino::Javino board(Serial, "station 1.0");
+
+void setup() {
+  pinMode(LED_BUILTIN, OUTPUT);
+  digitalWrite(LED_BUILTIN, !board.begin(115200));
+}
+
+void loop() {
+  board.run();
+}
