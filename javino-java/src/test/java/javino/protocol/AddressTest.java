@@ -1,0 +1,81 @@
+package javino.protocol;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonObject;
+import java.util.EnumMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class AddressTest {
+
+    private static final VectorFile FILE = new VectorFile("addresses.json");
+
+    static Stream<JsonObject> valid() {
+        return FILE.list("valid");
+    }
+
+    static Stream<JsonObject> invalid() {
+        return FILE.list("invalid");
+    }
+
+    @ParameterizedTest
+    @MethodSource("valid")
+    void parse_validVector_hasItsValueAndClass(JsonObject vector) {
+        Address address = VectorFile.address(vector, "text");
+        assertEquals(VectorFile.text(vector, "value"), String.format("%06x", address.value()));
+        assertEquals(VectorFile.text(vector, "class"), address.kind().name().toLowerCase(Locale.ROOT));
+        assertEquals(VectorFile.text(vector, "group"), address.group());
+        assertEquals(VectorFile.text(vector, "member"), address.member());
+        assertEquals(VectorFile.text(vector, "text"), address.toString());
+    }
+
+    @ParameterizedTest
+    @MethodSource("invalid")
+    void parse_invalidVector_throws(JsonObject vector) {
+        assertThrows(IllegalArgumentException.class, () -> Address.parse(VectorFile.text(vector, "text")));
+    }
+
+    @Test
+    void parse_badDigit_messageNamesIt() {
+        Exception e = assertThrows(IllegalArgumentException.class, () -> Address.parse("SU\\\\"));
+        assertTrue(e.getMessage().contains("'\\'"), e.getMessage());
+    }
+
+    @Test
+    void kind_everyValue_isCountedAsInTheTable() {
+        Map<Address.Kind, Integer> counts = new EnumMap<>(Address.Kind.class);
+        for (int value = 0; value <= 0xFFFFFF; value += value < 0xF80000 ? 0x1000 : 1) {
+            counts.merge(new Address(value).kind(), 1, Integer::sum);
+        }
+        assertEquals(3968, counts.get(Address.Kind.DEVICE), "groups of devices");
+        assertEquals(1, counts.get(Address.Kind.SERIAL));
+        assertEquals(1, counts.get(Address.Kind.BROADCAST));
+        assertEquals(4095, counts.get(Address.Kind.MULTICAST));
+        assertEquals(0x80000 - 4097, counts.get(Address.Kind.RESERVED));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 0x1000000})
+    void constructor_outOfRange_throws(int value) {
+        assertThrows(IllegalArgumentException.class, () -> new Address(value));
+    }
+
+    @Test
+    void multicast_group_isItsAddress() {
+        assertEquals("//SU", Address.multicast("SU").toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "S", "SUP", "//", "S-"})
+    void multicast_noGroup_throws(String group) {
+        assertThrows(IllegalArgumentException.class, () -> Address.multicast(group));
+    }
+}

@@ -1,0 +1,170 @@
+package javino.protocol;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class CommandTest {
+
+    private static final VectorFile FILE = new VectorFile("commands.json");
+
+    static Stream<JsonObject> requests() {
+        return FILE.list("requests");
+    }
+
+    static Stream<JsonObject> replies() {
+        return FILE.list("replies");
+    }
+
+    static Stream<JsonObject> badReplies() {
+        return FILE.list("badReplies");
+    }
+
+    private static Request requestOf(JsonObject vector) throws ProtocolException {
+        return switch (VectorFile.text(vector, "name")) {
+            case "hello" -> new Request.Hello();
+            case "poll" -> new Request.Poll(vector.get("percepts").getAsBoolean(),
+                    vector.get("taken").isJsonNull() ? Request.Poll.NOTHING_TAKEN : vector.get("taken").getAsInt());
+            case "act" -> new Request.Act(VectorFile.text(vector, "action"));
+            case "setRfId" -> new Request.SetRfId(VectorFile.address(vector, "address"));
+            case "radio" -> new Request.Radio(vector.get("open").getAsBoolean());
+            case "setKey" -> new Request.SetKey(VectorFile.address(vector, "address"),
+                    Key.ofHex(VectorFile.text(vector, "key")));
+            case "deleteKey" -> new Request.DeleteKey(VectorFile.address(vector, "address"));
+            case "listKeys" -> new Request.ListKeys();
+            case "statistics" -> new Request.Statistics();
+            case "transmit" -> new Request.Transmit(VectorFile.address(vector, "destination"),
+                    VectorFile.address(vector, "origin"),
+                    Content.decode(Bytes.ofText(VectorFile.text(vector, "content"))));
+            default -> throw new AssertionError(vector);
+        };
+    }
+
+    private static Reply replyOf(JsonObject vector) throws ProtocolException {
+        return Reply.decode(new Frame(Address.SERIAL, Address.SERIAL, VectorFile.bytes(vector, "message")));
+    }
+
+    /** What the reply to a command says, in the form of the vectors. */
+    private static JsonObject read(String name, Reply reply) throws ProtocolException {
+        JsonObject fields = new JsonObject();
+        switch (name) {
+            case "hello" -> {
+                BoardInfo info = reply.boardInfo();
+                fields.addProperty("version", info.protocolVersion());
+                fields.add("rfId", info.rfId().<JsonElement>map(id -> new JsonPrimitive(id.toString()))
+                        .orElse(JsonNull.INSTANCE));
+                fields.addProperty("bootCount", info.bootCount());
+                fields.addProperty("firmware", info.firmware());
+            }
+            case "poll" -> {
+                PollReply poll = reply.poll();
+                fields.addProperty("more", poll.more());
+                fields.addProperty("leftOut", poll.leftOut());
+                JsonArray records = new JsonArray();
+                for (PollReply.Item item : poll.records()) {
+                    records.add(describe(item));
+                }
+                fields.add("records", records);
+            }
+            case "setKey" -> fields.addProperty("check", reply.checkValue().hex());
+            case "listKeys" -> {
+                JsonArray keys = new JsonArray();
+                for (Reply.StoredKey key : reply.storedKeys()) {
+                    JsonObject entry = new JsonObject();
+                    entry.addProperty("address", key.address().toString());
+                    entry.addProperty("check", key.check().hex());
+                    keys.add(entry);
+                }
+                fields.add("keys", keys);
+            }
+            case "statistics" -> {
+                JsonObject counters = new JsonObject();
+                reply.statistics().forEach((counter, value) -> counters.addProperty(counter.toString(), value));
+                fields.add("counters", counters);
+            }
+            case "transmit" -> fields.addProperty("number", reply.transmissionNumber());
+            default -> reply.nothing();
+        }
+        return fields;
+    }
+
+    private static JsonObject describe(PollReply.Item item) throws ProtocolException {
+        JsonObject described = new JsonObject();
+        if (item instanceof PollReply.Percept percept) {
+            described.addProperty("type", "percept");
+            described.addProperty("literal", percept.literal().text());
+        } else if (item instanceof PollReply.Transmission transmission) {
+            described.addProperty("type", "transmission");
+            described.addProperty("number", transmission.number());
+            described.addProperty("outcome", transmission.outcome().ordinal());
+        } else if (item instanceof PollReply.Message message) {
+            described.addProperty("type", "message");
+            described.addProperty("number", message.number());
+            described.addProperty("destination", message.destination().toString());
+            described.addProperty("origin", message.origin().toString());
+            described.addProperty("content", Content.decode(message.content()).toString());
+        }
+        return described;
+    }
+
+    @ParameterizedTest
+    @MethodSource("requests")
+    void frame_requestVector_carriesItsMessage(JsonObject vector) throws ProtocolException {
+        Frame frame = requestOf(vector).frame();
+        assertEquals(VectorFile.bytes(vector, "message"), frame.message());
+        boolean transmission = vector.has("destination");
+        assertEquals(transmission ? VectorFile.text(vector, "destination") : "++++", frame.destination().toString());
+        assertEquals(transmission ? VectorFile.text(vector, "origin") : "++++", frame.origin().toString());
+    }
+
+    @ParameterizedTest
+    @MethodSource("replies")
+    void decode_replyVector_givesItsFields(JsonObject vector) throws ProtocolException {
+        Reply reply = replyOf(vector);
+        assertEquals(VectorFile.text(vector, "status"), reply.status().name());
+        assertEquals(vector.getAsJsonObject("fields").toString(),
+                read(VectorFile.text(vector, "name"), reply).toString());
+    }
+
+    @ParameterizedTest
+    @MethodSource("badReplies")
+    void decode_badReplyVector_throws(JsonObject vector) {
+        assertThrows(ProtocolException.class, () -> read(VectorFile.text(vector, "name"), replyOf(vector)));
+    }
+
+    @Test
+    void decode_replyNotBetweenHostAndBoard_throws() {
+        Frame frame = new Frame(Address.BROADCAST, Address.SERIAL, Bytes.of(0));
+        assertEquals(ProtocolError.BAD_REPLY,
+                assertThrows(ProtocolException.class, () -> Reply.decode(frame)).error());
+    }
+
+    @Test
+    void request_valuesOutOfRange_throw() {
+        Key key = Key.ofHex("00".repeat(16));
+        assertThrows(IllegalArgumentException.class, () -> new Request.Act(""));
+        assertThrows(IllegalArgumentException.class, () -> new Request.Act("\u00e9".repeat(256)));
+        assertThrows(IllegalArgumentException.class, () -> new Request.Poll(false, 256));
+        assertThrows(IllegalArgumentException.class, () -> new Request.SetRfId(Address.BROADCAST));
+        assertThrows(IllegalArgumentException.class, () -> new Request.SetKey(Address.BROADCAST, key));
+        assertThrows(IllegalArgumentException.class,
+                () -> new Request.Transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
+    }
+
+    @Test
+    void toString_setKey_hidesTheKey() {
+        Request request = new Request.SetKey(Address.parse("ROMA"), Key.ofHex("ab".repeat(16)));
+        assertFalse(request.toString().contains("abab"));
+        assertFalse(Key.ofHex("ab".repeat(16)).toString().contains("abab"));
+    }
+}
