@@ -10,7 +10,7 @@
 #define JAVINO_KEYS 16
 #endif
 
-/// Origins, counted once for each key, whose last nonce is remembered, 1…254. 10 bytes of RAM each.
+/// Origins, counted once for each key, whose last nonce is remembered, 1…254. 11 bytes of RAM each.
 #ifndef JAVINO_REPLAY_ENTRIES
 #define JAVINO_REPLAY_ENTRIES 24
 #endif

@@ -6,35 +6,36 @@ namespace javino {
 
 const uint8_t Address::TEXT_LENGTH;
 const uint8_t Address::STORED_LENGTH;
-const uint32_t Address::SERIAL_VALUE;
-
-static const uint8_t PLUS = 62;
-static const uint8_t SLASH = 63;
+const uint16_t Address::PLUSES;
+const uint16_t Address::SLASHES;
+const uint16_t Address::FIRST_PLUS;
 
 bool Address::parse(const uint8_t *text, Address &into) {
-  uint32_t value = 0;
+  uint16_t halves[2] = {0, 0};
   for (uint8_t i = 0; i < TEXT_LENGTH; i++) {
     const uint8_t digit = base64Value(text[i]);
     if (digit == NOT_A_DIGIT) return false;
-    value = (value << 6) | digit;
+    uint16_t &half = halves[i / 2];
+    half = static_cast<uint16_t>(half << 6 | digit);
   }
-  into = Address(value);
+  into.group_ = halves[0];
+  into.member_ = halves[1];
   return true;
 }
 
 void Address::write(uint8_t *text) const {
-  for (uint8_t i = 0; i < TEXT_LENGTH; i++) {
-    text[i] = base64Digit(static_cast<uint8_t>(value_ >> (18 - 6 * i)) & 0x3F);
-  }
+  text[0] = base64Digit(static_cast<uint8_t>(group_ >> 6));
+  text[1] = base64Digit(group_ & 0x3F);
+  text[2] = base64Digit(static_cast<uint8_t>(member_ >> 6));
+  text[3] = base64Digit(member_ & 0x3F);
 }
 
 Address::Class Address::classOf() const {
-  const uint8_t first = static_cast<uint8_t>(value_ >> 18);
-  const uint8_t second = static_cast<uint8_t>(value_ >> 12) & 0x3F;
-  if (first < PLUS) return DEVICE;
-  if (isSerial()) return SERIAL_LINE;
-  if (isBroadcast()) return BROADCAST;
-  return first == SLASH && second == SLASH ? MULTICAST : RESERVED;
+  if (group_ < FIRST_PLUS) return DEVICE;
+  if (group_ == SLASHES) return member_ == SLASHES ? BROADCAST : MULTICAST;
+  return group_ == PLUSES && member_ == PLUSES ? SERIAL_LINE : RESERVED;
 }
+
+bool Address::operator==(const Address &other) const { return group_ == other.group_ && member_ == other.member_; }
 
 }  // namespace javino

@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
+
 namespace javino {
 
 /// An address on the air or on the serial line: four Base64 digits, 24 bits (SPEC 1).
@@ -13,40 +15,43 @@ class Address {
   enum Class : uint8_t { DEVICE, SERIAL_LINE, BROADCAST, MULTICAST, RESERVED };
 
   /// The serial line's address, `++++`; as an RF id it means that none is set.
-  Address() : value_(SERIAL_VALUE) {}
+  Address() : group_(PLUSES), member_(PLUSES) {}
 
   /// @param value 0…0xFFFFFF
-  explicit Address(uint32_t value) : value_(value & 0xFFFFFF) {}
+  explicit Address(uint32_t value) : group_(value >> 12 & 0xFFF), member_(value & 0xFFF) {}
 
   /// Reads four digits.
   /// @return false, and `into` is untouched, where one is outside the alphabet.
-  static bool parse(const uint8_t *text, Address &into);
+  JAVINO_NOINLINE static bool parse(const uint8_t *text, Address &into);
 
   /// Writes the four digits.
-  void write(uint8_t *text) const;
+  JAVINO_NOINLINE void write(uint8_t *text) const;
 
-  Class classOf() const;
+  JAVINO_NOINLINE Class classOf() const;
   bool isDevice() const { return classOf() == DEVICE; }
-  bool isSerial() const { return value_ == SERIAL_VALUE; }
-  bool isBroadcast() const { return value_ == 0xFFFFFF; }
+  bool isSerial() const { return classOf() == SERIAL_LINE; }
+  bool isBroadcast() const { return classOf() == BROADCAST; }
   bool isMulticast() const { return classOf() == MULTICAST; }
 
   /// All 24 bits.
-  uint32_t value() const { return value_; }
+  uint32_t value() const { return static_cast<uint32_t>(group_) << 12 | member_; }
 
   /// The first two digits, 12 bits.
-  uint16_t group() const { return static_cast<uint16_t>(value_ >> 12); }
+  uint16_t group() const { return group_; }
 
   /// The last two digits, 12 bits; of a multicast address, the group that it is for.
-  uint16_t member() const { return static_cast<uint16_t>(value_ & 0xFFF); }
+  uint16_t member() const { return member_; }
 
-  bool operator==(const Address &other) const { return value_ == other.value_; }
-  bool operator!=(const Address &other) const { return value_ != other.value_; }
+  JAVINO_NOINLINE bool operator==(const Address &other) const;
+  bool operator!=(const Address &other) const { return !(*this == other); }
 
  private:
-  static const uint32_t SERIAL_VALUE = 0xFBEFBE;
+  static const uint16_t FIRST_PLUS = 0xF80;  // the two digits `+A`, the first group that is no device's
+  static const uint16_t PLUSES = 0xFBE;      // `++`
+  static const uint16_t SLASHES = 0xFFF;     // `//`
 
-  uint32_t value_;
+  uint16_t group_;
+  uint16_t member_;
 };
 
 }  // namespace javino

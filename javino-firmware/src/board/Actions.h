@@ -33,8 +33,8 @@ class Actions {
 
   Action find(const char *name, uint16_t length) const;
 
-  Entry entries_[config::ACTIONS];
   uint8_t count_;
+  Entry entries_[config::ACTIONS];
 };
 
 }  // namespace javino

@@ -6,6 +6,7 @@
 #include "../storage/Eeprom.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
+#include "../support/NoInline.h"
 #include "Actions.h"
 #include "Commands.h"
 #include "Counters.h"

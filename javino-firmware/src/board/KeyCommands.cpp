@@ -38,7 +38,7 @@ Status KeyCommands::erase(const uint8_t *body, uint16_t length) {
 Status KeyCommands::list(uint16_t length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   for (uint8_t slot = 0; slot < KeyStore::SLOTS; slot++) {
-    const Address address = keys_.addressAt(slot);
+    const Address &address = keys_.addressAt(slot);
     if (address.isSerial()) continue;
     uint8_t text[Address::TEXT_LENGTH];
     address.write(text);

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/Flash.h"
+#include "../support/NoInline.h"
 #include "Counters.h"
 #include "Record.h"
 #include "Reply.h"
@@ -17,7 +18,7 @@ class Percepts {
   Percepts(Reply &reply, Counters &counters) : reply_(reply), counters_(counters), leftOut_(false) {}
 
   // `name`
-  void add(const FlashText *name);
+  void add(const FlashText *name) { literal(name); }
 
   // `name(number)`
   void add(const FlashText *name, int number) { add(name, static_cast<long>(number)); }
@@ -26,18 +27,30 @@ class Percepts {
   void add(const FlashText *name, unsigned long number);
 
   // `name("text")`, with what needs it in the text escaped
-  void add(const FlashText *name, const char *text);
-  void add(const FlashText *name, const FlashText *text);
+  void add(const FlashText *name, const char *text) { write(name, Text(text)); }
+  void add(const FlashText *name, const FlashText *text) { write(name, Text(text)); }
 
   // A whole literal, as it stands: `position(3,"km")`
-  void literal(const char *literal);
-  void literal(const FlashText *literal);
+  void literal(const char *text) { write(nullptr, Text(text)); }
+  void literal(const FlashText *text) { write(nullptr, Text(text)); }
 
   /// Whether some did not fit.
   bool leftOut() const { return leftOut_; }
 
  private:
-  void addNumber(const FlashText *name, bool negative, unsigned long magnitude);
+  // A text in RAM or in flash.
+  struct Text {
+    explicit Text(const char *text) : at(text), inFlash(false) {}
+    explicit Text(const FlashText *text) : at(reinterpret_cast<const char *>(text)), inFlash(true) {}
+    char operator[](uint16_t index) const;
+
+    const char *at;
+    bool inFlash;
+  };
+
+  static void open(Record &record, const FlashText *name);
+  JAVINO_NOINLINE void write(const FlashText *name, const Text &text);
+  JAVINO_NOINLINE void write(const FlashText *name, bool negative, unsigned long magnitude);
   void close(Record &record);
 
   Reply &reply_;

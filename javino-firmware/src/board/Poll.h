@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
+
 #include "Counters.h"
 #include "Percepts.h"
 #include "ReceiveQueue.h"
@@ -26,7 +28,7 @@ class Poll {
 
   /// Writes the reply's body.
   /// @param perceptsWanted bit 0 of the request's flags
-  void answer(bool perceptsWanted, Reply &reply);
+  JAVINO_NOINLINE void answer(bool perceptsWanted, Reply &reply);
 
  private:
   static const uint8_t MORE_WAITING = 1;

@@ -39,10 +39,10 @@ class ReceiveQueue {
   void forgetUpTo(uint8_t number);
 
  private:
-  ReceivedMessage messages_[config::RECEIVE_QUEUE];
   uint8_t first_;
   uint8_t count_;
   uint8_t firstNumber_;
+  ReceivedMessage messages_[config::RECEIVE_QUEUE];
 };
 
 }  // namespace javino

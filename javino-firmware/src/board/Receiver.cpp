@@ -28,8 +28,8 @@ void Receiver::accept(uint8_t *packet, uint8_t length) {
 
 // Whether a board of our address accepts the frame; where not, it is counted.
 bool Receiver::isForUs(const Frame &frame) {
-  const Address to = frame.destination;
-  const Address own = id_.address();
+  const Address &to = frame.destination;
+  const Address &own = id_.address();
   switch (to.classOf()) {
     case Address::RESERVED:
     case Address::SERIAL_LINE:

@@ -7,6 +7,7 @@
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
+#include "../support/NoInline.h"
 #include "Counters.h"
 #include "ReceiveQueue.h"
 
@@ -28,18 +29,18 @@ class Receiver {
   void keyChanged(uint8_t slot) { replays_.forget(slot); }
 
  private:
-  void accept(uint8_t *packet, uint8_t length);
+  JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length);
   bool isForUs(const Frame &frame);
   bool drop(Counter why);
-  void acceptSealed(const Frame &frame, uint8_t *packet, uint8_t length);
-  void enqueue(const Frame &frame, const uint8_t *content, uint16_t length);
+  JAVINO_NOINLINE void acceptSealed(const Frame &frame, uint8_t *packet, uint8_t length);
+  JAVINO_NOINLINE void enqueue(const Frame &frame, const uint8_t *content, uint16_t length);
 
   Radio &radio_;
   const RfId &id_;
   const KeyStore &keys_;
   Counters &counters_;
-  ReplayMemory replays_;
   ReceiveQueue queue_;
+  ReplayMemory replays_;
 };
 
 }  // namespace javino

@@ -9,6 +9,10 @@ Record::Record(Reply &reply, char type) : reply_(reply), start_(reply.mark()) {
   fits_ = reply_.add(head, HEAD_LENGTH);
 }
 
+void Record::add(uint8_t byte) { add(&byte, 1); }
+
+void Record::add(const uint8_t *bytes, uint16_t length) { fits_ = fits_ && reply_.add(bytes, length); }
+
 bool Record::close() {
   if (!fits_) {
     reply_.truncate(start_);

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
 #include "Reply.h"
 
 namespace javino {
@@ -12,8 +13,8 @@ class Record {
  public:
   Record(Reply &reply, char type);
 
-  void add(uint8_t byte) { fits_ = fits_ && reply_.add(byte); }
-  void add(const uint8_t *bytes, uint16_t length) { fits_ = fits_ && reply_.add(bytes, length); }
+  JAVINO_NOINLINE void add(uint8_t byte);
+  JAVINO_NOINLINE void add(const uint8_t *bytes, uint16_t length);
 
   /// Ends the record.
   /// @return false, and the reply is as it was before, where it did not fit.

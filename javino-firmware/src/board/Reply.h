@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../framing/Limits.h"
+#include "../support/NoInline.h"
 #include "Status.h"
 
 namespace javino {
@@ -25,7 +26,7 @@ class Reply {
 
   /// Appends to the body; what does not fit is refused whole.
   bool add(uint8_t byte) { return add(&byte, 1); }
-  bool add(const uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE bool add(const uint8_t *bytes, uint16_t length);
 
   /// A place in the body, to come back to with truncate() or replace().
   uint16_t mark() const { return length_; }
@@ -43,8 +44,8 @@ class Reply {
   static const uint8_t STATUS_AT = 1 + HEADER_LENGTH;
   static const uint16_t BODY_END = STATUS_AT + MAX_MESSAGE_LENGTH;
 
-  uint8_t bytes_[MAX_PACKET_LENGTH];
   uint16_t length_;
+  uint8_t bytes_[MAX_PACKET_LENGTH];
 };
 
 }  // namespace javino

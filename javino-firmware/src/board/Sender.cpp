@@ -41,8 +41,7 @@ Status Sender::sendSealed(const Frame &frame, uint8_t &number) {
   if (!nonces_.isStored()) return Status::STORE_FAILED;
   uint8_t nonce[NONCE_LENGTH];
   nonces_.take(nonce);
-  const uint16_t length = Envelope(keys).seal(frame.destination, frame.origin, nonce, frame.message, frame.length,
-                                              transmitter_.next());
+  const uint16_t length = Envelope(keys).seal(frame, nonce, transmitter_.next());
   number = transmitter_.commit(static_cast<uint8_t>(length));
   return Status::OK;
 }

@@ -6,6 +6,7 @@
 #include "../secure/NonceSource.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
+#include "../support/NoInline.h"
 #include "Status.h"
 #include "Transmitter.h"
 
@@ -27,7 +28,7 @@ class Sender {
  private:
   Status checkAddresses(const Frame &frame) const;
   Status sendPlain(const Frame &frame, uint8_t &number);
-  Status sendSealed(const Frame &frame, uint8_t &number);
+  JAVINO_NOINLINE Status sendSealed(const Frame &frame, uint8_t &number);
 
   Transmitter &transmitter_;
   const RfId &id_;

@@ -4,6 +4,7 @@
 
 #include "../framing/CobsEncoder.h"
 #include "../framing/PacketDecoder.h"
+#include "../support/NoInline.h"
 #include "Counters.h"
 #include "Reply.h"
 #include "RequestHandler.h"
@@ -28,20 +29,20 @@ class SerialSession {
  private:
   void read();
   void take(PacketEvent event);
-  void answer();
+  JAVINO_NOINLINE void answer();
   bool isRepeat(const Frame &request) const;
   void write();
 
   SerialPort &port_;
   RequestHandler &handler_;
   Counters &counters_;
-  PacketDecoder decoder_;
   CobsEncoder encoder_;
-  Reply reply_;
-  bool requestWaits_;      // a whole request is in the decoder
-  bool remembers_;         // the reply can be given again
-  uint8_t lastSequence_;   // of the request that the reply answers
+  bool requestWaits_;     // a whole request is in the decoder
+  bool remembers_;        // the reply can be given again
+  uint8_t lastSequence_;  // of the request that the reply answers
   uint16_t lastCrc_;
+  PacketDecoder decoder_;
+  Reply reply_;
 };
 
 }  // namespace javino

@@ -50,13 +50,13 @@ class Transmitter {
   };
 
   Radio &radio_;
-  Packet packets_[config::TRANSMIT_QUEUE];
   uint8_t first_;
   uint8_t count_;
   bool onAir_;
   uint8_t nextNumber_;
   uint8_t nextSent_;
   uint8_t nextReported_;
+  Packet packets_[config::TRANSMIT_QUEUE];
 };
 
 }  // namespace javino

@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
+
 namespace javino {
 
 /// The AES-128 block cipher, forward direction only (FIPS 197); CFB and CMAC need no other.
@@ -16,7 +18,7 @@ class Aes128 {
   /// Without a key: setKey() must come before encrypt().
   Aes128() {}
   explicit Aes128(const uint8_t *key) { setKey(key); }
-  ~Aes128();
+  JAVINO_NOINLINE ~Aes128();
 
   /// Expands a key of 16 bytes.
   void setKey(const uint8_t *key);

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
 #include "Aes128.h"
 
 namespace javino {
@@ -12,14 +13,14 @@ class Cfb128 {
  public:
   /// @param cipher outlives this object
   /// @param iv 16 bytes, never used twice with a key
-  Cfb128(const Aes128 &cipher, const uint8_t *iv);
-  ~Cfb128();
+  JAVINO_NOINLINE Cfb128(const Aes128 &cipher, const uint8_t *iv);
+  JAVINO_NOINLINE ~Cfb128();
 
   /// Encrypts the next bytes in place.
-  void encrypt(uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE void encrypt(uint8_t *bytes, uint16_t length);
 
   /// Decrypts the next bytes in place.
-  void decrypt(uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE void decrypt(uint8_t *bytes, uint16_t length);
 
  private:
   Cfb128(const Cfb128 &);

@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
+
 #include "Aes128.h"
 
 namespace javino {
@@ -18,7 +20,7 @@ struct DerivedKeys {
   ~DerivedKeys();
 
   /// Derives all three from a shared key of 16 bytes (NIST SP 800-108 section 4.1, counter mode).
-  void derive(const uint8_t *key);
+  JAVINO_NOINLINE void derive(const uint8_t *key);
 
   /// Compares in constant time.
   bool equals(const DerivedKeys &other) const;

@@ -24,7 +24,7 @@ FrameError Frame::parse(const uint8_t *bytes, uint16_t length, Frame &into) {
   return FrameError::NONE;
 }
 
-void Frame::writeHeader(uint8_t *into, Address destination, Address origin, uint16_t messageLength) {
+void Frame::writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength) {
   const uint16_t bits = static_cast<uint16_t>(messageLength * 8);
   destination.write(into);
   origin.write(into + ORIGIN_AT);

@@ -29,7 +29,7 @@ struct Frame {
 
   /// Writes the ten bytes before a message.
   /// @param messageLength 0…511 bytes
-  static void writeHeader(uint8_t *into, Address destination, Address origin, uint16_t messageLength);
+  static void writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength);
 };
 
 }  // namespace javino

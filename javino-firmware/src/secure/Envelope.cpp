@@ -4,7 +4,6 @@
 
 #include "../crypto/Cfb128.h"
 #include "../crypto/Cmac.h"
-#include "../framing/Frame.h"
 
 namespace javino {
 
@@ -12,22 +11,21 @@ const uint8_t Envelope::MIN_FRAME_LENGTH;
 const uint8_t Envelope::NONCE_AT;
 const uint8_t Envelope::CONTENT_AT;
 
-uint16_t Envelope::seal(Address destination, Address origin, const uint8_t *nonce, const uint8_t *content,
-                        uint16_t length, uint8_t *frame) const {
-  memmove(frame + CONTENT_AT, content, length);
-  memcpy(frame + NONCE_AT, nonce, NONCE_LENGTH);
-  Frame::writeHeader(frame, destination, origin, static_cast<uint16_t>(length + SEAL_LENGTH));
+uint16_t Envelope::seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const {
+  uint8_t *content = sealed + CONTENT_AT;
+  Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
+  memcpy(sealed + NONCE_AT, nonce, NONCE_LENGTH);
+  memcpy(content, plain.message, plain.length);
   {
     const Aes128 cipher(keys_.encryption);
     uint8_t iv[Aes128::BLOCK_LENGTH];
-    initialVector(frame, cipher, iv);
-    Cfb128(cipher, iv).encrypt(frame + CONTENT_AT, length);
+    initialVector(sealed, cipher, iv);
+    Cfb128(cipher, iv).encrypt(content, plain.length);
   }
-  const uint16_t tagged = static_cast<uint16_t>(CONTENT_AT + length);
   uint8_t full[Aes128::BLOCK_LENGTH];
-  tag(frame, tagged, full);
-  memcpy(frame + tagged, full, TAG_LENGTH);
-  return static_cast<uint16_t>(tagged + TAG_LENGTH);
+  tag(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), full);
+  memcpy(content + plain.length, full, TAG_LENGTH);
+  return static_cast<uint16_t>(MIN_FRAME_LENGTH + plain.length);
 }
 
 bool Envelope::isAuthentic(const uint8_t *frame, uint16_t length) const {

@@ -2,9 +2,9 @@
 
 #include <stdint.h>
 
-#include "../addressing/Address.h"
 #include "../crypto/DerivedKeys.h"
-#include "../framing/Limits.h"
+#include "../framing/Frame.h"
+#include "../support/NoInline.h"
 
 namespace javino {
 
@@ -25,24 +25,23 @@ class Envelope {
   explicit Envelope(const DerivedKeys &keys) : keys_(keys) {}
 
   /// Builds a sealed frame.
+  /// @param plain with the content as message, 0…497 bytes
   /// @param nonce 6 bytes that were never used under this key
-  /// @param length of the content, 0…497 bytes
-  /// @param frame room for length + 24 bytes; the content may lie within it
-  /// @return the frame's length
-  uint16_t seal(Address destination, Address origin, const uint8_t *nonce, const uint8_t *content, uint16_t length,
-                uint8_t *frame) const;
+  /// @param sealed room for the content and 24 bytes
+  /// @return the sealed frame's length
+  JAVINO_NOINLINE uint16_t seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const;
 
   /// Whether a sealed frame is long enough and its tag right; nothing of it may be used before.
   /// @param length of the whole frame
-  bool isAuthentic(const uint8_t *frame, uint16_t length) const;
+  JAVINO_NOINLINE bool isAuthentic(const uint8_t *frame, uint16_t length) const;
 
   /// Decrypts an authentic frame's content in place.
   /// @return the content's length
-  uint16_t open(uint8_t *frame, uint16_t length) const;
+  JAVINO_NOINLINE uint16_t open(uint8_t *frame, uint16_t length) const;
 
  private:
-  void initialVector(const uint8_t *frame, const Aes128 &cipher, uint8_t *iv) const;
-  void tag(const uint8_t *frame, uint16_t length, uint8_t *into) const;
+  JAVINO_NOINLINE void initialVector(const uint8_t *frame, const Aes128 &cipher, uint8_t *iv) const;
+  JAVINO_NOINLINE void tag(const uint8_t *frame, uint16_t length, uint8_t *into) const;
 
   const DerivedKeys &keys_;
 };

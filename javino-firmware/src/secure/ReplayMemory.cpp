@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "../support/BigEndian.h"
-
 namespace javino {
 
 const uint8_t ReplayMemory::FREE;
@@ -13,17 +11,17 @@ ReplayMemory::ReplayMemory() {
   for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) entries_[i].key = FREE;
 }
 
-ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, Address origin, const uint8_t *nonce) const {
-  const uint8_t known = find(key, origin);
-  if (known == NO_ENTRY) return findFree() == NO_ENTRY ? FULL : NEWER;
-  return memcmp(nonce, entries_[known].nonce, NONCE_LENGTH) > 0 ? NEWER : REPLAYED;
+ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
+  const uint8_t place = placeFor(key, origin);
+  if (place == NO_ENTRY) return FULL;
+  const Entry &entry = entries_[place];
+  return entry.key == FREE || memcmp(nonce, entry.nonce, NONCE_LENGTH) > 0 ? NEWER : REPLAYED;
 }
 
-void ReplayMemory::remember(uint8_t key, Address origin, const uint8_t *nonce) {
-  const uint8_t known = find(key, origin);
-  Entry &entry = entries_[known == NO_ENTRY ? findFree() : known];
+void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *nonce) {
+  Entry &entry = entries_[placeFor(key, origin)];
   entry.key = key;
-  writeUint24(entry.origin, origin.value());
+  entry.origin = origin;
   memcpy(entry.nonce, nonce, NONCE_LENGTH);
 }
 
@@ -33,18 +31,15 @@ void ReplayMemory::forget(uint8_t key) {
   }
 }
 
-uint8_t ReplayMemory::find(uint8_t key, Address origin) const {
+// The place that remembers this origin, else a free one, else NO_ENTRY.
+uint8_t ReplayMemory::placeFor(uint8_t key, const Address &origin) const {
+  uint8_t place = NO_ENTRY;
   for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
-    if (entries_[i].key == key && readUint24(entries_[i].origin) == origin.value()) return i;
+    const Entry &entry = entries_[i];
+    if (entry.key == key && entry.origin == origin) return i;
+    if (entry.key == FREE) place = i;
   }
-  return NO_ENTRY;
-}
-
-uint8_t ReplayMemory::findFree() const {
-  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
-    if (entries_[i].key == FREE) return i;
-  }
-  return NO_ENTRY;
+  return place;
 }
 
 }  // namespace javino

@@ -5,6 +5,7 @@
 #include "../Config.h"
 #include "../addressing/Address.h"
 #include "../framing/Limits.h"
+#include "../support/NoInline.h"
 
 namespace javino {
 
@@ -23,10 +24,10 @@ class ReplayMemory {
 
   /// @param key the place of the key in the key store
   /// @param nonce 6 bytes
-  Verdict judge(uint8_t key, Address origin, const uint8_t *nonce) const;
+  Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;
 
   /// Takes over a nonce that was judged NEWER.
-  void remember(uint8_t key, Address origin, const uint8_t *nonce);
+  void remember(uint8_t key, const Address &origin, const uint8_t *nonce);
 
   /// Forgets all that came under a key.
   void forget(uint8_t key);
@@ -37,12 +38,11 @@ class ReplayMemory {
 
   struct Entry {
     uint8_t key;  // FREE where unused
-    uint8_t origin[Address::STORED_LENGTH];
+    Address origin;
     uint8_t nonce[NONCE_LENGTH];
   };
 
-  uint8_t find(uint8_t key, Address origin) const;
-  uint8_t findFree() const;
+  JAVINO_NOINLINE uint8_t placeFor(uint8_t key, const Address &origin) const;
 
   Entry entries_[config::REPLAY_ENTRIES];
 };

@@ -33,7 +33,7 @@ uint8_t BootEpoch::findHighest() {
       if (epoch < highest) continue;
       highest = epoch;
       slotOfHighest = slot;
-    } else if (record.state() == EepromRecord::DAMAGED) {
+    } else if (!record.isBlank()) {
       unreadable++;
     }
   }

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
 #include "Eeprom.h"
 
 namespace javino {
@@ -25,7 +26,7 @@ class BootEpoch {
   explicit BootEpoch(Eeprom &eeprom) : eeprom_(eeprom), value_(0), stored_(false) {}
 
   /// Raises the epoch and stores it: some 17 ms. To be called once, after a boot.
-  void begin();
+  JAVINO_NOINLINE void begin();
 
   /// 1…0xFFFFFE, or NONE_LEFT.
   uint32_t value() const { return value_; }

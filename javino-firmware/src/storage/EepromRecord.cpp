@@ -1,7 +1,5 @@
 #include "EepromRecord.h"
 
-#include "../framing/Crc16.h"
-
 namespace javino {
 
 const uint8_t EepromRecord::CHECK_LENGTH;
@@ -16,34 +14,44 @@ static uint8_t sealOf(const Crc16 &crc) {
   return low == ERASED ? 0 : low;
 }
 
-EepromRecord::State EepromRecord::state() const {
-  Crc16 crc;
-  for (uint8_t i = 0; i < length_; i++) crc.add(stored(i));
-  if (stored(length_) == highOf(crc) && eeprom_.read(sealAt()) == sealOf(crc)) return VALID;
-  return isBlank() ? BLANK : DAMAGED;
+bool EepromRecord::isBlank() const {
+  for (uint8_t i = 0; i < length_ + CHECK_LENGTH; i++) {
+    if (stored(i) != ERASED) return false;
+  }
+  return true;
 }
 
 bool EepromRecord::read(uint8_t *data) const {
-  for (uint8_t i = 0; i < length_; i++) data[i] = stored(i);
-  return holds(data);
+  Crc16 crc;
+  for (uint8_t i = 0; i < length_; i++) {
+    data[i] = stored(i);
+    crc.add(data[i]);
+  }
+  return isSealed(crc);
 }
 
 bool EepromRecord::write(const uint8_t *data) {
   if (holds(data)) return true;
   Crc16 crc;
-  crc.add(data, length_);
-  eeprom_.update(sealAt(), ERASED);
-  for (uint8_t i = 0; i < length_; i++) eeprom_.update(static_cast<uint16_t>(at_ + i), data[i]);
-  eeprom_.update(static_cast<uint16_t>(at_ + length_), highOf(crc));
-  eeprom_.update(sealAt(), sealOf(crc));
+  store(length_ + 1, ERASED);
+  for (uint8_t i = 0; i < length_; i++) {
+    store(i, data[i]);
+    crc.add(data[i]);
+  }
+  store(length_, highOf(crc));
+  store(length_ + 1, sealOf(crc));
   return holds(data);
 }
 
 bool EepromRecord::erase(uint8_t secrets) {
-  eeprom_.update(sealAt(), ERASED);
-  for (uint8_t i = 0; i < secrets; i++) eeprom_.update(static_cast<uint16_t>(at_ + i), ERASED);
-  return state() != VALID;
+  store(length_ + 1, ERASED);
+  for (uint8_t i = 0; i < secrets; i++) store(i, ERASED);
+  return stored(length_ + 1) == ERASED;
 }
+
+uint8_t EepromRecord::stored(uint8_t index) const { return eeprom_.read(static_cast<uint16_t>(at_ + index)); }
+
+void EepromRecord::store(uint8_t index, uint8_t value) { eeprom_.update(static_cast<uint16_t>(at_ + index), value); }
 
 bool EepromRecord::holds(const uint8_t *data) const {
   Crc16 crc;
@@ -51,14 +59,11 @@ bool EepromRecord::holds(const uint8_t *data) const {
     if (stored(i) != data[i]) return false;
     crc.add(data[i]);
   }
-  return stored(length_) == highOf(crc) && eeprom_.read(sealAt()) == sealOf(crc);
+  return isSealed(crc);
 }
 
-bool EepromRecord::isBlank() const {
-  for (uint16_t at = at_; at <= sealAt(); at++) {
-    if (eeprom_.read(at) != ERASED) return false;
-  }
-  return true;
+bool EepromRecord::isSealed(const Crc16 &crc) const {
+  return stored(length_) == highOf(crc) && stored(length_ + 1) == sealOf(crc);
 }
 
 }  // namespace javino

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../framing/Crc16.h"
 #include "Eeprom.h"
 
 namespace javino {
@@ -13,12 +14,6 @@ namespace javino {
 /// none, and never a mixture.
 class EepromRecord {
  public:
-  enum State : uint8_t {
-    BLANK,    ///< every byte is 0xFF: never written
-    DAMAGED,  ///< erased, half-written or decayed
-    VALID
-  };
-
   /// What a record takes beyond its data.
   static const uint8_t CHECK_LENGTH = 2;
 
@@ -26,26 +21,27 @@ class EepromRecord {
   /// @param length of the data, 1…253 bytes
   EepromRecord(Eeprom &eeprom, uint16_t at, uint8_t length) : eeprom_(eeprom), at_(at), length_(length) {}
 
-  /// Looks at the record without copying it.
-  State state() const;
+  /// Whether nothing was ever written here: every byte is 0xFF. A record that is neither blank nor readable is erased,
+  /// half-written or decayed.
+  bool isBlank() const;
 
   /// Copies the data out.
-  /// @return false, and the copy is to be thrown away, where the record is not VALID.
+  /// @return false, and the copy is to be thrown away, where there is no whole record.
   bool read(uint8_t *data) const;
 
   /// Writes the data, unless it is there already.
   /// @return false where the EEPROM did not keep it.
   bool write(const uint8_t *data);
 
-  /// Makes the record not VALID; the first `secrets` bytes of data are overwritten too.
+  /// Takes the record away, and overwrites the first `secrets` bytes of its data.
   /// @return false where the EEPROM still holds it.
   bool erase(uint8_t secrets);
 
  private:
-  uint16_t sealAt() const { return static_cast<uint16_t>(at_ + length_ + 1); }
-  uint8_t stored(uint8_t index) const { return eeprom_.read(static_cast<uint16_t>(at_ + index)); }
+  uint8_t stored(uint8_t index) const;
+  void store(uint8_t index, uint8_t value);
   bool holds(const uint8_t *data) const;
-  bool isBlank() const;
+  bool isSealed(const Crc16 &crc) const;
 
   Eeprom &eeprom_;
   uint16_t at_;

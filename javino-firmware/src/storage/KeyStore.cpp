@@ -27,7 +27,7 @@ struct StoredKey {
 
   ~StoredKey() { wipe(bytes, sizeof bytes); }
 
-  void pack(Address address, const DerivedKeys &keys) {
+  void pack(const Address &address, const DerivedKeys &keys) {
     memcpy(bytes, keys.encryption, Aes128::KEY_LENGTH);
     memcpy(bytes + Aes128::KEY_LENGTH, keys.authentication, Aes128::KEY_LENGTH);
     memcpy(bytes + CHECK_AT, keys.check, DerivedKeys::CHECK_LENGTH);
@@ -52,7 +52,7 @@ void KeyStore::begin() {
   }
 }
 
-uint8_t KeyStore::find(Address address) const {
+uint8_t KeyStore::find(const Address &address) const {
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     if (addresses_[slot] == address && !address.isSerial()) return slot;
   }
@@ -71,7 +71,7 @@ void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
   for (uint8_t i = 0; i < DerivedKeys::CHECK_LENGTH; i++) check[i] = eeprom_.read(static_cast<uint16_t>(at + i));
 }
 
-KeyStore::Result KeyStore::set(Address address, const uint8_t *key) {
+KeyStore::Result KeyStore::set(const Address &address, const uint8_t *key) {
   const uint8_t slot = placeFor(address);
   if (slot == NO_SLOT) return FULL;
   DerivedKeys derived;
@@ -92,7 +92,7 @@ bool KeyStore::erase(uint8_t slot) {
   return erased;
 }
 
-uint8_t KeyStore::placeFor(Address address) const {
+uint8_t KeyStore::placeFor(const Address &address) const {
   const uint8_t present = find(address);
   if (present != NO_SLOT) return present;
   for (uint8_t slot = 0; slot < SLOTS; slot++) {

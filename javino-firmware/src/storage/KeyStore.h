@@ -5,6 +5,7 @@
 #include "../Config.h"
 #include "../addressing/Address.h"
 #include "../crypto/DerivedKeys.h"
+#include "../support/NoInline.h"
 #include "Eeprom.h"
 
 namespace javino {
@@ -31,14 +32,14 @@ class KeyStore {
   void begin();
 
   /// @return the place 0…SLOTS - 1 of the key for a device or multicast address, or NO_SLOT.
-  uint8_t find(Address address) const;
+  uint8_t find(const Address &address) const;
 
   /// The address of a place, or `++++` where it is free.
-  Address addressAt(uint8_t slot) const { return addresses_[slot]; }
+  const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
 
   /// Reads the key at a place.
   /// @return false where it is free or no longer readable.
-  bool load(uint8_t slot, DerivedKeys &into) const;
+  JAVINO_NOINLINE bool load(uint8_t slot, DerivedKeys &into) const;
 
   /// Reads the check value of the key at a place that is not free, without touching its secrets.
   /// @param check room for 3 bytes
@@ -46,14 +47,14 @@ class KeyStore {
 
   /// Stores a key of 16 bytes: some 140 ms of EEPROM, unless it is there already.
   /// @param address a device or a multicast address
-  Result set(Address address, const uint8_t *key);
+  JAVINO_NOINLINE Result set(const Address &address, const uint8_t *key);
 
   /// Forgets the key at a place and overwrites it: some 110 ms.
   /// @return false where the EEPROM still holds it.
   bool erase(uint8_t slot);
 
  private:
-  uint8_t placeFor(Address address) const;
+  uint8_t placeFor(const Address &address) const;
 
   Eeprom &eeprom_;
   Address addresses_[SLOTS];

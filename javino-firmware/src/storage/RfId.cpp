@@ -12,7 +12,7 @@ void RfId::begin() {
   address_ = address.isDevice() ? address : Address();
 }
 
-bool RfId::set(Address address) {
+bool RfId::set(const Address &address) {
   uint8_t stored[Address::STORED_LENGTH];
   writeUint24(stored, address.value());
   const bool kept = EepromRecord(eeprom_, RF_ID_AT, sizeof stored).write(stored);

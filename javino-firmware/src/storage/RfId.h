@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../addressing/Address.h"
+#include "../support/NoInline.h"
 #include "Eeprom.h"
 
 namespace javino {
@@ -16,11 +17,11 @@ class RfId {
   bool isSet() const { return address_.isDevice(); }
 
   /// The device address, or `++++` where none is set.
-  Address address() const { return address_; }
+  const Address &address() const { return address_; }
 
   /// Stores a device address; one that is there already is not written again.
   /// @return false where the EEPROM did not keep it; then none is set.
-  bool set(Address address);
+  bool set(const Address &address);
 
  private:
   Eeprom &eeprom_;
