@@ -55,9 +55,9 @@ final class Device implements BoardListener {
     }
 
     /** Starts to look for a board, and returns at once. */
-    static Device open(LinkOpener link, Wishes wishes, Surroundings surroundings) {
+    static Device open(LinkOpener link, BoardConfig config, Wishes wishes, Surroundings surroundings) {
         Device device = new Device(link.name(), wishes, surroundings);
-        Board board = Board.open(link, BoardConfig.create(), device);
+        Board board = Board.open(link, config, device);
         device.session.complete(board);
         device.wish(wishes);
         // First in the board's queue, so that the agent's first message finds the address set.
@@ -174,7 +174,7 @@ final class Device implements BoardListener {
         online = false;
         percepts.port(false);
         if (!closed) {
-            surroundings.warnings().always("the board on " + port + " is off: " + why);
+            surroundings.warnings().always("the board is off: " + why);
         }
         decided.complete(null);
         tellAgent();

@@ -18,6 +18,7 @@ import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.Literal;
 
+import javino.board.BoardConfig;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
@@ -62,9 +63,14 @@ public class Diffuser extends AgArch {
                 + " architecture diffuser.Diffuser (agentArchClass in a .mas2j, ag-arch in a .jcm)").toException();
     }
 
-    /** How a port is opened; tests open other links. */
+    /** How a port is opened; another kind of link, or another baud rate, is a subclass. */
     protected LinkOpener link(String port) {
         return SerialLink.opener(port);
+    }
+
+    /** How the session with the board behaves; other times are a subclass. */
+    protected BoardConfig boardConfig() {
+        return BoardConfig.create();
     }
 
     /**
@@ -75,7 +81,8 @@ public class Diffuser extends AgArch {
      */
     public CompletableFuture<Void> openPort(String port) {
         closeDevice();
-        device = Device.open(link(port), wishes, new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
+        device = Device.open(link(port), boardConfig(), wishes,
+                new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
         return device.decided();
     }
 

@@ -1,0 +1,132 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import javino.protocol.Status;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DiffuseTest {
+
+    private static String program(String action) {
+        return """
+                !start.
+                +!start <- .port(antenna); .setMyRFId("SUPO"); !do.
+                +!do <- %s; diffuser.note(done).
+                -!do[error(E),error_msg(M)] <- diffuser.note(E,":",M).
+                """.formatted(action);
+    }
+
+    private static RunningAgent run(String action, FakeBoard board) {
+        RunningAgent agent = RunningAgent.run(program(action), board);
+        RunningAgent.asked(board, "I SUPO");
+        return agent;
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
+        ".diffuse(broadcast,tell,help)              | //// tell;help",
+        ".diffuse(\"////\",untell,help)             | //// untell;help",
+        ".diffuse(\"//SU\",tell,help)               | //SU tell;help",
+        ".diffuse(\"SU\\\\\",tell,help)             | //SU tell;help",
+        ".diffuse(\"ROMA\",achieve,goTo(12,\"km\")) | ROMA achieve;goTo(12,\"km\")",
+        ".diffuse(ROMA,unachieve,go)                | ROMA unachieve;go",
+        ".diffuse(bus1,tell,[a,~b(\"x y\")])        | bus1 tell;[a,~b(\"x y\")]",
+        "X = \"ROMA\"; .diffuse(X,tell,p(X))         | ROMA tell;p(\"ROMA\")",
+        ".send(\"ROMA\",tell,help)                  | ROMA tell;help",
+        ".send(\"//SU\",achieve,go(1))              | //SU achieve;go(1)",
+    })
+    void diffuse_anyDestination_boardIsAsked(String action, String expected) {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = run(action, board)) {
+            RunningAgent.asked(board, expected);
+            agent.notes("done");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"NO_KEY,no_key", "TOO_LONG,too_long", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
+        "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
+    void diffuse_boardRefuses_failsWithItsError(Status status, String error) {
+        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
+        try (RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board)) {
+            agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
+        }
+    }
+
+    @Test
+    void diffuse_noRfIdSet_fails() {
+        String program = "!start. +!start <- .port(antenna); .diffuse(broadcast,tell,help)."
+                + "-!start[error(E)] <- diffuser.note(E).";
+        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"))) {
+            agent.notes("no_rf_id");
+        }
+    }
+
+    @Test
+    void diffuse_boardIsAway_failsWithPortOff() {
+        FakeBoard board = new FakeBoard("antenna").unplugged();
+        try (RunningAgent agent = RunningAgent.run(program(".diffuse(broadcast,tell,help)"), board)) {
+            agent.notes("port_off : transmit to ////: tell;help was not performed: antenna: there is no such port");
+        }
+    }
+
+    @Test
+    void diffuse_deviceThatLooksLikeAGroup_goesToTheDeviceAndWarnsOnce() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = run(".diffuse(\"SU//\",tell,a); .diffuse(\"SU//\",tell,b)", board)) {
+            RunningAgent.asked(board, "SU// tell;a");
+            RunningAgent.asked(board, "SU// tell;b");
+            agent.notes("done");
+            agent.warns("SU// is the device // of group SU; for the whole group write \"//SU\"");
+            assertTrue(agent.warnings.isEmpty());
+        }
+    }
+
+    @Test
+    void diffuse_contentHasNoTextThatReadsBack_fails() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = run("X = \"a\\\"b\"; .diffuse(broadcast,tell,p(X))", board)) {
+            String note = agent.nextNote();
+            assertTrue(note.startsWith("bad_content : this cannot be sent:"), note);
+        }
+    }
+
+    @Test
+    void send_boardRefuses_warns() {
+        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.NO_KEY);
+        try (RunningAgent agent = run(".send(\"ROMA\",tell,help)", board)) {
+            agent.notes("done");
+            agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
+        }
+    }
+
+    @Test
+    void send_otherForceToRfAddress_fails() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = run(".send(\"ROMA\",askOne,help)", board)) {
+            agent.notes("wrong_arguments : by radio go tell, untell, achieve and unachieve, not askOne");
+        }
+    }
+
+    @Test
+    void send_noRfAddressAndNoAgent_failsAsEver() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = run(".send(nobody,tell,help)", board)) {
+            String note = agent.nextNote();
+            assertTrue(note.contains("Receiver 'nobody' does not exist"), note);
+        }
+    }
+
+    @Test
+    void send_localAgentOfThatName_getsIt() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent bob = RunningAgent.named("bob1", "+help[source(S)] <- diffuser.note(help,S).");
+             RunningAgent agent = run(".send(bob1,tell,help)", board)) {
+            agent.notes("done");
+            bob.notes("help " + agent.name());
+        }
+    }
+}

@@ -1,0 +1,205 @@
+package diffuser;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+
+import javino.link.InMemoryLink;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.link.LinkOpener;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
+import javino.protocol.Packet;
+import javino.protocol.PacketDecoder;
+import javino.protocol.Status;
+
+/** A board in memory that speaks SPEC 4, does as scripted, and records what it was asked. */
+final class FakeBoard implements LinkOpener {
+
+    private static final Duration TICK = Duration.ofMillis(50);
+
+    /** All requests but polls and hellos, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
+    final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
+    private final String port;
+    private final Map<String, Status> refusals = new ConcurrentHashMap<>();
+    private final List<Message> messages = new CopyOnWriteArrayList<>();
+    private volatile List<String> percepts = List.of();
+    private volatile Address rfId = Address.SERIAL;
+    private volatile boolean plugged = true;
+    private volatile boolean silent;
+    private volatile String swallowed = "";
+    private volatile Link link;
+    private volatile Bytes lastRequest;
+    private volatile Bytes lastReply;
+    private int messageCount;
+
+    private record Message(int number, String destination, String origin, String content) {
+    }
+
+    FakeBoard(String port) {
+        this.port = port;
+    }
+
+    @Override
+    public String name() {
+        return port;
+    }
+
+    @Override
+    public Link open() throws LinkException {
+        if (!plugged) {
+            throw new LinkException(port, "there is no such port");
+        }
+        InMemoryLink.Pair pair = InMemoryLink.pair(port);
+        link = pair.board();
+        Thread thread = new Thread(() -> serve(pair.board()), "fake board " + port);
+        thread.setDaemon(true);
+        thread.start();
+        return pair.host();
+    }
+
+    // The script
+
+    FakeBoard perceiving(String... literals) {
+        percepts = List.of(literals);
+        return this;
+    }
+
+    FakeBoard refusing(String request, Status status) {
+        refusals.put(request, status);
+        return this;
+    }
+
+    /** From here on the board answers nothing, or again everything. */
+    void silent(boolean now) {
+        silent = now;
+    }
+
+    /** When this request comes, the board records it and falls silent. */
+    void swallow(String request) {
+        swallowed = request;
+    }
+
+    void unplug() {
+        plugged = false;
+        Link open = link;
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    FakeBoard unplugged() {
+        unplug();
+        return this;
+    }
+
+    void plug() {
+        plugged = true;
+    }
+
+    synchronized void receive(String destination, String origin, String content) {
+        messages.add(new Message(messageCount++ & 0xFF, destination, origin, content));
+    }
+
+    Address rfId() {
+        return rfId;
+    }
+
+    // The protocol
+
+    private void serve(Link line) {
+        PacketDecoder decoder = new PacketDecoder();
+        byte[] buffer = new byte[1024];
+        try {
+            while (true) {
+                int count = line.read(buffer, TICK);
+                for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
+                    if (!silent && result instanceof PacketDecoder.Found found) {
+                        Bytes answer = answer(found.packet());
+                        if (!silent) {
+                            line.write(answer.toArray());
+                        }
+                    }
+                }
+            }
+        } catch (LinkException e) {
+            // The host has closed the port, or the test has unplugged it.
+            return;
+        }
+    }
+
+    private Bytes answer(Packet request) {
+        Bytes encoded = request.encode();
+        if (!encoded.equals(lastRequest)) {
+            lastRequest = encoded;
+            Frame reply = new Frame(Address.SERIAL, Address.SERIAL, reply(request.frame()));
+            lastReply = new Packet(request.sequence(), reply).encode();
+        }
+        return lastReply;
+    }
+
+    private Bytes reply(Frame request) {
+        if (!request.destination().equals(Address.SERIAL)) {
+            return recorded(request.destination() + " " + text(request.message()), Bytes.of(7));
+        }
+        Bytes body = request.message().from(1);
+        return switch (request.message().at(0)) {
+            case 'H' -> ok(Bytes.join(Bytes.of(1), rfId.toBytes(), Bytes.of(0, 0, 1), Bytes.ofText("fake")));
+            case 'P' -> ok(poll(body));
+            case 'A' -> recorded("A " + text(body), Bytes.EMPTY);
+            case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
+            case 'I' -> setRfId(text(body));
+            default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
+        };
+    }
+
+    private Bytes setRfId(String id) {
+        Bytes reply = recorded("I " + id, Bytes.EMPTY);
+        if (reply.at(0) == Status.OK.ordinal()) {
+            rfId = Address.parse(id);
+        }
+        return reply;
+    }
+
+    private Bytes recorded(String request, Bytes body) {
+        if (request.equals(swallowed)) {
+            silent = true;
+        }
+        requests.add(request);
+        Status status = refusals.getOrDefault(request, Status.OK);
+        return status == Status.OK ? ok(body) : Bytes.of(status.ordinal());
+    }
+
+    private Bytes poll(Bytes body) {
+        if (body.length() > 1) {
+            messages.removeIf(message -> message.number() == body.at(1));
+        }
+        List<Bytes> parts = new ArrayList<>(List.of(Bytes.of(0)));
+        if ((body.at(0) & 1) != 0) {
+            percepts.forEach(literal -> parts.add(record('P', Bytes.ofText(literal))));
+        }
+        messages.stream().limit(1).forEach(message -> parts.add(record('M', Bytes.join(Bytes.of(message.number()),
+                Bytes.ofText(message.destination() + message.origin() + message.content())))));
+        return Bytes.join(parts.toArray(Bytes[]::new));
+    }
+
+    private static Bytes record(char type, Bytes value) {
+        return Bytes.join(Bytes.of(type), Bytes.ofNumber(value.length(), 2), value);
+    }
+
+    private static Bytes ok(Bytes body) {
+        return Bytes.join(Bytes.of(Status.OK.ordinal()), body);
+    }
+
+    private static String text(Bytes bytes) {
+        return new String(bytes.toArray(), StandardCharsets.UTF_8);
+    }
+}

@@ -1,0 +1,51 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+/** The paper's plan 1, as printed but for its trigger. */
+class PlanOneTest {
+
+    private static final String PLAN_ONE = """
+            !start.
+            +!start : true <-
+                .print("I am a Diffuser agent");
+                .port(COM5);
+                .percepts(open);
+                .setMyRFId(ROMA);
+                .getRFMessages(open);
+                diffuser.note(ready).
+            +port(P,S) <- diffuser.note(P,S).
+            +proximity(X) <- diffuser.note(proximity,X).
+            +help[source(S)] <- diffuser.note(help,S); .diffuse(S,tell,helpComing).
+            """;
+
+    @Test
+    void plan1_boardIsThere_runsAsPrinted() {
+        FakeBoard board = new FakeBoard("COM5").perceiving("proximity(17)");
+        try (RunningAgent agent = RunningAgent.run(PLAN_ONE, board)) {
+            agent.notes("COM5 on");
+            RunningAgent.asked(board, "I ROMA");
+            RunningAgent.asked(board, "R open");
+            agent.notesAll("ready", "proximity 17");
+            board.receive("////", "SUPO", "tell;help");
+            agent.notes("help SUPO");
+            RunningAgent.asked(board, "SUPO tell;helpComing");
+        }
+    }
+
+    @Test
+    void plan1_boardIsNotThere_runsAllTheSameAndHoldsOnceItComes() {
+        FakeBoard board = new FakeBoard("COM5").perceiving("proximity(17)").unplugged();
+        try (RunningAgent agent = RunningAgent.run(PLAN_ONE, board)) {
+            agent.notesAll("COM5 off", "ready");
+            agent.warns("the board is off: COM5: there is no such port");
+            board.plug();
+            agent.notesAll("COM5 on", "proximity 17");
+            board.receive("ROMA", "SUPO", "tell;help");
+            agent.notes("help SUPO");
+            assertEquals("ROMA", board.rfId().toString());
+        }
+    }
+}

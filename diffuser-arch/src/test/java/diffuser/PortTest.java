@@ -1,0 +1,117 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import org.junit.jupiter.api.Test;
+
+class PortTest {
+
+    private static final String PROGRAM = """
+            !start.
+            +!start  <- .port(left); diffuser.note(ready).
+            +!right  <- .port("right"); diffuser.note(changed).
+            +!missing <- .port(missing); diffuser.note(changed).
+            +!do     <- .act(stop); diffuser.note(done).
+            -!do[error(E)] <- diffuser.note(E).
+            +count(N) <- diffuser.note(count,N).
+            +port(P,S) <- diffuser.note(P,S).
+            -port(P,S) <- diffuser.note(no,P,S).
+            """;
+
+    @Test
+    void port_unpluggedAndPluggedAgain_beliefFollowsAndAgentGoesOn() {
+        FakeBoard board = new FakeBoard("left");
+        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
+            agent.notesAll("left on", "ready");
+            board.unplug();
+            agent.notesAll("no left on", "left off");
+            board.plug();
+            agent.notesAll("no left off", "left on");
+            agent.achieve("do");
+            agent.notes("done");
+        }
+    }
+
+    @Test
+    void port_boardFallsSilent_beliefFollowsAndCyclesGoOn() {
+        FakeBoard board = new FakeBoard("left");
+        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
+            agent.notesAll("left on", "ready");
+            board.swallow("A stop");
+            agent.achieve("do");
+            RunningAgent.asked(board, "A stop");
+            for (int i = 0; i < 20; i++) {
+                agent.believe("count(" + i + ")");
+            }
+            for (int i = 0; i < 20; i++) {
+                agent.notes("count " + i);
+            }
+            agent.notesAll("outcome_unknown", "no left on", "left off");
+        }
+    }
+
+    @Test
+    void port_another_replacesTheFirst() {
+        FakeBoard left = new FakeBoard("left").perceiving("count(1)");
+        FakeBoard right = new FakeBoard("right").perceiving("count(2)");
+        try (RunningAgent agent = RunningAgent.run(PROGRAM, left, right)) {
+            agent.notesAll("left on", "ready");
+            agent.achieve("right");
+            agent.notesAll("no left on", "right on", "changed");
+            agent.achieve("do");
+            RunningAgent.asked(right, "A stop");
+            agent.notes("done");
+            assertEquals(0, left.requests.size());
+        }
+    }
+
+    @Test
+    void port_missing_beliefIsOffAndNoFailure() {
+        try (RunningAgent agent = RunningAgent.run(PROGRAM, new FakeBoard("left"))) {
+            agent.notesAll("left on", "ready");
+            agent.achieve("missing");
+            agent.notesAll("no left on", "missing off", "changed");
+            agent.warns("the board is off: missing: there is no such port");
+        }
+    }
+
+    @Test
+    void port_variableBoundToName_itsValueCounts() {
+        String program = "!start. +!start <- P = left; .port(P). +port(P,S) <- diffuser.note(P,S).";
+        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("left"))) {
+            agent.notes("left on");
+        }
+    }
+
+    @Test
+    void stop_agentStops_sessionEnds() throws Exception {
+        FakeBoard board = new FakeBoard("left");
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("left on", "ready");
+        Thread session = thread("javino left");
+        agent.close();
+        session.join(RunningAgent.PATIENCE_SECONDS * 1000L);
+        assertFalse(session.isAlive());
+    }
+
+    private static Thread thread(String name) {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(any -> any.getName().equals(name) && any.isAlive()).findAny().orElseThrow();
+    }
+
+    @Test
+    void twoAgents_eachWithItsBoard_doNotMix() {
+        String program = "!start. +!start <- .port(%1$s); .percepts(open); .act(%1$s); diffuser.note(done)."
+                + "+p(X) <- diffuser.note(p,X).";
+        FakeBoard left = new FakeBoard("left").perceiving("p(1)");
+        FakeBoard right = new FakeBoard("right").perceiving("p(2)");
+        try (RunningAgent one = RunningAgent.run(program.formatted("left"), left);
+             RunningAgent two = RunningAgent.run(program.formatted("right"), right)) {
+            one.notesAll("done", "p 1");
+            two.notesAll("done", "p 2");
+            RunningAgent.asked(left, "A left");
+            RunningAgent.asked(right, "A right");
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+
+import jason.asSemantics.Agent;
+import jason.asSemantics.Message;
+import jason.infra.local.BaseLocalMAS;
+import jason.infra.local.LocalAgArch;
+import jason.infra.local.LocalEnvironment;
+import jason.infra.local.RunLocalMAS;
+import jason.runtime.Settings;
+import jason.util.Config;
+
+/** A real Jason agent on its own thread, and what the test waits for. */
+final class RunningAgent implements AutoCloseable {
+
+    /** No test waits that long unless it fails. */
+    static final int PATIENCE_SECONDS = 20;
+
+    private static final AtomicInteger COUNT = new AtomicInteger();
+
+    static {
+        Config.get().setProperty(Config.START_WEB_MI, "false");
+        new RunLocalMAS();
+    }
+
+    final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
+    private final LocalAgArch body = new LocalAgArch();
+    private final String name;
+    private final Logger root = Logger.getLogger("");
+    private final Handler handler = new Handler() {
+        @Override
+        public void publish(LogRecord record) {
+            boolean mine = String.valueOf(record.getLoggerName()).endsWith("." + name);
+            if (mine && record.getLevel().intValue() >= Level.WARNING.intValue()) {
+                warnings.add(record.getMessage());
+            }
+        }
+
+        @Override
+        public void flush() {
+            // Nothing is buffered.
+        }
+
+        @Override
+        public void close() {
+            // Nothing is open.
+        }
+    };
+
+    private RunningAgent(String name) {
+        this.name = name;
+    }
+
+    static RunningAgent run(String program, FakeBoard... boards) {
+        return run(program, null, List.of(ScriptedDiffuser.class.getName()), boards);
+    }
+
+    static RunningAgent run(String program, LocalEnvironment environment, List<String> archs, FakeBoard... boards) {
+        List.of(boards).forEach(ScriptedDiffuser::plug);
+        return run(new RunningAgent("tester" + COUNT.incrementAndGet()), program, environment, archs);
+    }
+
+    /** Without a board. */
+    static RunningAgent named(String name, String program) {
+        return run(new RunningAgent(name), program, null, List.of());
+    }
+
+    private static RunningAgent run(RunningAgent agent, String program, LocalEnvironment environment,
+                                    List<String> archs) {
+        try {
+            agent.start(program, environment, archs);
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+        return agent;
+    }
+
+    private void start(String program, LocalEnvironment environment, List<String> archs) throws Exception {
+        root.addHandler(handler);
+        body.setAgName(name);
+        body.setEnvInfraTier(environment);
+        body.createArchs(archs, Agent.class.getName(), null, source(program), new Settings());
+        BaseLocalMAS.getRunner().addAg(body);
+        Thread thread = new Thread(body);
+        thread.setDaemon(true);
+        body.setThread(thread);
+        body.startThread();
+    }
+
+    private static String source(String program) {
+        try {
+            Path file = Files.createTempFile("agent", ".asl");
+            file.toFile().deleteOnExit();
+            return Files.writeString(file, program).toString();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    String name() {
+        return name;
+    }
+
+    LocalAgArch body() {
+        return body;
+    }
+
+    Diffuser diffuser() throws Exception {
+        return Diffuser.of(body.getTS());
+    }
+
+    /** Gives the agent a goal. */
+    void achieve(String goal) {
+        receive(new Message("achieve", "test", name, goal));
+    }
+
+    /** Gives the agent a belief. */
+    void believe(String belief) {
+        receive(new Message("tell", "test", name, belief));
+    }
+
+    private void receive(Message message) {
+        body.receiveMsg(message);
+    }
+
+    /** The agent's next note is this. */
+    void notes(String expected) {
+        assertEquals(expected, next(note.of(name), "a note"));
+    }
+
+    String nextNote() {
+        return next(note.of(name), "a note");
+    }
+
+    /** The agent's next notes are these, in any order. */
+    void notesAll(String... expected) {
+        List<String> found = Arrays.stream(expected).map(any -> nextNote()).sorted().toList();
+        assertEquals(Arrays.stream(expected).sorted().toList(), found);
+    }
+
+    /** A warning with this in it comes, maybe after others. */
+    void warns(String fragment) {
+        String warning;
+        do {
+            warning = next(warnings, "a warning with \"" + fragment + "\"");
+        } while (!warning.contains(fragment));
+    }
+
+    /** The board is asked this next. */
+    static void asked(FakeBoard board, String expected) {
+        assertEquals(expected, next(board.requests, "a request"));
+    }
+
+    static String next(BlockingQueue<String> queue, String what) {
+        try {
+            String item = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            return item != null ? item : fail("waited in vain for " + what);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return fail("interrupted while waiting for " + what);
+        }
+    }
+
+    /** The agent completes that many further cycles. */
+    void cycles(int more) {
+        int target = body.getCycleNumber() + more;
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (body.getCycleNumber() < target && System.nanoTime() < end) {
+            Thread.onSpinWait();
+        }
+        assertTrue(body.getCycleNumber() >= target, "the agent stands still");
+    }
+
+    @Override
+    public void close() {
+        body.stopAg();
+        BaseLocalMAS.getRunner().delAg(name);
+        root.removeHandler(handler);
+    }
+}

@@ -1,0 +1,48 @@
+package diffuser;
+
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+import javino.board.BoardConfig;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.link.LinkOpener;
+
+/** A Diffuser whose ports are fake boards; Jason makes it by its name, so the boards are found by theirs. */
+public class ScriptedDiffuser extends Diffuser {
+
+    private static final long serialVersionUID = 1L;
+
+    private static final Map<String, FakeBoard> BOARDS = new ConcurrentHashMap<>();
+
+    static void plug(FakeBoard board) {
+        BOARDS.put(board.name(), board);
+    }
+
+    @Override
+    protected LinkOpener link(String port) {
+        FakeBoard board = BOARDS.get(port);
+        return board != null ? board : new LinkOpener() {
+            @Override
+            public Link open() throws LinkException {
+                throw new LinkException(port, "there is no such port");
+            }
+
+            @Override
+            public String name() {
+                return port;
+            }
+        };
+    }
+
+    @Override
+    protected BoardConfig boardConfig() {
+        return BoardConfig.create(config -> config
+                .setPollInterval(Duration.ofMillis(5))
+                .setReplyTimeout(Duration.ofMillis(50))
+                .setHelloInterval(Duration.ofMillis(10))
+                .setReopenInterval(Duration.ofMillis(10))
+                .setPatience(Duration.ofMillis(300)));
+    }
+}

@@ -1,0 +1,103 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class WrongArgumentsTest {
+
+    private static final String PROGRAM = """
+            !start.
+            +!start <- .port(desk); !do.
+            +!do <- %s; diffuser.note(done).
+            -!do[error(E),error_msg(M)] <- diffuser.note(E,":",M).
+            """;
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
+        ".port                             | wrong_arguments | One argument is expected",
+        ".port(a,b)                        | wrong_arguments | One argument is expected",
+        ".port(5)                          | wrong_arguments | a port's name such as \"/dev/ttyACM0\"",
+        ".port(p(1))                       | wrong_arguments | not 'p(1)'",
+        ".port(_)                          | wrong_arguments | a port's name such as",
+        ".port(\"\")                       | wrong_arguments | a port's name such as",
+        ".percepts                         | wrong_arguments | One argument is expected",
+        ".percepts(closed)                 | wrong_arguments | open or block was expected, not 'closed'",
+        ".percepts(3)                      | wrong_arguments | open or block was expected, not '3'",
+        ".limit                            | wrong_arguments | One argument is expected",
+        ".limit(soon)                      | wrong_arguments | milliseconds from 0 to 3600000",
+        ".limit(-1)                        | wrong_arguments | not '-1'",
+        ".limit(3600001)                   | wrong_arguments | not '3600001'",
+        ".limit(X)                         | wrong_arguments | milliseconds from 0 to 3600000",
+        ".setMyRFId                        | wrong_arguments | One argument is expected",
+        ".setMyRFId(\"ROM\")               | bad_address     | \"ROM\" has 3",
+        ".setMyRFId(\"RO!A\")              | bad_address     | '!'",
+        ".setMyRFId(\"//SU\")              | bad_address     | a device's id begins with one of A-Z a-z 0-9",
+        ".setMyRFId(broadcast)             | bad_address     | a device's id begins with",
+        ".setMyRFId(\"++++\")              | bad_address     | nothing can be sent to it",
+        ".setMyRFId(1234)                  | bad_address     | write it as a string",
+        ".setMyRFId(_)                     | bad_address     | write it as a string",
+        ".getRFMessages                    | wrong_arguments | One argument is expected",
+        ".getRFMessages(yes)               | wrong_arguments | open or block was expected, not 'yes'",
+        ".diffuse(broadcast,tell)          | wrong_arguments | 3 arguments are expected",
+        ".diffuse(everyone,tell,help)      | bad_address     | everyone is no RF address",
+        ".diffuse(\"+FAA\",tell,help)      | bad_address     | nothing can be sent to it",
+        ".diffuse(broadcast,sing,help)     | wrong_arguments | tell, untell, achieve and unachieve, not sing",
+        ".diffuse(broadcast,askOne,help)   | wrong_arguments | not askOne",
+        ".diffuse(broadcast,\"tell\",help) | wrong_arguments | tell, untell, achieve or unachieve was expected",
+        ".diffuse(broadcast,tell,3)        | bad_content     | a belief, a goal or a list of such was expected",
+        ".diffuse(broadcast,tell,\"help\") | bad_content     | a belief, a goal or a list of such was expected",
+        ".act                              | wrong_arguments | One argument is expected",
+        ".act(3)                           | wrong_arguments | an action such as stop or speed(80)",
+        ".act(\"\")                        | wrong_arguments | an action such as stop or speed(80)",
+        ".act(X)                           | wrong_arguments | an action such as stop or speed(80)",
+        ".act(speed(X))                    | wrong_arguments | the action speed(X) has a variable without a value",
+        "speed(X)                          | action_failed   | the action speed(X) has a variable without a value",
+    })
+    void action_wrongArgument_failsThePlanAndSaysWhatWasExpected(String action, String error, String fragment) {
+        try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action), new FakeBoard("desk"))) {
+            String note = agent.nextNote();
+            assertTrue(note.startsWith(error + " :"), note);
+            assertTrue(note.contains(fragment), note);
+        }
+    }
+
+    @Test
+    void action_textTooLong_failsThePlan() {
+        String atom = "a".repeat(520);
+        String program = PROGRAM.formatted(".act(" + atom + ")") + "+!say <- .diffuse(broadcast,tell," + atom + ")."
+                + "-!say[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
+        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"))) {
+            agent.notes("too_long : an action has 1…510 bytes of UTF-8, not 520");
+            agent.achieve("say");
+            agent.notes("too_long : a content has at most 497 bytes of UTF-8, not 525");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {".act(stop)", ".diffuse(broadcast,tell,help)"})
+    void action_noPortOpened_failsWithNoPort(String action) {
+        String program = "!do. +!do <- " + action + ". -!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
+        try (RunningAgent agent = RunningAgent.run(program)) {
+            String note = agent.nextNote();
+            assertTrue(note.startsWith("no_port : agent "), note);
+            assertTrue(note.contains("open one with .port"), note);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {".port(desk)", ".percepts(open)", ".limit(1)", ".setMyRFId(ROMA)",
+        ".getRFMessages(open)", ".diffuse(broadcast,tell,help)", ".act(stop)"})
+    void action_agentHasNoDiffuser_failsAndSaysWhichArchitecture(String action) {
+        String program = "!do. +!do <- " + action + ". -!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
+        try (RunningAgent agent = RunningAgent.run(program, null, List.of())) {
+            String note = agent.nextNote();
+            assertTrue(note.startsWith("no_diffuser : "), note);
+            assertTrue(note.contains("diffuser.Diffuser"), note);
+        }
+    }
+}
