@@ -1,0 +1,19 @@
+package uppaal;
+
+/** A model or a query that cannot be read or run: one line that says where, and what is wrong. */
+public final class ModelException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * @param where file and element, e.g. {@code paper.xml, template Channel, edge Released -> Not_Released, guard}
+     * @param what what is wrong there
+     */
+    public ModelException(String where, String what) {
+        super(where + ": " + what);
+    }
+
+    /** For something that UPPAAL knows and this checker does not. */
+    public static ModelException outside(String where, String construct) {
+        return new ModelException(where, construct + " is outside the subset that this checker reads");
+    }
+}

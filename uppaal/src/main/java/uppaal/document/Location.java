@@ -1,0 +1,10 @@
+package uppaal.document;
+
+/**
+ * A location of a template.
+ *
+ * @param name its name, or its id where the file gives no name
+ * @param committed whether it must be left by the very next move
+ */
+public record Location(String name, boolean committed) {
+}

@@ -1,0 +1,20 @@
+package uppaal.language;
+
+/** What a declared name stands for. */
+public sealed interface Symbol {
+    /** A constant, or a parameter of an instance. */
+    record Number(int value) implements Symbol {
+    }
+
+    /** A variable: the slot of the state that holds it. */
+    record Variable(int slot) implements Symbol {
+    }
+
+    /**
+     * A channel. Two channels are the same when they have the same name, since channels are global.
+     *
+     * @param broadcast whether all that listen hear it, rather than exactly one
+     */
+    record Channel(String name, boolean broadcast) implements Symbol {
+    }
+}

@@ -1,0 +1,57 @@
+package uppaal.language;
+
+/** An expression whose names have been resolved to places in a state. Truth is any number but 0. */
+public sealed interface Term {
+    /** Always true: the guard of an edge without a guard. */
+    Term TRUE = new Constant(1);
+
+    /** @param state the value of each slot */
+    int value(int[] state);
+
+    /** Whether it is true in a state. */
+    default boolean holds(int[] state) {
+        return value(state) != 0;
+    }
+
+    /** A number, a named constant or a parameter. */
+    record Constant(int number) implements Term {
+        @Override public int value(int[] state) {
+            return number;
+        }
+    }
+
+    /** What a slot holds. */
+    record Variable(int slot) implements Term {
+        @Override public int value(int[] state) {
+            return state[slot];
+        }
+    }
+
+    /** Whether the automaton whose location a slot holds is at one location. */
+    record At(int slot, int location) implements Term {
+        @Override public int value(int[] state) {
+            return state[slot] == location ? 1 : 0;
+        }
+    }
+
+    /** {@code !operand} */
+    record Not(Term operand) implements Term {
+        @Override public int value(int[] state) {
+            return operand.value(state) == 0 ? 1 : 0;
+        }
+    }
+
+    /** {@code -operand} */
+    record Negative(Term operand) implements Term {
+        @Override public int value(int[] state) {
+            return Math.negateExact(operand.value(state));
+        }
+    }
+
+    /** {@code left operator right}; both sides are always evaluated, since no term has an effect. */
+    record Binary(Operator operator, Term left, Term right) implements Term {
+        @Override public int value(int[] state) {
+            return operator.apply(left.value(state), right.value(state));
+        }
+    }
+}
