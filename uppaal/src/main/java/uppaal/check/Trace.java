@@ -1,0 +1,46 @@
+package uppaal.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import uppaal.network.Automaton;
+import uppaal.network.Network;
+import uppaal.network.Slot;
+
+/**
+ * A way from the first state to another.
+ *
+ * @param moves the steps
+ * @param last the state that they lead to
+ */
+public record Trace(Network network, List<JointMove> moves, int[] last) {
+    /** One line a step, then the last state: all that is not as it was at first. */
+    public List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        for (JointMove move : moves) {
+            lines.add(String.format("%3d  %s", lines.size() + 1, move));
+        }
+        lines.add("  => " + String.join(", ", changed()));
+        return lines;
+    }
+
+    private List<String> changed() {
+        int[] first = network.initial();
+        List<String> changed = new ArrayList<>();
+        for (Automaton automaton : network.automata()) {
+            if (last[automaton.slot()] != first[automaton.slot()]) {
+                changed.add(automaton.name() + "." + automaton.locations().get(last[automaton.slot()]).name());
+            }
+        }
+        for (int i = 0; i < first.length; i++) {
+            if (last[i] != first[i] && !isLocation(i)) {
+                Slot slot = network.slots().get(i);
+                changed.add(slot.name() + " = " + last[i]);
+            }
+        }
+        return changed.isEmpty() ? List.of("the first state") : changed;
+    }
+
+    private boolean isLocation(int slot) {
+        return network.automata().stream().anyMatch(automaton -> automaton.slot() == slot);
+    }
+}

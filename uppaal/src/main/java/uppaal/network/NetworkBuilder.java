@@ -1,0 +1,73 @@
+package uppaal.network;
+
+import java.util.ArrayList;
+import java.util.List;
+import uppaal.ModelException;
+import uppaal.document.Document;
+import uppaal.document.Edge;
+import uppaal.document.Location;
+import uppaal.document.Template;
+import uppaal.language.Declarations;
+import uppaal.language.Labels;
+import uppaal.language.Scope;
+import uppaal.language.SystemLine;
+
+/** Makes a document into a network: parses all its texts and instantiates its templates. */
+public final class NetworkBuilder {
+    private final Document document;
+    private final List<Slot> slots = new ArrayList<>();
+    private final Scope global = Scope.global();
+
+    private NetworkBuilder(Document document) {
+        this.document = document;
+    }
+
+    /** @throws ModelException when a text is wrong or outside the subset */
+    public static Network build(Document document) {
+        return new NetworkBuilder(document).network();
+    }
+
+    private Network network() {
+        Declarations.global(document.declarations(), global, this::allocate, document.file() + ", declaration");
+        List<Automaton> automata = new ArrayList<>();
+        for (SystemLine.Instance instance : SystemLine.parse(document.system(), global, document.file() + ", system")) {
+            automata.add(automaton(instance));
+        }
+        return new Network(document.file(), slots, automata, global);
+    }
+
+    private int allocate(String name, int low, int high, int initial) {
+        slots.add(new Slot(name, low, high, initial));
+        return slots.size() - 1;
+    }
+
+    private Automaton automaton(SystemLine.Instance instance) {
+        Template template = document.template(instance.template());
+        String where = document.file() + ", template " + template.name();
+        Scope scope = global.inner();
+        Declarations.parameters(template.parameters(), instance.arguments(), scope, where + ", parameter");
+        List<String> locations = template.locations().stream().map(Location::name).toList();
+        int slot = allocate(instance.name(), 0, locations.size() - 1, locations.indexOf(template.initial()));
+        Declarations.local(template.declarations(), scope,
+            (name, low, high, initial) -> allocate(instance.name() + "." + name, low, high, initial),
+            where + ", declaration");
+        List<Transition> transitions = template.edges().stream()
+            .map(edge -> transition(edge, locations, scope, where + ", edge " + edge.path())).toList();
+        return new Automaton(instance.name(), slot, template.locations(), transitions, scope);
+    }
+
+    private static Transition transition(Edge edge, List<String> locations, Scope scope, String where) {
+        return new Transition(index(edge.source(), locations, where), index(edge.target(), locations, where),
+            Labels.guard(edge.guard(), scope, where + ", guard"),
+            Labels.synchronisation(edge.synchronisation(), scope, where + ", synchronisation"),
+            Labels.assignments(edge.assignment(), scope, where + ", assignment"));
+    }
+
+    private static int index(String location, List<String> locations, String where) {
+        int index = locations.indexOf(location);
+        if (index < 0) {
+            throw new ModelException(where, "there is no location '" + location + "'");
+        }
+        return index;
+    }
+}
