@@ -1,0 +1,51 @@
+package uppaal.report;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import uppaal.ModelException;
+
+/** {@code gradle :uppaal:model}: checks the models and prints what was found. */
+public final class Main {
+    private Main() {
+    }
+
+    /**
+     * Ends with 0 when everything is as expected, 1 when a verdict is not, 2 when a model cannot be checked.
+     *
+     * @param arguments the folder of the models, and one for generated files
+     */
+    public static void main(String[] arguments) {
+        if (arguments.length != 2) {
+            System.err.println("usage: Main MODELS OUTPUT (the folder of the models, and one for generated files)");
+            System.exit(2);
+        }
+        try {
+            List<String> wrong = run(new Suite(Path.of(arguments[0])), Path.of(arguments[1]), new Report(System.out));
+            wrong.forEach(System.err::println);
+            System.exit(wrong.isEmpty() ? 0 : 1);
+        } catch (ModelException | IOException problem) {
+            System.err.println(problem.getMessage());
+            System.exit(2);
+        }
+    }
+
+    /** Prints everything; returns what is not as expected, a line each. */
+    static List<String> run(Suite suite, Path folder, Report report) throws IOException {
+        Check paper = Check.of(suite.paperModel(), suite.paperFiles(), folder.resolve("paper"));
+        Check quiet = Check.of(suite.quietModel(), suite.quietFiles(), folder.resolve("quiet"));
+        List<Kill> kills = Faults.ALL.stream().map(fault -> Kill.of(fault, suite)).toList();
+        report.verdicts("The network of the paper", paper);
+        report.counterexamples(paper);
+        report.substance(Substance.of(paper.network(), paper.queries()));
+        report.verdicts("The same, with a connection that stays online", quiet);
+        report.kills(kills);
+
+        List<String> wrong = new ArrayList<>(paper.disagreements());
+        wrong.addAll(quiet.disagreements());
+        kills.stream().filter(kill -> !kill.caught())
+            .forEach(kill -> wrong.add("no property notices the fault '" + kill.fault().name() + "'"));
+        return wrong;
+    }
+}

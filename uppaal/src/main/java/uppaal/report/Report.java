@@ -1,0 +1,73 @@
+package uppaal.report;
+
+import java.io.PrintStream;
+import java.util.List;
+import uppaal.check.Query;
+
+/** Prints the tables. */
+final class Report {
+    private final PrintStream out;
+
+    Report(PrintStream out) {
+        this.out = out;
+    }
+
+    /** What each engine says of each query. */
+    void verdicts(String title, Check check) {
+        heading(title);
+        out.printf("%-6s%-10s%-10s%-10s%-10s%s%n", "", "expected", "checker", "SPIN", "verifyta", "says");
+        for (int i = 0; i < check.queries().size(); i++) {
+            int index = i;
+            Query query = check.queries().get(i);
+            out.printf("%-6s%-10s%-10s%-10s%-10s%s%n", query.name(), Check.word(query.expected()),
+                Check.word(check.own().holds(i)),
+                check.spin().map(result -> Check.word(result.holds().get(index))).orElse("-"),
+                check.verifyta().map(verdicts -> Check.word(verdicts.get(index))).orElse("-"), query.sentence());
+        }
+        out.printf("%-6s%-10s%-10d%s%n", "states", "", check.own().states(),
+            check.spin().map(result -> String.valueOf(result.states())).orElse("-"));
+        check.spin().ifPresentOrElse(found -> { }, () -> out.println("SPIN is not on the path (spin and gcc are needed)."));
+        check.verifyta().ifPresentOrElse(found -> { }, () -> out.println("verifyta is not on the path."));
+    }
+
+    /** A shortest way to a state that refutes each query that fails. */
+    void counterexamples(Check check) {
+        for (int i = 0; i < check.queries().size(); i++) {
+            if (!check.own().holds(i)) {
+                heading("Counterexample to " + check.queries().get(i).name());
+                check.own().evidence(i).ifPresent(trace -> trace.lines().forEach(out::println));
+            }
+        }
+    }
+
+    /** Whether the implications say anything. */
+    void substance(List<Substance> implications) {
+        heading("Do the implications say anything?");
+        out.printf("%-6s%-18s%s%n", "", "left side", "right side alone");
+        for (Substance implication : implications) {
+            out.printf("%-6s%-18s%s%n", implication.query(), implication.reached() ? "is reached" : "is NEVER reached",
+                implication.needless() ? "holds always: the left side adds nothing" : "does not always hold");
+        }
+    }
+
+    /** Which queries notice which fault. */
+    void kills(List<Kill> kills) {
+        heading("Deliberate faults, and the properties that notice them");
+        out.printf("%-24s%-12s%-34s%-8s%s%n", "", "paper's", "stronger", "quiet", "what is wrong");
+        for (Kill kill : kills) {
+            out.printf("%-24s%-12s%-34s%-8s%s%n", kill.fault().name(), names(kill.paper()), names(kill.stronger()),
+                names(kill.quiet()), kill.fault().sentence());
+        }
+        long missed = kills.stream().filter(kill -> kill.paper().isEmpty()).count();
+        out.printf("%d faults; %d pass all eight properties of the paper; %d pass all.%n", kills.size(), missed,
+            kills.stream().filter(kill -> !kill.caught()).count());
+    }
+
+    private void heading(String title) {
+        out.printf("%n%s%n%n", title);
+    }
+
+    private static String names(List<String> queries) {
+        return queries.isEmpty() ? "-" : String.join(" ", queries);
+    }
+}
