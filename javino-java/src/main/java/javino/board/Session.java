@@ -130,8 +130,8 @@ final class Session implements Runnable {
             String why = opener.name() + ": the board speaks version " + board.protocolVersion()
                     + " of the protocol and this program version " + Request.PROTOCOL_VERSION
                     + "; flash a sketch that was built with the same release of Javino";
-            queue.close(why);
             goOffline(why);
+            queue.close(why);
             state = BoardState.INCOMPATIBLE;
             return false;
         }
@@ -211,8 +211,13 @@ final class Session implements Runnable {
 
     private Exchange.Answer ask(Exchange exchange, Request request)
             throws LinkException, LostException, ProtocolException {
+        // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
+        Thread.interrupted();
         Exchange.Answer answer = exchange.ask(request, config.replyTimeout(),
                 attempts -> attempts < config.attempts() && !queue.isClosed()).orElse(null);
+        if (answer == null && queue.isClosed()) {
+            throw new LostException(opener.name() + ": the session was closed");
+        }
         if (answer == null) {
             tally.count(SessionCounter.SILENCES);
             throw new LostException(opener.name() + ": the board left a request unanswered");
@@ -241,7 +246,8 @@ final class Session implements Runnable {
         if (wasOnline) {
             queue.drain().forEach(request -> request.failOffline(why));
         }
-        if (!Objects.equals(why, offlineWhy)) {
+        // Who closed the session knows it.
+        if (!Objects.equals(why, offlineWhy) && !queue.isClosed()) {
             offlineWhy = why;
             listener.offline(why);
         }

@@ -1,0 +1,446 @@
+package javino.board;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import javino.protocol.Address;
+import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Counter;
+import javino.protocol.Force;
+import javino.protocol.Key;
+import javino.protocol.Status;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class BoardTest {
+
+    private static final Content HELP = new Content(Force.TELL, "help");
+
+    private final FakeBoard fake = new FakeBoard();
+    private final FakePort port = new FakePort(fake);
+    private final RecordingListener listener = new RecordingListener();
+    private Board board;
+
+    @AfterEach
+    void close() {
+        if (board != null) {
+            board.close();
+        }
+    }
+
+    private static BoardConfig.Builder quick(BoardConfig.Builder builder) {
+        return builder.setPollInterval(Duration.ofMillis(2)).setReplyTimeout(Duration.ofMillis(20))
+                .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
+                .setPatience(Duration.ofSeconds(30)).setAttempts(20);
+    }
+
+    private void open() {
+        board = Board.open(port, BoardConfig.create(BoardTest::quick), listener);
+    }
+
+    private void openAndAwaitOnline() throws InterruptedException {
+        open();
+        listener.until("online");
+    }
+
+    private static <T extends Throwable> T failure(Class<T> type, CompletableFuture<?> future) {
+        return assertInstanceOf(type, assertThrows(ExecutionException.class, future::get).getCause());
+    }
+
+    /** Asks for an action that does not arrive, and waits until it was sent. */
+    private CompletableFuture<Void> actUnderWay(String action) throws InterruptedException {
+        CountDownLatch sent = new CountDownLatch(1);
+        fake.setLoses(message -> {
+            boolean isAction = message.at(0) == 'A';
+            if (isAction) {
+                sent.countDown();
+            }
+            return isAction;
+        });
+        CompletableFuture<Void> underWay = board.act(action);
+        sent.await();
+        return underWay;
+    }
+
+    @Test
+    void open_boardThere_greetsIt() throws Exception {
+        open();
+        assertEquals("online 1", listener.next());
+        assertEquals(BoardState.ONLINE, board.state());
+        assertEquals(Optional.of(new BoardInfo(1, Optional.empty(), 1, "fake")), board.info());
+    }
+
+    @Test
+    void open_firstHellosLost_greetsTheBoardLater() throws Exception {
+        AtomicInteger lost = new AtomicInteger();
+        fake.setLoses(message -> lost.incrementAndGet() <= 3);
+        open();
+        assertEquals("online 1", listener.next());
+        assertEquals(1, fake.hellos());
+    }
+
+    @Test
+    void open_noPort_saysWhyOnceAndWaits() throws Exception {
+        port.unplug();
+        open();
+        assertEquals("offline fake: there is no such port", listener.next());
+        CompletableFuture<Void> action = board.act("stop");
+        port.plug();
+        assertEquals("online 1", listener.next());
+        action.get();
+        assertEquals(List.of("stop"), fake.performed());
+    }
+
+    @Test
+    void open_otherVersion_endsWithAClearReason() throws Exception {
+        fake.setVersion(2);
+        open();
+        String line = listener.next();
+        assertTrue(line.startsWith("offline fake: the board speaks version 2"), line);
+        assertTrue(failure(BoardOfflineException.class, board.act("stop")).getMessage().contains("version 2"));
+        board.close();
+        assertEquals(BoardState.INCOMPATIBLE, board.state());
+        assertEquals(1, fake.hellos());
+    }
+
+    @Test
+    void open_silentBoard_tellsAfterItsPatienceAndFailsRequests() throws Exception {
+        fake.setSilent(true);
+        board = Board.open(port, BoardConfig.create(
+                builder -> quick(builder).setPatience(Duration.ofMillis(50))), listener);
+        CompletableFuture<Void> action = board.act("stop");
+        assertTrue(listener.next().contains("no Javino board answers"));
+        failure(BoardOfflineException.class, action);
+        fake.setSilent(false);
+        assertEquals("online 1", listener.next());
+    }
+
+    @Test
+    void act_eachAnswer_completesAccordingly() throws Exception {
+        openAndAwaitOnline();
+        board.act("goTo(12)").get();
+        RequestFailedException refused = failure(RequestFailedException.class, board.act("unknown"));
+        assertEquals(Status.UNKNOWN_ACTION, refused.status());
+        assertEquals("act unknown failed: UNKNOWN_ACTION, the sketch has no action of this name",
+                refused.getMessage());
+        assertEquals(List.of("goTo(12)"), fake.performed());
+    }
+
+    @Test
+    void requests_eachKind_bringTheirAnswers() throws Exception {
+        openAndAwaitOnline();
+        Key key = Key.ofHex("00".repeat(16));
+        assertEquals("010203", board.setKey(Address.parse("SUPO"), key).get().hex());
+        assertEquals("SUPO", board.keys().get().get(0).address().toString());
+        assertEquals(9, board.statistics().get().get(Counter.SERIAL_REQUESTS));
+        assertEquals(Status.UNKNOWN_COMMAND,
+                failure(RequestFailedException.class, board.deleteKey(Address.parse("SUPO"))).status());
+    }
+
+    @Test
+    void transmit_withoutAndWithRfId_failsThenUsesIt() throws Exception {
+        openAndAwaitOnline();
+        assertEquals(Status.NO_RF_ID, failure(RequestFailedException.class,
+                board.transmit(Address.BROADCAST, HELP)).status());
+        board.setRfId(Address.parse("ROMA"));
+        assertEquals(7, board.transmit(Address.BROADCAST, HELP).get());
+        String header = Bytes.ofText("////ROMABI").hex();
+        assertEquals(List.of("id ROMA", "transmit " + header), fake.performed());
+        assertEquals(Optional.of(Address.parse("ROMA")), board.info().orElseThrow().rfId());
+    }
+
+    @Test
+    void act_requestLost_isRepeatedAndPerformedOnce() throws Exception {
+        openAndAwaitOnline();
+        AtomicInteger lost = new AtomicInteger();
+        fake.setLoses(message -> message.at(0) == 'A' && lost.incrementAndGet() <= 3);
+        board.act("stop").get();
+        assertEquals(List.of("stop"), fake.performed());
+        assertTrue(board.counters().get(SessionCounter.REPEATS) >= 3);
+    }
+
+    @Test
+    void act_repliesDamaged_performsEachOnceAndInOrder() throws Exception {
+        openAndAwaitOnline();
+        Random random = new Random(7);
+        fake.setFault(reply -> switch (random.nextInt(8)) {
+            case 0 -> reply.slice(0, random.nextInt(reply.length()));
+            case 1 -> Bytes.join(Bytes.of(random.nextInt(256)), reply);
+            case 2 -> Bytes.join(reply.slice(0, 4), Bytes.of(reply.at(4) ^ 8), reply.from(5));
+            default -> reply;
+        });
+        List<String> actions = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            actions.add("step(" + i + ")");
+            board.act("step(" + i + ")").get();
+        }
+        assertEquals(actions, fake.performed());
+        assertTrue(board.counters().get(SessionCounter.DAMAGED_PACKETS) > 0);
+    }
+
+    @Test
+    void act_staleReplies_areCountedAndIgnored() throws Exception {
+        openAndAwaitOnline();
+        fake.setFault(reply -> Bytes.join(reply, reply));
+        board.act("one").get();
+        board.act("two").get();
+        assertEquals(List.of("one", "two"), fake.performed());
+        fake.awaitPolls(2);
+        assertTrue(board.counters().get(SessionCounter.STALE_REPLIES) > 0);
+    }
+
+    @Test
+    void board_reset_isGreetedAgainAndWishesRestored() throws Exception {
+        openAndAwaitOnline();
+        board.percepts(true);
+        fake.setPercepts("dark");
+        board.radio(true).get();
+        listener.until("percepts [dark]");
+        fake.reset();
+        assertEquals("offline fake: the board was reset", listener.next());
+        assertEquals("online 2", listener.next());
+        assertEquals("percepts [dark]", listener.next());
+        assertEquals(List.of("radio 1", "radio 1"), fake.performed());
+        assertEquals(1, board.counters().get(SessionCounter.RESETS));
+    }
+
+    @Test
+    void act_boardReset_failsAsUnknown() throws Exception {
+        openAndAwaitOnline();
+        fake.setLoses(message -> {
+            if (message.at(0) == 'A') {
+                fake.reset();
+            }
+            return false;
+        });
+        OutcomeUnknownException unknown = failure(OutcomeUnknownException.class, board.act("stop"));
+        assertEquals("fake: the board was reset; it is not known whether act stop was performed",
+                unknown.getMessage());
+        assertEquals(List.of(), fake.performed());
+    }
+
+    @Test
+    void act_boardFallsSilent_failsAndLaterOnesWork() throws Exception {
+        openAndAwaitOnline();
+        fake.setLoses(message -> message.at(0) == 'A');
+        failure(OutcomeUnknownException.class, board.act("stop"));
+        assertEquals("offline fake: the board left a request unanswered", listener.next());
+        fake.setLoses(message -> false);
+        assertEquals("online 1", listener.next());
+        board.act("again").get();
+        assertEquals(1, board.counters().get(SessionCounter.SILENCES));
+    }
+
+    @Test
+    void port_unplugged_pendingFailAndBoardIsFoundAgain() throws Exception {
+        openAndAwaitOnline();
+        CompletableFuture<Void> underWay = actUnderWay("one");
+        CompletableFuture<Void> waiting = board.act("two");
+        port.unplug();
+        failure(OutcomeUnknownException.class, underWay);
+        failure(BoardOfflineException.class, waiting);
+        assertEquals("offline fake: the link is closed", listener.next());
+        assertEquals("offline fake: there is no such port", listener.next());
+        fake.setLoses(message -> false);
+        port.plug();
+        assertEquals("online 1", listener.next());
+        board.act("three").get();
+        assertEquals(List.of("three"), fake.performed());
+    }
+
+    @Test
+    void percepts_wanted_areToldWhenTheyChange() throws Exception {
+        fake.setPercepts("proximity(17)", "dark");
+        openAndAwaitOnline();
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+        board.percepts(true);
+        assertEquals("percepts [proximity(17), dark]", listener.next());
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+        fake.setPercepts("dark");
+        assertEquals("percepts [dark]", listener.next());
+        fake.setPercepts();
+        assertEquals("percepts []", listener.next());
+        fake.setPercepts("light");
+        assertEquals("percepts [light]", listener.next());
+        board.percepts(false);
+        assertEquals("percepts []", listener.next());
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void percepts_longInterval_areAskedForOnce() throws Exception {
+        openAndAwaitOnline();
+        board.perceptInterval(Duration.ofHours(1));
+        fake.setPercepts("dark");
+        board.percepts(true);
+        assertEquals("percepts [dark]", listener.next());
+        fake.setPercepts("light");
+        fake.awaitPolls(5);
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void percepts_oneNoText_isSkippedWithOneWarning() throws Exception {
+        openAndAwaitOnline();
+        fake.setPercepts("dark", "\u00ff", "light");
+        board.percepts(true);
+        String warning = listener.next();
+        assertTrue(warning.startsWith("warning a percept was skipped: BAD_TEXT"), warning);
+        assertEquals("percepts [dark, light]", listener.next());
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+        assertEquals(1, board.counters().get(SessionCounter.DAMAGED_RECORDS));
+    }
+
+    @Test
+    void messages_moreThanTheNumbersRun_comeOnceAndInOrder() throws Exception {
+        openAndAwaitOnline();
+        Random random = new Random(3);
+        fake.setFault(reply -> random.nextInt(10) == 0 ? Bytes.of(1, 0) : reply);
+        for (int i = 0; i < 300; i++) {
+            fake.receive("tell;x(" + i + ")");
+        }
+        for (int i = 0; i < 300; i++) {
+            assertEquals("message ROMA tell;x(" + i + ")", listener.next());
+        }
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void messages_linkLostBeforeTaken_comeNoSecondTime() throws Exception {
+        openAndAwaitOnline();
+        fake.receive("tell;once");
+        assertEquals("message ROMA tell;once", listener.next());
+        port.unplug();
+        listener.until("offline fake: there is no such port");
+        port.plug();
+        assertEquals("online 1", listener.next());
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void messages_noContent_isSkippedAndTheNextComes() throws Exception {
+        openAndAwaitOnline();
+        fake.receive("nonsense");
+        fake.receive("tell;sense");
+        String warning = listener.next();
+        assertTrue(warning.startsWith("warning a message from ROMA was skipped: BAD_CONTENT"), warning);
+        assertEquals("message ROMA tell;sense", listener.next());
+    }
+
+    @Test
+    void listener_throwing_isCountedAndTheSessionGoesOn() throws Exception {
+        Logger log = Logger.getLogger(Board.class.getName());
+        log.setLevel(Level.OFF);
+        CountDownLatch called = new CountDownLatch(2);
+        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                called.countDown();
+                throw new IllegalStateException("thrown by a test");
+            }
+
+            @Override
+            public void message(ReceivedMessage message) {
+                called.countDown();
+                throw new AssertionError("thrown by a test");
+            }
+        });
+        fake.receive("tell;x");
+        called.await();
+        board.act("stop").get();
+        assertEquals(2, board.counters().get(SessionCounter.LISTENER_FAILURES));
+        log.setLevel(null);
+    }
+
+    @Test
+    void listener_interruptingItsThread_doesNoHarm() throws Exception {
+        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                Thread.currentThread().interrupt();
+            }
+        });
+        fake.awaitPolls(3);
+        board.act("stop").get();
+    }
+
+    @Test
+    void act_queueFull_failsClearly() {
+        port.unplug();
+        board = Board.open(port, BoardConfig.create(builder -> quick(builder).setQueueCapacity(2)), listener);
+        board.act("one");
+        board.act("two");
+        QueueFullException full = failure(QueueFullException.class, board.act("three"));
+        assertTrue(full.getMessage().startsWith("act three was not performed"), full.getMessage());
+        assertEquals(1, board.counters().get(SessionCounter.REFUSED_REQUESTS));
+    }
+
+    @Test
+    void close_requestsWaiting_fail() throws Exception {
+        openAndAwaitOnline();
+        CompletableFuture<Void> underWay = actUnderWay("one");
+        CompletableFuture<Void> waiting = board.act("two");
+        board.close();
+        failure(OutcomeUnknownException.class, underWay);
+        failure(BoardOfflineException.class, waiting);
+        failure(BoardOfflineException.class, board.act("three"));
+        assertEquals(BoardState.CLOSED, board.state());
+        assertEquals(List.of(), fake.performed());
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void close_fromTheListener_endsTheSession() throws Exception {
+        CountDownLatch closed = new CountDownLatch(1);
+        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                board.close();
+                closed.countDown();
+            }
+        });
+        fake.receive("tell;x");
+        closed.await();
+        board.close();
+        assertEquals(BoardState.CLOSED, board.state());
+    }
+
+    @Test
+    void close_noPort_endsAtOnce() {
+        port.unplug();
+        board = Board.open(port, BoardConfig.create(
+                builder -> builder.setReopenInterval(Duration.ofHours(1))), listener);
+        board.close();
+        assertEquals(BoardState.CLOSED, board.state());
+    }
+
+    @Test
+    void config_valuesOutOfRange_throw() {
+        assertThrows(IllegalArgumentException.class, () -> BoardConfig.create(config -> config.setAttempts(0)));
+        assertThrows(IllegalArgumentException.class,
+                () -> BoardConfig.create(config -> config.setPollInterval(Duration.ZERO)));
+    }
+}

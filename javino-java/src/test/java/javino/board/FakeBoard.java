@@ -1,0 +1,211 @@
+package javino.board;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import javino.link.InMemoryLink;
+import javino.link.LinkException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
+import javino.protocol.Packet;
+import javino.protocol.PacketDecoder;
+import javino.protocol.Status;
+
+/**
+ * A board as SPEC 4.2 and 4.3 want it, at the far end of an in-memory link, with faults to order.
+ * It answers on a thread of its own, which ends with the link.
+ */
+final class FakeBoard {
+
+    private static final Bytes ACCEPTED = Bytes.of(0);
+
+    /** The commands that were performed, in order, as text; polls and hellos left out. */
+    private final List<String> performed = new ArrayList<>();
+
+    private final List<String> percepts = new ArrayList<>();
+    private final List<Bytes> queued = new ArrayList<>();
+    private int firstNumber;
+    private String rfId = "++++";
+    private int version = 1;
+    private int bootCount = 1;
+    private boolean greeted;
+    private boolean silent;
+    private int hellos;
+    private int polls;
+    private Fault fault = reply -> reply;
+    private Predicate<Bytes> loses = message -> false;
+    private Bytes lastRequest = Bytes.EMPTY;
+    private Bytes lastReply = Bytes.EMPTY;
+
+    /** Changes the bytes of a reply on their way. */
+    interface Fault {
+        Bytes apply(Bytes reply);
+    }
+
+    /** Serves the board's end of a link until it is closed. */
+    void serve(InMemoryLink link) {
+        Thread thread = new Thread(() -> run(link), "fake board");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void run(InMemoryLink link) {
+        PacketDecoder decoder = new PacketDecoder();
+        byte[] buffer = new byte[1024];
+        try {
+            while (true) {
+                int count = link.read(buffer, Duration.ofSeconds(60));
+                for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
+                    if (result instanceof PacketDecoder.Found found) {
+                        answer(found.packet(), link);
+                    }
+                }
+            }
+        } catch (LinkException e) {
+            // The link's end is the board's.
+            return;
+        }
+    }
+
+    private synchronized void answer(Packet request, InMemoryLink link) throws LinkException {
+        if (silent || loses.test(request.frame().message())) {
+            return;
+        }
+        if (!request.encode().equals(lastRequest)) {
+            Bytes message = perform(request.frame());
+            lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
+            lastRequest = request.encode();
+        }
+        link.write(fault.apply(lastReply).toArray());
+    }
+
+    private Bytes perform(Frame frame) {
+        Bytes message = frame.message();
+        if (!frame.destination().equals(Address.SERIAL)) {
+            return greeted ? record("transmit " + frame.header(), Bytes.of(0, 7)) : status(Status.NOT_GREETED);
+        }
+        int command = message.at(0);
+        if (command == 'H') {
+            greeted = true;
+            hellos++;
+            notifyAll();
+            return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(bootCount, 3),
+                    Bytes.ofText("fake"));
+        }
+        if (!greeted) {
+            return status(Status.NOT_GREETED);
+        }
+        return switch (command) {
+            case 'P' -> poll(message);
+            case 'A' -> act(message);
+            case 'I' -> {
+                rfId = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
+                yield record("id " + rfId, ACCEPTED);
+            }
+            case 'R' -> record("radio " + message.at(1), ACCEPTED);
+            case 'K' -> record("key", Bytes.of(0, 1, 2, 3));
+            case 'S' -> record("statistics", Bytes.of(0, 1, 0, 0, 0, 9));
+            case 'L' -> record("list", Bytes.join(Bytes.of(0), Bytes.ofText("SUPO"), Bytes.of(1, 2, 3)));
+            default -> status(Status.UNKNOWN_COMMAND);
+        };
+    }
+
+    private Bytes act(Bytes message) {
+        String action = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
+        return action.equals("unknown") ? status(Status.UNKNOWN_ACTION) : record(action, ACCEPTED);
+    }
+
+    private Bytes poll(Bytes message) {
+        polls++;
+        notifyAll();
+        if (message.length() == 3) {
+            int index = message.at(2) - firstNumber & 0xFF;
+            if (index < queued.size()) {
+                queued.subList(0, index + 1).clear();
+                firstNumber = message.at(2) + 1 & 0xFF;
+            }
+        }
+        Bytes reply = Bytes.of(0, queued.size() > 1 ? 1 : 0);
+        if ((message.at(1) & 1) != 0) {
+            for (String percept : percepts) {
+                reply = Bytes.join(reply, item('P', Bytes.copyOf(percept.getBytes(
+                        StandardCharsets.ISO_8859_1))));
+            }
+        }
+        if (!queued.isEmpty()) {
+            reply = Bytes.join(reply, item('M', Bytes.join(Bytes.of(firstNumber), queued.get(0))));
+        }
+        return reply;
+    }
+
+    private static Bytes item(char type, Bytes value) {
+        return Bytes.join(Bytes.of(type), Bytes.ofNumber(value.length(), 2), value);
+    }
+
+    private Bytes record(String what, Bytes reply) {
+        performed.add(what);
+        notifyAll();
+        return reply;
+    }
+
+    private static Bytes status(Status status) {
+        return Bytes.of(status.ordinal());
+    }
+
+    synchronized void setVersion(int newVersion) {
+        version = newVersion;
+    }
+
+    synchronized void setSilent(boolean isSilent) {
+        silent = isSilent;
+    }
+
+    /** Has each reply pass through a fault. */
+    synchronized void setFault(Fault newFault) {
+        fault = newFault;
+    }
+
+    /** Has requests get lost whose message the predicate names. */
+    synchronized void setLoses(Predicate<Bytes> lost) {
+        loses = lost;
+    }
+
+    /** ISO 8859-1, so that percepts can be no UTF-8. */
+    synchronized void setPercepts(String... literals) {
+        percepts.clear();
+        percepts.addAll(List.of(literals));
+    }
+
+    /** Queues a message from ROMA to all. */
+    synchronized void receive(String content) {
+        queued.add(Bytes.join(Bytes.ofText("////ROMA"), Bytes.ofText(content)));
+    }
+
+    /** Boots anew: it must be greeted, and forgets what it had queued. */
+    synchronized void reset() {
+        greeted = false;
+        bootCount++;
+        queued.clear();
+        firstNumber = 0;
+        lastRequest = Bytes.EMPTY;
+    }
+
+    synchronized List<String> performed() {
+        return List.copyOf(performed);
+    }
+
+    /** Waits until it was polled so many times more. */
+    synchronized void awaitPolls(int more) throws InterruptedException {
+        int wanted = polls + more;
+        while (polls < wanted) {
+            wait();
+        }
+    }
+
+    synchronized int hellos() {
+        return hellos;
+    }
+}
