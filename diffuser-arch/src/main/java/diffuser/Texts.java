@@ -1,9 +1,16 @@
 package diffuser;
 
+import java.util.Set;
+
 import jason.JasonException;
+import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
-import jason.asSyntax.Literal;
+import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
+import jason.asSyntax.Literal;
+import jason.asSyntax.LiteralImpl;
+import jason.asSyntax.Pred;
+import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
@@ -13,6 +20,9 @@ import javino.protocol.Force;
 
 /** Turns terms into the texts that travel, and texts into terms (SPEC 3). */
 public final class Texts {
+
+    private static final Set<Class<?>> LITERALS =
+            Set.of(Atom.class, Structure.class, Pred.class, LiteralImpl.class);
 
     private Texts() {
     }
@@ -57,34 +67,36 @@ public final class Texts {
 
     /** Reads a percept: a literal without variables. */
     static Literal readPercept(String text) throws MalformedTextException {
-        if (!(read(text) instanceof Literal literal) || !isBelief(literal)) {
+        Term term = read(text);
+        if (!isBelief(term)) {
             throw new MalformedTextException(text, "a belief was expected");
         }
-        if (!literal.isGround()) {
+        if (!term.isGround()) {
             throw new MalformedTextException(text, "it has a variable");
         }
-        return literal;
+        return (Literal) term;
     }
 
     /** Reads what a message says: a belief or goal, or a list of such. */
     static Term readContent(String text) throws MalformedTextException {
         Term term = read(text);
-        boolean understood = term instanceof ListTerm list
-                ? list.stream().allMatch(Texts::isBelief)
-                : isBelief(term);
+        // A variable is an instance of ListTerm, too.
+        boolean understood = term.isList() ? ((ListTerm) term).stream().allMatch(Texts::isBelief) : isBelief(term);
         if (!understood) {
             throw new MalformedTextException(text, "a belief, a goal or a list of such was expected");
         }
         return term;
     }
 
+    /** Plain literals only: Jason's classes for variables, formulas, plans and internal actions extend these. */
     private static boolean isBelief(Term term) {
-        return term.isLiteral() && !term.isInternalAction() && !term.isVar() && !term.isRule();
+        return LITERALS.contains(term.getClass());
     }
 
     private static Term read(String text) throws MalformedTextException {
         try {
-            return ASSyntax.parseTerm(text);
+            // Evaluated, since Jason parses -3 as an expression and not as a number.
+            return ASSyntax.parseTerm(text).capply(new Unifier());
         } catch (ParseException | TokenMgrError | RuntimeException e) {
             throw new MalformedTextException(text, firstLine(e));
         }

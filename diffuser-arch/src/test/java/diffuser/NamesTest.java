@@ -16,8 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class NamesTest {
 
     @ParameterizedTest
-    @CsvSource(quoteCharacter = '\0', value = {"COM5,COM5", "ttyACM0,ttyACM0", "\"/dev/x y\",/dev/x y", "'COM5',COM5",
-        "roma[source(self)],roma"})
+    @CsvSource(quoteCharacter = '\0', value = {"COM5,COM5", "ttyACM0,ttyACM0", "\"/dev/x y\",/dev/x y", "'COM5',COM5"})
     void of_nameInAnyForm_isRead(String text, String name) throws Exception {
         assertEquals(Optional.of(name), Names.of(ASSyntax.parseTerm(text)));
     }
