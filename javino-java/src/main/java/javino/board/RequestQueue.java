@@ -112,27 +112,26 @@ final class RequestQueue {
         }
     }
 
-    /**
-     * Refuses all further requests; the first reason given stands.
-     *
-     * @return whether it was open.
-     */
-    boolean close(String why) {
+    /** Refuses all further requests; the first reason given stands. */
+    void close(String why) {
         lock.lock();
         try {
-            boolean first = closedWhy == null;
-            closedWhy = first ? why : closedWhy;
+            closedWhy = closedWhy == null ? why : closedWhy;
             changed.signal();
-            return first;
         } finally {
             lock.unlock();
         }
     }
 
     boolean isClosed() {
+        return closedWhy() != null;
+    }
+
+    /** Why it was closed; null while it is open. */
+    String closedWhy() {
         lock.lock();
         try {
-            return closedWhy != null;
+            return closedWhy;
         } finally {
             lock.unlock();
         }

@@ -73,7 +73,7 @@ final class Session implements Runnable {
         if (state != BoardState.INCOMPATIBLE) {
             state = BoardState.CLOSED;
         }
-        queue.drain().forEach(request -> request.failOffline("the session has ended"));
+        queue.drain().forEach(request -> request.failOffline(queue.closedWhy()));
     }
 
     private void useLink(Link link) throws LinkException {
@@ -130,9 +130,9 @@ final class Session implements Runnable {
             String why = opener.name() + ": the board speaks version " + board.protocolVersion()
                     + " of the protocol and this program version " + Request.PROTOCOL_VERSION
                     + "; flash a sketch that was built with the same release of Javino";
-            goOffline(why);
             queue.close(why);
             state = BoardState.INCOMPATIBLE;
+            tellOffline(why);
             return false;
         }
         tally.count(SessionCounter.GREETINGS);
@@ -247,7 +247,13 @@ final class Session implements Runnable {
             queue.drain().forEach(request -> request.failOffline(why));
         }
         // Who closed the session knows it.
-        if (!Objects.equals(why, offlineWhy) && !queue.isClosed()) {
+        if (!queue.isClosed()) {
+            tellOffline(why);
+        }
+    }
+
+    private void tellOffline(String why) {
+        if (!Objects.equals(why, offlineWhy)) {
             offlineWhy = why;
             listener.offline(why);
         }
