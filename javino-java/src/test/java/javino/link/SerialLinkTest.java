@@ -1,0 +1,32 @@
+package javino.link;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What needs no port; the whole-system tests talk through real pseudo-terminals. */
+class SerialLinkTest {
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ttyNobodyHasThis", "./build/ttyNobodyHasThis", "/dev/ttyNobodyHasThis", "build/null", ""})
+    void open_noSuchPort_throwsWithItsName(String name) {
+        LinkException e = assertThrows(LinkException.class, () -> SerialLink.opener(name).open());
+        assertEquals(name, e.port());
+        assertTrue(e.getMessage().startsWith(name + ": "), e.getMessage());
+    }
+
+    @Test
+    void open_noSerialPort_throws(@TempDir Path folder) throws IOException {
+        Path file = Files.createFile(folder.resolve("file"));
+        LinkException e = assertThrows(LinkException.class, () -> SerialLink.opener(file.toString()).open());
+        assertTrue(e.getMessage().contains("cannot be opened"), e.getMessage());
+    }
+}
