@@ -18,9 +18,8 @@ volatile uint8_t *txRegister;
 uint8_t txBit;
 volatile uint8_t *rxRegister;
 uint8_t rxBit;
-volatile uint8_t *rxEdgeMask;  // PCMSK0, 1 or 2
-uint8_t rxEdgeBit;
-uint8_t rxEdgeFlag;            // in PCIFR, which mirrors PCICR
+volatile uint8_t *rxEdgeMask;  // PCMSK0, 1 or 2; its bits are those of the port, on Mega and Uno alike
+uint8_t rxEdgeFlag;            // in PCICR and PCIFR
 
 }  // namespace
 
@@ -43,7 +42,8 @@ uint32_t ticksPerSecond() { return F_CPU / PRESCALER; }
 
 bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
   if (rxPin >= NUM_DIGITAL_PINS || txPin >= NUM_DIGITAL_PINS || rxPin == txPin) return false;
-  if (!digitalPinToPCICR(rxPin)) return false;
+  rxEdgeMask = digitalPinToPCMSK(rxPin);
+  if (!rxEdgeMask) return false;
 
   InterruptLock lock;
   modem = &radio;
@@ -54,10 +54,8 @@ bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
   txBit = digitalPinToBitMask(txPin);
   rxRegister = portInputRegister(digitalPinToPort(rxPin));
   rxBit = digitalPinToBitMask(rxPin);
-  rxEdgeMask = digitalPinToPCMSK(rxPin);
-  rxEdgeBit = _BV(digitalPinToPCMSKbit(rxPin));
-  rxEdgeFlag = _BV(digitalPinToPCICRbit(rxPin));
-  *digitalPinToPCICR(rxPin) |= rxEdgeFlag;
+  rxEdgeFlag = static_cast<uint8_t>(_BV(rxEdgeMask - &PCMSK0));
+  PCICR |= rxEdgeFlag;
 
   TIMSK1 = 0;
   TCCR1A = 0;
@@ -81,9 +79,9 @@ void clearAlarm() {
 void watchEdges(bool on) {
   if (on) {
     PCIFR = rxEdgeFlag;
-    *rxEdgeMask |= rxEdgeBit;
+    *rxEdgeMask |= rxBit;
   } else {
-    *rxEdgeMask &= static_cast<uint8_t>(~rxEdgeBit);
+    *rxEdgeMask &= static_cast<uint8_t>(~rxBit);
     PCIFR = rxEdgeFlag;
   }
 }

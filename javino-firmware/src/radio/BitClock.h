@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "OutOfLine.h"
+
 namespace javino {
 
 /// Finds the bits in a line that is known by its changes of level: a phase-locked loop with integrate-and-dump.
@@ -22,7 +24,7 @@ class BitClock {
   /// @param ticks how long the line was at this level; on return, how much of that is still to be gone through
   /// @param bit set where a window ended
   /// @return whether a window ended; to be called again as long as one did.
-  bool advance(uint16_t &ticks, bool level, bool &bit);
+  JAVINO_OUT_OF_LINE bool advance(uint16_t &ticks, bool level, bool &bit);
 
  private:
   uint16_t step(uint16_t ticks) const;

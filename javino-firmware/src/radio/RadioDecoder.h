@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../framing/Crc16.h"
+#include "OutOfLine.h"
 #include "RadioQueue.h"
 #include "Radio.h"
 
@@ -17,7 +18,7 @@ class RadioDecoder {
   RadioDecoder(RadioQueue &queue, RadioCounters &counters);
 
   /// Takes the next bit from the air.
-  void add(bool bit);
+  JAVINO_OUT_OF_LINE void add(bool bit);
 
   /// Forgets all bits; a packet under way counts as missed, since it is the receiver that leaves it.
   void abandon();
