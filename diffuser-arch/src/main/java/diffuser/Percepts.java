@@ -1,7 +1,10 @@
 package diffuser;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 
 import jason.asSyntax.ASSyntax;
@@ -17,7 +20,8 @@ final class Percepts {
     private final Warnings warnings;
     private final AtomicLong malformed = new AtomicLong();
     private List<Literal> state = List.of();
-    private List<Literal> sensors = List.of();
+    /** By their texts, so that only those that changed are parsed: that takes a third of a millisecond each. */
+    private Map<String, Literal> sensors = Map.of();
     private boolean open;
     private volatile List<Literal> snapshot = List.of();
 
@@ -41,7 +45,7 @@ final class Percepts {
         state = List.of(ASSyntax.createLiteral("port",
                 ASSyntax.createString(port), ASSyntax.createAtom(on ? "on" : "off")));
         if (!on) {
-            sensors = List.of();
+            sensors = Map.of();
         }
         compose();
     }
@@ -54,17 +58,27 @@ final class Percepts {
 
     /** Replaces what the sensors say; texts that are no beliefs are left out, counted and reported, one by one. */
     synchronized void sensors(List<String> texts) {
-        List<Literal> literals = new ArrayList<>(texts.size());
+        Map<String, Literal> now = new LinkedHashMap<>();
         for (String text : texts) {
-            try {
-                literals.add(Texts.readPercept(text));
-            } catch (MalformedTextException e) {
-                malformed.incrementAndGet();
-                warnings.once("skipped a percept of the board on " + port + " that is no AgentSpeak, " + e.getMessage());
+            Literal known = sensors.get(text);
+            if (known != null) {
+                now.put(text, known);
+            } else {
+                read(text).ifPresent(literal -> now.put(text, literal));
             }
         }
-        sensors = List.copyOf(literals);
+        sensors = now;
         compose();
+    }
+
+    private Optional<Literal> read(String text) {
+        try {
+            return Optional.of(Texts.readPercept(text));
+        } catch (MalformedTextException e) {
+            malformed.incrementAndGet();
+            warnings.once("skipped a percept of the board on " + port + " that is no AgentSpeak, " + e.getMessage());
+            return Optional.empty();
+        }
     }
 
     /** How many percepts were left out as malformed. */
@@ -75,7 +89,7 @@ final class Percepts {
     private void compose() {
         List<Literal> all = new ArrayList<>(state);
         if (open) {
-            all.addAll(sensors);
+            all.addAll(sensors.values());
         }
         snapshot = List.copyOf(all);
     }
