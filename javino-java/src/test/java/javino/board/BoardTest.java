@@ -147,7 +147,7 @@ class BoardTest {
     void requests_eachKind_bringTheirAnswers() throws Exception {
         openAndAwaitOnline();
         Key key = Key.ofHex("00".repeat(16));
-        assertEquals("010203", board.setKey(Address.parse("SUPO"), key).get().hex());
+        assertEquals(key.check(), board.setKey(Address.parse("SUPO"), key).get());
         assertEquals("SUPO", board.keys().get().get(0).address().toString());
         assertEquals(9, board.statistics().get().get(Counter.SERIAL_REQUESTS));
         assertEquals(Status.UNKNOWN_COMMAND,

@@ -10,6 +10,7 @@ import javino.link.LinkException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
+import javino.protocol.Key;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Status;
@@ -18,11 +19,10 @@ import javino.protocol.Status;
  * A board as SPEC 4.2 and 4.3 want it, at the far end of an in-memory link, with faults to order.
  * It answers on a thread of its own, which ends with the link.
  */
-final class FakeBoard {
+public final class FakeBoard {
 
     private static final Bytes ACCEPTED = Bytes.of(0);
 
-    /** The commands that were performed, in order, as text; polls and hellos left out. */
     private final List<String> performed = new ArrayList<>();
 
     private final List<String> percepts = new ArrayList<>();
@@ -33,6 +33,7 @@ final class FakeBoard {
     private int bootCount = 1;
     private boolean greeted;
     private boolean silent;
+    private boolean corruptsKeys;
     private int hellos;
     private int polls;
     private Fault fault = reply -> reply;
@@ -106,7 +107,8 @@ final class FakeBoard {
                 yield record("id " + rfId, ACCEPTED);
             }
             case 'R' -> record("radio " + message.at(1), ACCEPTED);
-            case 'K' -> record("key", Bytes.of(0, 1, 2, 3));
+            case 'K' -> record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3)
+                    : Key.of(message.from(1 + Address.LENGTH)).check()));
             case 'S' -> record("statistics", Bytes.of(0, 1, 0, 0, 0, 9));
             case 'L' -> record("list", Bytes.join(Bytes.of(0), Bytes.ofText("SUPO"), Bytes.of(1, 2, 3)));
             default -> status(Status.UNKNOWN_COMMAND);
@@ -163,6 +165,11 @@ final class FakeBoard {
         silent = isSilent;
     }
 
+    /** Has the board answer wrong check values. */
+    public synchronized void setCorruptsKeys(boolean corrupts) {
+        corruptsKeys = corrupts;
+    }
+
     /** Has each reply pass through a fault. */
     synchronized void setFault(Fault newFault) {
         fault = newFault;
@@ -193,7 +200,8 @@ final class FakeBoard {
         lastRequest = Bytes.EMPTY;
     }
 
-    synchronized List<String> performed() {
+    /** The commands that were performed, in order, as text; polls and hellos left out. */
+    public synchronized List<String> performed() {
         return List.copyOf(performed);
     }
 

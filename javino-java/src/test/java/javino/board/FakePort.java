@@ -6,13 +6,14 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 
 /** A port to which a fake board is plugged, or not. */
-final class FakePort implements LinkOpener {
+public final class FakePort implements LinkOpener {
 
     private final FakeBoard board;
     private boolean plugged = true;
     private InMemoryLink open;
 
-    FakePort(FakeBoard board) {
+    /** @param board plugged at first. */
+    public FakePort(FakeBoard board) {
         this.board = board;
     }
 

@@ -1,0 +1,48 @@
+package javino.cli;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.protocol.Address;
+import javino.protocol.BoardInfo;
+import javino.protocol.Counter;
+import javino.protocol.Reply;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code javino info}: shows a board. */
+@Command(name = "info", description = "Shows who a board is, which keys it has (never the keys), and its counters.")
+final class InfoCommand implements Callable<Integer> {
+
+    @Mixin
+    private PortOption port;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws JavinoException, InterruptedException {
+        try (Board board = port.open()) {
+            print(board, spec.commandLine().getOut());
+        }
+        return 0;
+    }
+
+    static void print(Board board, PrintWriter out) throws JavinoException, InterruptedException {
+        Map<Counter, Long> counters = Await.result(board.statistics());
+        List<Reply.StoredKey> keys = Await.result(board.keys());
+        // Both were answered, so the board was greeted.
+        BoardInfo info = board.info().orElseThrow();
+        out.println("firmware          " + info.firmware());
+        out.println("protocol version  " + info.protocolVersion());
+        out.println("RF id             " + info.rfId().map(Address::toString).orElse("none"));
+        out.println("boot count        " + info.bootCount());
+        keys.forEach(key -> out.println("key               " + key.address() + ", check value " + key.check()));
+        counters.forEach((counter, value) -> out.printf("%-18s%d%n", counter, value));
+    }
+}

@@ -1,0 +1,116 @@
+package javino.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import javino.protocol.Address;
+import javino.protocol.Key;
+
+/**
+ * The keys of a set of devices, as a text of lines {@code ROMA SUPO = <32 hex digits>} for a pair of devices and
+ * {@code //SU = <32 hex digits>} for a group; empty lines and what follows a {@code #} count for nothing.
+ */
+final class Keyring {
+
+    private final Map<Members, Key> keys = new LinkedHashMap<>();
+
+    /**
+     * Who shares a key.
+     *
+     * @param first  a device, or a group's multicast address.
+     * @param second the other device; null for a group.
+     */
+    private record Members(Address first, Address second) {
+
+        @Override
+        public String toString() {
+            return second == null ? first.toString() : first + " " + second;
+        }
+    }
+
+    /** Reads a file; @throws IllegalArgumentException naming file and line if it is no keyring. */
+    static Keyring read(Path file) throws IOException {
+        Keyring keyring = new Keyring();
+        List<String> lines = Files.readAllLines(file);
+        for (int i = 0; i < lines.size(); i++) {
+            String line = lines.get(i).replaceFirst("#.*", "").strip();
+            try {
+                if (!line.isEmpty()) {
+                    keyring.addLine(line);
+                }
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException(file + ", line " + (i + 1) + ": " + e.getMessage(), e);
+            }
+        }
+        return keyring;
+    }
+
+    private void addLine(String line) {
+        String[] sides = line.split("=", -1);
+        String[] names = sides[0].strip().split("\\s+");
+        if (sides.length != 2 || names.length > 2) {
+            // Without the line itself, which may hold a key.
+            throw new IllegalArgumentException("expected ROMA SUPO = key, or //SU = key");
+        }
+        Key key = Key.ofHex(sides[1].strip());
+        if (names.length == 2) {
+            addPair(Address.parse(names[0]), Address.parse(names[1]), key);
+        } else {
+            addGroup(Address.parse(names[0]), key);
+        }
+    }
+
+    /** @throws IllegalArgumentException if they are not two devices, or have a key already. */
+    void addPair(Address one, Address other, Key key) {
+        if (one.kind() != Address.Kind.DEVICE || other.kind() != Address.Kind.DEVICE || one.equals(other)) {
+            throw new IllegalArgumentException("a pair is two different devices, not " + one + " and " + other);
+        }
+        add(one.value() < other.value() ? new Members(one, other) : new Members(other, one), key);
+    }
+
+    /** @throws IllegalArgumentException if it is no group, or has a key already. */
+    void addGroup(Address group, Key key) {
+        if (group.kind() != Address.Kind.MULTICAST) {
+            throw new IllegalArgumentException("a group is written as //SU, and a pair as ROMA SUPO, not " + group);
+        }
+        add(new Members(group, null), key);
+    }
+
+    private void add(Members members, Key key) {
+        if (keys.putIfAbsent(members, key) != null) {
+            throw new IllegalArgumentException("there are two keys for " + members);
+        }
+    }
+
+    /** The keys that a device needs, by whom it shares them with. */
+    Map<Address, Key> keysOf(Address device) {
+        Map<Address, Key> needed = new LinkedHashMap<>();
+        keys.forEach((members, key) -> {
+            if (members.second == null) {
+                if (members.first.member().equals(device.group())) {
+                    needed.put(members.first, key);
+                }
+            } else if (members.first.equals(device)) {
+                needed.put(members.second, key);
+            } else if (members.second.equals(device)) {
+                needed.put(members.first, key);
+            }
+        });
+        return needed;
+    }
+
+    int size() {
+        return keys.size();
+    }
+
+    /** As the file's text. */
+    String format() {
+        return keys.entrySet().stream()
+                .map(entry -> entry.getKey() + " = " + entry.getValue().bytes().hex() + "\n")
+                .collect(Collectors.joining());
+    }
+}

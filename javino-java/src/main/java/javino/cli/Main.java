@@ -1,0 +1,55 @@
+package javino.cli;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.NoSuchFileException;
+import javino.JavinoException;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
+
+/** The {@code javino} command. */
+@Command(name = "javino", description = "Sets up and inspects Javino boards.",
+        subcommands = {InfoCommand.class, KeygenCommand.class, ProvisionCommand.class})
+public final class Main {
+
+    @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")
+    private boolean help;
+
+    private Main() {
+    }
+
+    /** Runs a subcommand and exits with its code. */
+    public static void main(String[] args) {
+        System.exit(commandLine().execute(args));
+    }
+
+    /** The command, whose errors are one line each. */
+    static CommandLine commandLine() {
+        CommandLine commandLine = new CommandLine(new Main());
+        commandLine.setParameterExceptionHandler((e, args) -> {
+            e.getCommandLine().getErr().println("javino: " + e.getMessage() + " (try --help)");
+            return CommandLine.ExitCode.USAGE;
+        });
+        commandLine.setExecutionExceptionHandler((e, command, parsed) -> {
+            if (!(e instanceof JavinoException || e instanceof IOException || e instanceof IllegalArgumentException)) {
+                throw e;
+            }
+            command.getErr().println("javino: " + describe(e));
+            return CommandLine.ExitCode.SOFTWARE;
+        });
+        return commandLine;
+    }
+
+    /** Exceptions about files often say no more than the file's name. */
+    private static String describe(Exception e) {
+        if (e instanceof NoSuchFileException) {
+            return e.getMessage() + ": there is no such file";
+        }
+        if (e instanceof FileAlreadyExistsException) {
+            return e.getMessage() + ": the file is there already; move it away first";
+        }
+        return e instanceof IOException ? e.getClass().getSimpleName() + ": " + e.getMessage() : e.getMessage();
+    }
+}
