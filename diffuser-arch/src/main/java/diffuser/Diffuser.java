@@ -37,9 +37,9 @@ public class Diffuser extends AgArch {
 
     private static final long serialVersionUID = 1L;
 
-    private final transient Warnings warnings = new Warnings(() -> getTS().getLogger());
-    private final transient Inbox inbox = new Inbox(warnings);
-    private final transient ActionRouter router = new ActionRouter(this, super::act, warnings);
+    private transient Warnings warnings;
+    private transient Inbox inbox;
+    private transient ActionRouter router;
     private transient Wishes wishes = Wishes.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
@@ -47,6 +47,15 @@ public class Diffuser extends AgArch {
     /** What the architectures behind this one perceive; they answer null as long as that has not changed. */
     private transient Collection<Literal> othersPercepts = List.of();
     private transient List<Literal> boardPercepts = List.of();
+
+    /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
+    @Override
+    public void init() throws Exception {
+        super.init();
+        warnings = new Warnings(() -> getTS().getLogger());
+        inbox = new Inbox(warnings);
+        router = new ActionRouter(this, super::act, warnings);
+    }
 
     /**
      * The Diffuser among an agent's architectures.
