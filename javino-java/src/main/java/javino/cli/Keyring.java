@@ -32,7 +32,11 @@ final class Keyring {
         }
     }
 
-    /** Reads a file; @throws IllegalArgumentException naming file and line if it is no keyring. */
+    /**
+     * Reads a file.
+     *
+     * @throws IllegalArgumentException naming file and line if it is no keyring; without any key.
+     */
     static Keyring read(Path file) throws IOException {
         Keyring keyring = new Keyring();
         List<String> lines = Files.readAllLines(file);
