@@ -24,9 +24,6 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
     : rxPin_(rxPin),
       txPin_(txPin),
       bitTicks_(ticksPerBit(bitRate)),
-      counters_(),
-      decoder_(queue_, counters_),
-      bitClock_(bitTicks_),
       ready_(false),
       open_(false),
       sending_(false),
@@ -35,7 +32,10 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
       alarm_(0),
       silentAlarms_(SILENCE_ALARMS),
       heardUntil_(0),
-      level_(false) {}
+      level_(false),
+      bitClock_(bitTicks_),
+      decoder_(queue_, counters_),
+      counters_() {}
 
 bool AskRadio::begin() {
   ready_ = bitTicks_ != 0 && askhardware::begin(rxPin_, txPin_, *this);

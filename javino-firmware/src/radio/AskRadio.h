@@ -53,12 +53,7 @@ class AskRadio : public Radio {
   const uint8_t txPin_;
   const uint16_t bitTicks_;  // 0 for a bit rate that cannot be had
 
-  RadioCounters counters_;
-  RadioQueue queue_;
-  RadioDecoder decoder_;
-  BitClock bitClock_;
-  RadioEncoder encoder_;
-
+  // The small fields first: gcc reaches the first 63 bytes of an object in one instruction (240 bytes of flash less).
   bool ready_;              // begin() succeeded
   bool open_;               // the sketch wants to hear
   volatile bool sending_;
@@ -68,6 +63,12 @@ class AskRadio : public Radio {
   uint8_t silentAlarms_;    // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
   uint16_t heardUntil_;     // the time up to which the line has been heard
   bool level_;              // of the line since then
+
+  BitClock bitClock_;
+  RadioDecoder decoder_;
+  RadioCounters counters_;
+  RadioEncoder encoder_;
+  RadioQueue queue_;
 };
 
 }  // namespace javino

@@ -27,11 +27,11 @@ class RadioEncoder {
   uint8_t symbolAt(uint8_t index) const;
   uint8_t symbolCount() const { return static_cast<uint8_t>(linecode::PREAMBLE_SYMBOLS + 2 * packetLength_); }
 
-  uint8_t packet_[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD];
   uint8_t packetLength_;
   uint8_t symbolIndex_;  // of the symbol under way
   uint8_t symbol_;       // its bits that are still to go, the next one lowest
   uint8_t bitsLeft_;     // how many of them; 0 only when all is sent
+  uint8_t packet_[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD];
 };
 
 }  // namespace javino

@@ -40,9 +40,9 @@ class RadioQueue {
 
   void release();
 
-  Slot slots_[CAPACITY];
   uint8_t writeIndex_;
   uint8_t readIndex_;
+  Slot slots_[CAPACITY];
 };
 
 }  // namespace javino
