@@ -45,7 +45,8 @@ public final class Board implements AutoCloseable {
     private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
         this.config = config;
         queue = new RequestQueue(config.queueCapacity());
-        session = new Session(opener, config, queue, wishes, tally, new ListenerGuard(listener, tally));
+        session = new Session(opener, new Context(opener.name(), config, queue, wishes, tally,
+                new ListenerGuard(listener, tally)));
         thread = new Thread(session, "javino " + opener.name());
         thread.setDaemon(true);
     }

@@ -18,6 +18,7 @@ public interface BoardListener {
 
     /**
      * The board cannot be reached. Called once for each reason, however often the session tries again.
+     * What it perceived holds no longer; where percepts are wanted, they are told anew after {@link #online}.
      *
      * @param why one line.
      */

@@ -35,15 +35,6 @@ final class Exchange {
     }
 
     /**
-     * A reply, and what was needed to get it.
-     *
-     * @param reply    the board's.
-     * @param attempts how often the request was sent, at least 1.
-     */
-    record Answer(Reply reply, int attempts) {
-    }
-
-    /**
      * Sends a request until it is answered.
      *
      * @param timeout how long each attempt waits.
@@ -52,7 +43,7 @@ final class Exchange {
      * @throws LinkException     if the link broke.
      * @throws ProtocolException if the reply makes no sense.
      */
-    Optional<Answer> ask(Request request, Duration timeout, IntPredicate again)
+    Optional<Reply> ask(Request request, Duration timeout, IntPredicate again)
             throws LinkException, ProtocolException {
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new Packet(sequence, request.frame()).encode();
@@ -67,7 +58,7 @@ final class Exchange {
             attempts++;
             Optional<Packet> reply = awaitReply(Deadline.in(timeout));
             if (reply.isPresent()) {
-                return Optional.of(new Answer(Reply.decode(reply.get().frame()), attempts));
+                return Optional.of(Reply.decode(reply.get().frame()));
             }
         } while (again.test(attempts));
         return Optional.empty();

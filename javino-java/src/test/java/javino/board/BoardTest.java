@@ -16,6 +16,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import javino.link.Link;
+import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -348,6 +350,44 @@ class BoardTest {
         String warning = listener.next();
         assertTrue(warning.startsWith("warning a message from ROMA was skipped: BAD_CONTENT"), warning);
         assertEquals("message ROMA tell;sense", listener.next());
+    }
+
+    @Test
+    void polls_repliesMakeNoSense_areCountedAndWarnedOfOnce() throws Exception {
+        openAndAwaitOnline();
+        fake.setBadPolls(true);
+        String warning = listener.next();
+        assertTrue(warning.startsWith("warning replies to polls are dropped: BAD_REPLY"), warning);
+        fake.awaitPolls(3);
+        assertEquals(List.of(), listener.rest());
+        assertTrue(board.counters().get(SessionCounter.BAD_REPLIES) > 1);
+        fake.setBadPolls(false);
+        fake.receive("tell;x");
+        assertEquals("message ROMA tell;x", listener.next());
+    }
+
+    @Test
+    void link_throwingWhatItShouldNot_endsTheSessionAndFailsRequests() throws Exception {
+        CompletableFuture<Throwable> uncaught = new CompletableFuture<>();
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> uncaught.complete(thrown));
+        try {
+            board = Board.open(new LinkOpener() {
+                @Override
+                public Link open() {
+                    throw new IllegalStateException("thrown by a test");
+                }
+
+                @Override
+                public String name() {
+                    return "broken";
+                }
+            }, BoardConfig.create(BoardTest::quick), listener);
+            assertEquals("thrown by a test", uncaught.get().getMessage());
+            failure(BoardOfflineException.class, board.act("stop"));
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
     }
 
     @Test

@@ -34,6 +34,7 @@ public final class FakeBoard {
     private boolean greeted;
     private boolean silent;
     private boolean corruptsKeys;
+    private boolean badPolls;
     private int hellos;
     private int polls;
     private Fault fault = reply -> reply;
@@ -123,6 +124,9 @@ public final class FakeBoard {
     private Bytes poll(Bytes message) {
         polls++;
         notifyAll();
+        if (badPolls) {
+            return Bytes.of(0, 0, 'P');
+        }
         if (message.length() == 3) {
             int index = message.at(2) - firstNumber & 0xFF;
             if (index < queued.size()) {
@@ -163,6 +167,11 @@ public final class FakeBoard {
 
     synchronized void setSilent(boolean isSilent) {
         silent = isSilent;
+    }
+
+    /** Has the board answer polls with half a record. */
+    synchronized void setBadPolls(boolean bad) {
+        badPolls = bad;
     }
 
     /** Has the board answer wrong check values. */

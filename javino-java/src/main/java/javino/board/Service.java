@@ -1,0 +1,123 @@
+package javino.board;
+
+import java.time.Duration;
+import javino.link.LinkException;
+import javino.protocol.BoardInfo;
+import javino.protocol.PollReply;
+import javino.protocol.ProtocolError;
+import javino.protocol.ProtocolException;
+import javino.protocol.Reply;
+import javino.protocol.Request;
+import javino.protocol.Status;
+
+/** Serves requests and polls a board that was greeted, until it is lost. For the session's thread only. */
+final class Service {
+
+    private final Context context;
+    private final Exchange exchange;
+    private final Inbox inbox;
+    private Deadline nextPoll = Deadline.in(Duration.ZERO);
+    private boolean pollsFail;
+
+    Service(Context context, Exchange exchange, Inbox inbox) {
+        this.context = context;
+        this.exchange = exchange;
+        this.inbox = inbox;
+    }
+
+    /** The board as it is now. */
+    interface Present {
+        BoardInfo board();
+    }
+
+    /** Opens or blocks the radio as it was wished, since boards start with it blocked. */
+    void restoreRadio() throws LinkException, LostException {
+        Boolean wanted = context.wishes().radio();
+        if (wanted == null) {
+            return;
+        }
+        Request request = new Request.Radio(wanted);
+        try {
+            Status status = ask(request).status();
+            if (status != Status.OK) {
+                context.listener().warning(new RequestFailedException(request.toString(), status).getMessage());
+            }
+        } catch (ProtocolException e) {
+            context.tally().count(SessionCounter.BAD_REPLIES);
+            context.listener().warning("the reply to " + request + " was dropped: " + e.getMessage());
+        }
+    }
+
+    /** Returns when the session was closed. */
+    void run(Present present) throws LinkException, LostException {
+        while (!context.queue().isClosed()) {
+            Pending<?> request = context.queue().next(nextPoll);
+            if (request != null && !request.result().isDone()) {
+                perform(request, present.board());
+            }
+            // No request: it is time, or a wish has changed.
+            if (request == null || nextPoll.passed()) {
+                poll();
+            }
+        }
+    }
+
+    private void perform(Pending<?> pending, BoardInfo board) throws LinkException, LostException {
+        try {
+            pending.answer(ask(pending.source().request(board)));
+        } catch (RequestFailedException e) {
+            pending.fail(e);
+        } catch (ProtocolException e) {
+            context.tally().count(SessionCounter.BAD_REPLIES);
+            pending.fail(e);
+        } catch (LinkException | LostException e) {
+            pending.fail(new OutcomeUnknownException(pending.description(), e.getMessage()));
+            throw e;
+        }
+    }
+
+    private void poll() throws LinkException, LostException {
+        Request.Poll poll = inbox.nextPoll();
+        boolean more = false;
+        try {
+            PollReply reply = pollReply(ask(poll));
+            inbox.take(poll, reply);
+            more = reply.more();
+            pollsFail = false;
+        } catch (ProtocolException e) {
+            context.tally().count(SessionCounter.BAD_REPLIES);
+            // Once for a row of them: there may be fifty a second.
+            if (!pollsFail) {
+                context.listener().warning("replies to polls are dropped: " + e.getMessage());
+            }
+            pollsFail = true;
+        }
+        nextPoll = Deadline.in(more ? Duration.ZERO : context.config().pollInterval());
+    }
+
+    private static PollReply pollReply(Reply reply) throws ProtocolException {
+        if (reply.status() != Status.OK) {
+            throw new ProtocolException(ProtocolError.BAD_REPLY, "poll answered with " + reply.status());
+        }
+        return reply.poll();
+    }
+
+    private Reply ask(Request request) throws LinkException, LostException, ProtocolException {
+        // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
+        Thread.interrupted();
+        Reply reply = exchange.ask(request, context.config().replyTimeout(),
+                attempts -> attempts < context.config().attempts() && !context.queue().isClosed()).orElse(null);
+        if (reply == null && context.queue().isClosed()) {
+            throw new LostException(context.name() + ": the session was closed");
+        }
+        if (reply == null) {
+            context.tally().count(SessionCounter.SILENCES);
+            throw new LostException(context.name() + ": the board left a request unanswered");
+        }
+        if (reply.status() == Status.NOT_GREETED) {
+            context.tally().count(SessionCounter.RESETS);
+            throw new LostException(context.name() + ": the board was reset");
+        }
+        return reply;
+    }
+}
