@@ -1,0 +1,18 @@
+// The ambulance (SUAM) drives off with its siren on, and says so to whoever sent it.
+
+!start.
+
++!start : true <-
+    .print("I am a Diffuser agent");
+    .port("ports/ambulance");
+    .setMyRFId(SUAM);
+    .getRFMessages(open);
+    .print("Ready").
+
++someoneNeedAmbulance[source(Hospital)] <-              // plan 9
+    .print("I am going!!!");
+    .act(sirenOn);
+    .act(drive);
+    .diffuse(Hospital, tell, ambulanceIsComing).
+
+{ include("device.asl") }

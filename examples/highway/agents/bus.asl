@@ -1,0 +1,25 @@
+// The bus (ROMA) drives until something is less than 20 cm ahead; then it asks everyone in range for help.
+
+!start.
+
++!start : true <-                                       // plan 1 of the paper
+    .print("I am a Diffuser agent");
+    .port("ports/bus");
+    .percepts(open);
+    .setMyRFId(ROMA);
+    .getRFMessages(open);
+    .print("Ready");
+    .act(drive).
+
++proximity(Distance) : Distance < 20 & not accident <-  // plan 2
+    +accident;
+    .print("I have suffered an accident!!!");
+    .act(stop);
+    .act(accidentAlert);
+    .print("Asking for help!!");
+    .diffuse(broadcast, tell, help).
+
++helpComing[source(Police)] : accident <-
+    .print("Help is coming, says ", Police).
+
+{ include("device.asl") }

@@ -1,0 +1,56 @@
+package highway;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** The launcher of the five-vehicle scenario: exit status 0 if all nine behaviours were observed, 1 if not. */
+@Command(name = "highway", description = "Runs the five-vehicle scenario on emulated boards.",
+    mixinStandardHelpOptions = true)
+public final class Highway implements Callable<Integer> {
+
+    @Mixin
+    private Options options;
+
+    private Highway() { }
+
+    /** Runs the scenario. */
+    public static void main(String[] arguments) {
+        System.exit(new CommandLine(new Highway()).execute(arguments));
+    }
+
+    @Override
+    public Integer call() {
+        PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
+        Timeline timeline = new Timeline(out, options.coloured());
+        Scenario scenario = new Scenario(options, timeline);
+        Thread atEnd = new Thread(scenario::close, "end everything");
+        Runtime.getRuntime().addShutdownHook(atEnd);
+        try (scenario) {
+            run(scenario, timeline);
+        } catch (IOException | Scenario.BrokenOffException reason) {
+            timeline.note("highway: broken off: " + reason.getMessage());
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        if (options.boardsOnly()) return 0;
+        timeline.table(scenario.behaviours());
+        return scenario.behaviours().stream().allMatch(Behaviour::observed) ? 0 : 1;
+    }
+
+    private void run(Scenario scenario, Timeline timeline)
+            throws IOException, InterruptedException, Scenario.BrokenOffException {
+        scenario.startBoards();
+        scenario.provision();
+        if (options.boardsOnly()) {
+            timeline.note("the boards run; start the agents in this folder, e.g. jacamo bus.jcm; end with Ctrl-C");
+            scenario.stay();
+        }
+        scenario.startAgents();
+        scenario.follow();
+    }
+}

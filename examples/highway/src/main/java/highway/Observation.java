@@ -1,0 +1,25 @@
+package highway;
+
+/** Something that was seen from outside: in what an agent printed, on the air, or at a pin. */
+sealed interface Observation {
+
+    /** Emulated seconds since the boards were switched on. */
+    double seconds();
+
+    /** A line that an agent (or its Java virtual machine) printed. */
+    record Said(double seconds, Device device, String text) implements Observation { }
+
+    /**
+     * A radio packet that was sent.
+     *
+     * @param content the content of a plain frame, empty for a sealed one
+     */
+    record Aired(double seconds, String origin, String destination, boolean sealed, String content)
+            implements Observation { }
+
+    /** A packet that a board could not make out. */
+    record Spoilt(double seconds, Device device, String why) implements Observation { }
+
+    /** A watched actuator pin that changed. */
+    record Pin(double seconds, Device device, String name, int level) implements Observation { }
+}

@@ -1,0 +1,78 @@
+package highway;
+
+import java.io.File;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** What a run can be told on the command line, and the commands that follow from it. */
+final class Options {
+
+    @Option(names = "--emulator", required = true, description = "The emulator's program.")
+    private Path emulator;
+
+    @Option(names = "--radioBitErrorRate", description = "Share of bits that the air inverts, 0 to 1; default: the scenario file's.")
+    private Double radioBitErrorRate;
+
+    @Option(names = "--radioRange", description = "How far the radio reaches, in metres; default: the scenario file's.")
+    private Double radioRange;
+
+    @Option(names = "--seed", defaultValue = "1", description = "Seed of the air's errors; default ${DEFAULT-VALUE}.")
+    private long seed;
+
+    @Option(names = "--timeout", defaultValue = "45",
+        description = "Seconds to wait for what should happen, once all agents are there; default ${DEFAULT-VALUE}.")
+    private int timeout;
+
+    @Option(names = "--boards-only", description = "Run the boards only, until Ctrl-C.")
+    private boolean boardsOnly;
+
+    /** Seconds. */
+    int timeout() {
+        return timeout;
+    }
+
+    boolean boardsOnly() {
+        return boardsOnly;
+    }
+
+    /** Colours are for eyes: not for a file, a CI, or whoever asks for none (no-color.org). */
+    boolean coloured() {
+        String terminal = System.getenv("TERM");
+        return System.getenv("NO_COLOR") == null && System.getenv("CI") == null
+            && terminal != null && !terminal.equals("dumb");
+    }
+
+    List<String> emulatorCommand() {
+        List<String> command = new ArrayList<>(List.of(emulator.toString(), "highway.json", "--trace", "-", "--seed", "" + seed));
+        if (radioBitErrorRate != null) command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
+        if (radioRange != null) command.addAll(List.of("--set", "radio.range=" + radioRange));
+        return command;
+    }
+
+    /** {@code javino keygen}: a key for each pair that talks, and one for the group. */
+    List<String> keygenCommand(Path keyring) {
+        return java("javino.cli.Main", "keygen", "--out", keyring.toString(), "--group", "SU",
+            "--pair", "SUPP,SUHO", "--pair", "SUHO,SUAM", "--pair", "SUPP,SUPO", "--pair", "SUPO,ROMA");
+    }
+
+    /** {@code javino provision}: its id and those keys that it needs. */
+    List<String> provisionCommand(Device device, Path keyring) {
+        return java("javino.cli.Main", "provision", "--port", "ports/" + device.id(),
+            "--id", device.address, "--keyring", keyring.toString());
+    }
+
+    /** Jason, in a Java virtual machine of its own, without a window and without any network. */
+    List<String> agentCommand(Device device) {
+        return java("jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf", "logging.properties", "--no-net");
+    }
+
+    private static List<String> java(String... mainAndArguments) {
+        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
+        List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path")));
+        command.addAll(List.of(mainAndArguments));
+        return command;
+    }
+}

@@ -1,0 +1,161 @@
+package highway;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+
+/**
+ * One run: boards, keys, agents, and what is seen of them. Everything that is started here is ended by {@link #close}.
+ *
+ * <p>All that the child processes print becomes an observation, which this class' one thread takes from a queue.
+ */
+final class Scenario implements AutoCloseable {
+
+    /** The run cannot go on; the message says why. */
+    static final class BrokenOffException extends Exception {
+        private static final long serialVersionUID = 1L;
+
+        BrokenOffException(String message) {
+            super(message);
+        }
+    }
+
+    private final Options options;
+    private final Timeline timeline;
+    private final Clock clock = new Clock();
+    private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
+    private final List<Behaviour> behaviours = Behaviour.all();
+    private final List<Device> ready = new ArrayList<>();
+    private final List<Child> children = new CopyOnWriteArrayList<>();
+    private String failure;
+    private volatile boolean closing;
+
+    Scenario(Options options, Timeline timeline) {
+        this.options = options;
+        this.timeline = timeline;
+    }
+
+    List<Behaviour> behaviours() {
+        return behaviours;
+    }
+
+    /** Switches the boards on and waits until the emulator has made their ports. */
+    void startBoards() throws IOException, InterruptedException, BrokenOffException {
+        timeline.note("five emulated boards, one radio");
+        Files.createDirectories(Path.of("build/eeprom"));
+        Trace trace = new Trace(clock);
+        start("emulator", options.emulatorCommand(), line -> {
+            if (line.startsWith("{")) trace.read(line).ifPresent(this::see);
+            else timeline.note(line);
+        });
+        waitFor("the boards' ports", () -> List.of(Device.values()).stream()
+            .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
+    }
+
+    /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
+    void provision() throws IOException, InterruptedException, BrokenOffException {
+        timeline.note("fresh keys, provisioned over serial");
+        Path keyring = Path.of("build", "keyring");
+        Files.deleteIfExists(keyring);
+        runToEnd("keygen", List.of(options.keygenCommand(keyring)));
+        runToEnd("provision", Arrays.stream(Device.values())
+            .map(device -> options.provisionCommand(device, keyring)).toList());
+    }
+
+    /** Starts the agents; the bus last, when all others have said that they are ready. */
+    void startAgents() throws IOException, InterruptedException, BrokenOffException {
+        timeline.note("five agents, each in a Java virtual machine of its own");
+        for (Device device : Device.values()) {
+            if (device != Device.BUS) startAgent(device);
+        }
+        waitFor("four agents to be ready", () -> ready.size() == Device.values().length - 1);
+        startAgent(Device.BUS);
+    }
+
+    /** Follows the run until all behaviours are observed, or the time is over. */
+    void follow() throws InterruptedException, BrokenOffException {
+        until(() -> behaviours.stream().allMatch(Behaviour::observed));
+    }
+
+    /** Keeps the boards running until the launcher is ended. */
+    void stay() throws InterruptedException, BrokenOffException {
+        while (true) takeHappening(Long.MAX_VALUE);
+    }
+
+    private void startAgent(Device device) throws IOException {
+        start(device.id(), options.agentCommand(device), line -> see(said(device, line)));
+    }
+
+    private Observation said(Device device, String line) {
+        String tag = "[" + device.id() + "] ";
+        return new Observation.Said(clock.seconds(), device, line.startsWith(tag) ? line.substring(tag.length()) : line);
+    }
+
+    /** Starts a process that is to run as long as the scenario does. */
+    private void start(String name, List<String> command, Consumer<String> line) throws IOException {
+        launch(command, line, status -> failure = name + " has ended with status " + status);
+    }
+
+    /** Runs commands side by side until all have ended well; what they print is shown. */
+    private void runToEnd(String name, List<List<String>> commands)
+            throws IOException, InterruptedException, BrokenOffException {
+        AtomicInteger running = new AtomicInteger(commands.size());
+        for (List<String> command : commands) {
+            launch(command, timeline::note, status -> {
+                running.decrementAndGet();
+                if (status != 0) failure = name + " has ended with status " + status;
+            });
+        }
+        waitFor(name + " to end", () -> running.get() == 0);
+    }
+
+    private void launch(List<String> command, Consumer<String> line, IntConsumer ended) throws IOException {
+        children.add(Child.start(command,
+            text -> happenings.add(() -> line.accept(text)),
+            status -> happenings.add(() -> ended.accept(status))));
+    }
+
+    private void see(Observation observation) {
+        timeline.show(observation);
+        behaviours.forEach(behaviour -> behaviour.see(observation));
+        if (observation instanceof Observation.Said said && said.text().equals("Ready")) ready.add(said.device());
+    }
+
+    private void waitFor(String what, BooleanSupplier condition)
+            throws InterruptedException, BrokenOffException {
+        if (!until(condition)) throw new BrokenOffException("waited " + options.timeout() + " s for " + what + " in vain");
+    }
+
+    /** Whether the condition came true in time. */
+    private boolean until(BooleanSupplier condition) throws InterruptedException, BrokenOffException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout());
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() >= end) return false;
+            takeHappening(TimeUnit.MILLISECONDS.toNanos(50));
+        }
+        return true;
+    }
+
+    private void takeHappening(long nanos) throws InterruptedException, BrokenOffException {
+        Runnable happening = happenings.poll(nanos, TimeUnit.NANOSECONDS);
+        if (happening != null) happening.run();
+        if (failure != null && !closing) throw new BrokenOffException(failure);
+    }
+
+    @Override
+    public void close() {
+        closing = true;
+        for (int i = children.size() - 1; i >= 0; i--) children.get(i).close();
+    }
+}

@@ -1,0 +1,75 @@
+package highway;
+
+import highway.Observation.Aired;
+import highway.Observation.Pin;
+import highway.Observation.Said;
+import highway.Observation.Spoilt;
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What the run looks like on the terminal: one line an observation, then the table. */
+final class Timeline {
+
+    private static final int GREY = 90;
+    private static final int GREEN = 32;
+    private static final int RED = 31;
+
+    private final PrintStream out;
+    private final boolean coloured;
+
+    Timeline(PrintStream out, boolean coloured) {
+        this.out = out;
+        this.coloured = coloured;
+    }
+
+    /** A line about the run itself. */
+    void note(String text) {
+        out.println(paint(GREY, text));
+    }
+
+    void show(Observation seen) {
+        out.println(String.format(Locale.ROOT, "%8.3f s  ", seen.seconds()) + line(seen));
+    }
+
+    private String line(Observation seen) {
+        if (seen instanceof Said said) return who(said.device()) + "says   " + said.text();
+        if (seen instanceof Aired aired) return who(aired) + "sends  " + packet(aired);
+        if (seen instanceof Pin pin) return who(pin.device()) + paint(GREY, pin.name() + (pin.level() == 1 ? " on" : " off"));
+        Spoilt spoilt = (Spoilt) seen;
+        return who(spoilt.device()) + paint(RED, "loses  " + spoilt.why());
+    }
+
+    private String packet(Aired aired) {
+        String route = aired.origin() + " → " + aired.destination();
+        return aired.sealed() ? route + paint(GREEN, "  sealed") : route + "  plain  " + aired.content();
+    }
+
+    private String who(Aired aired) {
+        Optional<Device> device = Device.withAddress(aired.origin());
+        return device.map(this::who).orElse(String.format("%-10s ", aired.origin()));
+    }
+
+    private String who(Device device) {
+        return paint(device.colour, String.format("%-10s ", device.title()));
+    }
+
+    /** The table of the nine behaviours with a mark each, what is missing, and the last line. */
+    void table(List<Behaviour> behaviours) {
+        out.println();
+        for (int row = 0; row < behaviours.size(); row++) {
+            Behaviour behaviour = behaviours.get(row);
+            String mark = behaviour.observed() ? paint(GREEN, "✓") : paint(RED, "✗");
+            out.println(String.format(" %d  %s%s %s", row + 1, who(behaviour.device), mark, behaviour.text));
+            for (String missing : behaviour.missing()) out.println(paint(RED, "                 " + missing));
+        }
+        long observed = behaviours.stream().filter(Behaviour::observed).count();
+        out.println();
+        out.println("highway: " + observed + " of " + behaviours.size() + " behaviours observed");
+    }
+
+    private String paint(int colour, String text) {
+        return coloured ? "\033[" + colour + "m" + text + "\033[0m" : text;
+    }
+}

@@ -1,0 +1,33 @@
+// A board that can tell whether any of its actions was performed twice: note(K) must come with rising K.
+// It perceives how many came, how many did not rise, and the last.
+
+#include <Javino.h>
+
+javino::Javino board(Serial, "counter 1.0");
+
+long performed;
+long repeated;
+long last;
+
+bool note(const javino::Arguments &arguments) {
+  long number;
+  if (!arguments.integer(0, number)) return false;
+  ++performed;
+  if (number <= last) ++repeated;
+  last = number;
+  return true;
+}
+
+void percepts(javino::Percepts &p) {
+  p.add(F("performed"), performed);
+  p.add(F("repeated"), repeated);
+  p.add(F("last"), last);
+}
+
+void setup() {
+  board.onPercepts(percepts);
+  board.action(F("note"), note);
+  board.begin(115200);
+}
+
+void loop() { board.run(); }

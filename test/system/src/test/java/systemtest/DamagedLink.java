@@ -1,0 +1,78 @@
+package systemtest;
+
+import java.io.ByteArrayOutputStream;
+import java.time.Duration;
+import java.util.Random;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.link.LinkOpener;
+
+/** A real link whose bytes get lost, flipped, inserted and split on the way, both ways, from one seed. */
+final class DamagedLink implements Link {
+
+    private final Link link;
+    private final Random random;
+    private final double rate;
+
+    private DamagedLink(Link link, Random random, double rate) {
+        this.link = link;
+        this.random = random;
+        this.rate = rate;
+    }
+
+    /** Opens links that damage a share {@code rate} of the bytes. */
+    static LinkOpener opener(LinkOpener opener, long seed, double rate) {
+        Random random = new Random(seed);
+        return new LinkOpener() {
+            @Override
+            public Link open() throws LinkException {
+                return new DamagedLink(opener.open(), random, rate);
+            }
+
+            @Override
+            public String name() {
+                return opener.name();
+            }
+        };
+    }
+
+    @Override
+    public void write(byte[] bytes) throws LinkException {
+        byte[] damaged = damage(bytes, bytes.length);
+        int split = damaged.length == 0 ? 0 : random.nextInt(damaged.length);
+        link.write(java.util.Arrays.copyOfRange(damaged, 0, split));
+        link.write(java.util.Arrays.copyOfRange(damaged, split, damaged.length));
+    }
+
+    @Override
+    public int read(byte[] into, Duration timeout) throws LinkException {
+        byte[] whole = new byte[Math.max(1, into.length / 3)];
+        byte[] damaged = damage(whole, link.read(whole, timeout));
+        System.arraycopy(damaged, 0, into, 0, damaged.length);
+        return damaged.length;
+    }
+
+    private byte[] damage(byte[] bytes, int length) {
+        ByteArrayOutputStream damaged = new ByteArrayOutputStream();
+        for (int i = 0; i < length; i++) {
+            if (random.nextDouble() >= rate) {
+                damaged.write(bytes[i]);
+                continue;
+            }
+            switch (random.nextInt(3)) {
+                case 0 -> { }
+                case 1 -> damaged.write(bytes[i] ^ 1 << random.nextInt(8));
+                default -> {
+                    damaged.write(random.nextInt(256));
+                    damaged.write(bytes[i]);
+                }
+            }
+        }
+        return damaged.toByteArray();
+    }
+
+    @Override
+    public void close() {
+        link.close();
+    }
+}

@@ -1,0 +1,165 @@
+package systemtest;
+
+import com.google.gson.Gson;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+
+/** A running {@code javino-emulator} with a scenario of its own, in a folder of its own. */
+final class Emulator implements AutoCloseable {
+
+    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+    /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
+    private static final long PATIENCE_SECONDS = 60;
+
+    private final Path folder;
+    private final Process process;
+    private final List<TraceEvent> trace = new ArrayList<>();
+    private final StringBuilder complaints = new StringBuilder();
+
+    private Emulator(Path folder, Process process) {
+        this.folder = folder;
+        this.process = process;
+    }
+
+    /** What a test says of its scenario; the words are those of emulator/README.md. */
+    static final class Scenario {
+        private final Map<String, Object> radio = new LinkedHashMap<>(Map.of("bitRate", 2000, "range", 100));
+        private final List<Map<String, Object>> boards = new ArrayList<>();
+        private final List<Map<String, Object>> faults = new ArrayList<>();
+        private String speed = "1";
+        private long seed = 1;
+
+        Scenario radio(String key, Object value) {
+            radio.put(key, value);
+            return this;
+        }
+
+        /** A board with a sketch of the library's examples or of test/system/sketches, e.g. {@code Vehicle}. */
+        Scenario board(String name, String sketch, Map<String, Object> more) {
+            Map<String, Object> board = new LinkedHashMap<>();
+            board.put("name", name);
+            board.put("firmware", firmware(sketch).toString());
+            board.put("port", "ports/" + name);
+            board.put("eeprom", "eeprom/" + name + ".bin");
+            board.putAll(more);
+            boards.add(board);
+            return this;
+        }
+
+        Scenario board(String name, String sketch) {
+            return board(name, sketch, Map.of());
+        }
+
+        Scenario fault(double seconds, String board, String what) {
+            faults.add(Map.of("t", seconds, "board", board, "do", what));
+            return this;
+        }
+
+        Scenario speed(String times) {
+            speed = times;
+            return this;
+        }
+
+        Scenario seed(long value) {
+            seed = value;
+            return this;
+        }
+
+        /** Starts the emulator in a folder, where EEPROM files of earlier runs are taken up. */
+        Emulator start(Path folder) throws IOException {
+            Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
+            if (!faults.isEmpty()) scenario.put("faults", faults);
+            Path file = folder.resolve("scenario.json");
+            Files.createDirectories(folder.resolve("eeprom"));
+            Files.writeString(file, new Gson().toJson(scenario));
+            Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
+                file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed", "" + seed)
+                .start();
+            Emulator emulator = new Emulator(folder, process);
+            read(process.inputReader(), emulator::traced);
+            read(process.errorReader(), line -> emulator.complaints.append(line).append('\n'));
+            for (Map<String, Object> board : boards) emulator.awaitPort((String) board.get("name"));
+            return emulator;
+        }
+    }
+
+    static Path firmware(String sketch) {
+        return ROOT.resolve("javino-firmware/build").resolve(sketch.toLowerCase(java.util.Locale.ROOT))
+            .resolve(sketch + ".ino.elf");
+    }
+
+    private static void read(BufferedReader output, Consumer<String> lines) {
+        Thread reader = new Thread(() -> output.lines().forEach(lines), "emulator output");
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private synchronized void traced(String line) {
+        trace.add(TraceEvent.parse(line));
+        notifyAll();
+    }
+
+    /** The path under which a host opens a board's serial port. */
+    String port(String board) {
+        return folder.resolve("ports").resolve(board).toString();
+    }
+
+    private void awaitPort(String board) throws IOException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!Files.exists(Path.of(port(board)))) {
+            if (!process.isAlive() || System.nanoTime() > end) throw new IOException("no port for " + board + ": " + complaints);
+            Thread.onSpinWait();
+        }
+    }
+
+    /** All that has been traced until now. */
+    synchronized List<TraceEvent> trace() {
+        return List.copyOf(trace);
+    }
+
+    /** The first event, since the run began, that is as described; waits for it if need be. */
+    synchronized TraceEvent await(String what, Predicate<TraceEvent> wanted) throws InterruptedException {
+        return await(what, 1, wanted);
+    }
+
+    /** The n-th event, since the run began, that is as described; waits for it if need be. */
+    synchronized TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        int next = 0;
+        int found = 0;
+        while (true) {
+            for (; next < trace.size(); next++) {
+                if (wanted.test(trace.get(next)) && ++found == nth) return trace.get(next);
+            }
+            long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+            if (left <= 0) throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints);
+            wait(left);
+        }
+    }
+
+    /** The packets that a board has sent, as the sniffer read them. */
+    List<TraceEvent> sentBy(String board) {
+        return trace().stream().filter(event -> event.is("rf-tx", board)).toList();
+    }
+
+    /** Ends the emulator; EEPROM contents stay in the folder. */
+    @Override
+    public void close() {
+        process.toHandle().destroy();
+        try {
+            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        if (process.exitValue() != 0) throw new AssertionError("the emulator ended with " + process.exitValue() + ": " + complaints);
+    }
+}

@@ -1,0 +1,132 @@
+package systemtest;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Predicate;
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.board.ReceivedMessage;
+import javino.link.LinkOpener;
+import javino.link.SerialLink;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Counter;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import javino.protocol.ProtocolException;
+
+/** A board session that a test drives, with what came from the board in queues. */
+final class Host implements AutoCloseable {
+
+    private static final long PATIENCE_SECONDS = 60;
+
+    final Board board;
+    private final BlockingQueue<ReceivedMessage> messages = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Integer> sent = new LinkedBlockingQueue<>();
+    private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
+
+    private Host(LinkOpener link) {
+        board = Board.open(link, BoardConfig.create(), new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                messages.add(message);
+            }
+
+            @Override
+            public void transmitted(int number, Outcome outcome) {
+                sent.add(number);
+            }
+
+            @Override
+            public void percepts(List<String> literals) {
+                percepts.add(literals);
+            }
+        });
+    }
+
+    static Host of(Emulator emulator, String board) {
+        return over(SerialLink.opener(emulator.port(board)));
+    }
+
+    static Host over(LinkOpener link) {
+        return new Host(link);
+    }
+
+    /** Gives the board an id and keys, and opens its radio. */
+    Host as(String id, Map<String, byte[]> keys) {
+        get(board.setRfId(Address.parse(id)));
+        keys.forEach((address, key) -> get(board.setKey(Address.parse(address), Key.of(Bytes.copyOf(key)))));
+        get(board.radio(true));
+        return this;
+    }
+
+    /** Sends, and waits until it has been on the air. */
+    void send(String to, String content) throws InterruptedException {
+        int number = get(board.transmit(Address.parse(to), content(content)));
+        Integer ended = sent.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        if (ended == null || ended != number) throw new AssertionError("transmission " + number + ", but " + ended + " ended");
+    }
+
+    private static Content content(String text) {
+        try {
+            return Content.decode(Bytes.ofText(text));
+        } catch (ProtocolException wrong) {
+            throw new AssertionError(wrong);
+        }
+    }
+
+    /** The next message that came, waited for. */
+    ReceivedMessage message() throws InterruptedException {
+        ReceivedMessage message = messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        if (message == null) throw new AssertionError("no message came");
+        return message;
+    }
+
+    /** The messages that came and were not taken; does not wait. */
+    List<ReceivedMessage> messages() {
+        return List.copyOf(messages);
+    }
+
+    /** The first percepts from now on that are as wanted. */
+    List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
+        while (true) {
+            List<String> now = percepts.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            if (now == null) throw new AssertionError("no such percepts came");
+            if (wanted.test(now)) return now;
+        }
+    }
+
+    /** All sets of percepts that came and were not taken; does not wait. */
+    List<List<String>> perceptsSoFar() {
+        return List.copyOf(percepts);
+    }
+
+    long counter(Counter counter) {
+        return get(board.statistics()).get(counter);
+    }
+
+    /** What a request ended with; a failed one fails the test. */
+    static <T> T get(CompletableFuture<T> request) {
+        try {
+            return request.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException failed) {
+            throw new AssertionError(failed.getMessage(), failed);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError(interrupted);
+        }
+    }
+
+    @Override
+    public void close() {
+        board.close();
+    }
+}

@@ -1,0 +1,95 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import javino.board.ReceivedMessage;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Two boards of a group, and a third of another group that hears all they send. */
+class RadioExchangeTest {
+
+    private Emulator emulator;
+    private Host police;
+    private Host support;
+    private Host bus;
+
+    @BeforeEach
+    void switchOn(@TempDir Path folder) throws Exception {
+        emulator = new Emulator.Scenario()
+            .board("police", "Vehicle").board("support", "Station").board("bus", "Vehicle")
+            .start(folder);
+        police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP));
+        support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
+        bus = Host.of(emulator, "bus").as("ROMA", Map.of());
+    }
+
+    @AfterEach
+    void switchOff() {
+        List.of(police, support, bus).forEach(Host::close);
+        emulator.close();
+    }
+
+    @Test
+    void broadcast_reachesAllInPlain() throws Exception {
+        police.send("////", "tell;roadClosed");
+
+        assertMessage(support.message(), "SUPO", "////", "tell;roadClosed");
+        assertMessage(bus.message(), "SUPO", "////", "tell;roadClosed");
+        assertTrue(onAir("tell;roadClosed"));
+    }
+
+    @Test
+    void multicast_reachesItsGroupAloneAndSealed() throws Exception {
+        police.send("//SU", "tell;someoneNeedHelp");
+
+        assertMessage(support.message(), "SUPO", "//SU", "tell;someoneNeedHelp");
+        assertNotHeardByBus("someoneNeedHelp");
+    }
+
+    @Test
+    void unicast_reachesItsDeviceAloneAndSealed() throws Exception {
+        police.send("SUPP", "achieve;comeTo(\"km 12\")");
+
+        assertMessage(support.message(), "SUPO", "SUPP", "achieve;comeTo(\"km 12\")");
+        assertNotHeardByBus("comeTo");
+    }
+
+    @Test
+    void sameContentTwice_looksDifferentOnAir() throws Exception {
+        police.send("SUPP", "tell;help");
+        police.send("SUPP", "tell;help");
+
+        List<TraceEvent> sent = emulator.sentBy("police");
+        assertEquals(2, sent.size());
+        assertFalse(sent.get(0).text("payload").substring(20 + 12).equals(sent.get(1).text("payload").substring(20 + 12)));
+    }
+
+    private static void assertMessage(ReceivedMessage message, String from, String to, String content) {
+        assertEquals(from, message.from().toString());
+        assertEquals(to, message.to().toString());
+        assertEquals(content, message.content().toString());
+    }
+
+    private void assertNotHeardByBus(String plaintext) {
+        assertEquals(1, bus.counter(Counter.RADIO_NOT_FOR_US));
+        assertEquals(List.of(), bus.messages());
+        assertFalse(onAir(plaintext), "the plaintext was on the air");
+    }
+
+    /** Whether a text stands anywhere in what the sniffer, or any board, made known. */
+    private boolean onAir(String text) {
+        String hex = HexFormat.of().formatHex(text.getBytes(StandardCharsets.UTF_8));
+        return emulator.trace().stream().anyMatch(event -> event.line().contains(text) || event.line().contains(hex));
+    }
+}

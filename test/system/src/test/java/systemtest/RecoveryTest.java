@@ -1,0 +1,46 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** An agent whose board goes and comes. */
+class RecoveryTest {
+
+    private static final Map<String, Object> SENSORS =
+        Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
+
+    @Test
+    void resetBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
+        comesBack(folder, new Emulator.Scenario().fault(12, "lamp", "reset"));
+    }
+
+    @Test
+    void unpluggedBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
+        comesBack(folder, new Emulator.Scenario().fault(12, "lamp", "unplug").fault(14, "lamp", "plug"));
+    }
+
+    private static void comesBack(Path folder, Emulator.Scenario scenario) throws Exception {
+        try (Emulator emulator = scenario.board("lamp", "Vehicle", SENSORS).board("other", "Transmitter").start(folder);
+             Transmitter other = Transmitter.of(emulator, "other");
+             AgentProcess agent = AgentProcess.start("watcher", folder)) {
+            agent.await("answered");
+            agent.await("light 300");
+
+            agent.await("port off");
+            agent.await("port on", 2);
+            agent.await("answered", 2);
+            other.send("////CAFFBotell;hello(1)".getBytes(StandardCharsets.US_ASCII));
+            agent.await("message 1 from CAFF");
+
+            List<String> ports = agent.lines().stream().filter(line -> line.contains("port o"))
+                .map(line -> line.substring(line.indexOf("port"))).toList();
+            assertEquals(List.of("port on", "port off", "port on"), ports);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import javino.JavinoException;
+import javino.board.SessionCounter;
+import javino.link.SerialLink;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A bad cable between host and board. */
+class SerialDamageTest {
+
+    private static final int ACTIONS = 200;
+    private static final double DAMAGED_BYTES = 0.005;
+    private static final Pattern PERCEPT = Pattern.compile("(performed|repeated|last)\\((\\d+)\\)");
+
+    @Test
+    void requests_completeOrFailClearlyAndNoneIsPerformedTwice(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = new Emulator.Scenario().board("counter", "Counter", Map.of("resetOnOpen", false)).start(folder)) {
+            List<String> failures = new ArrayList<>();
+            try (Host host = Host.over(DamagedLink.opener(SerialLink.opener(emulator.port("counter")), 4711, DAMAGED_BYTES))) {
+                host.board.percepts(true);
+                for (int number = 1; number <= ACTIONS; number++) note(host, number, failures);
+                assertTrue(host.board.counters().get(SessionCounter.REPEATS) > 0, "nothing was damaged");
+                host.perceptsSoFar().forEach(SerialDamageTest::assertWhole);
+            }
+            assertCounts(emulator, failures);
+        }
+    }
+
+    private static void note(Host host, int number, List<String> failures) throws Exception {
+        CompletableFuture<Void> action = host.board.act("note(" + number + ")");
+        try {
+            action.get(60, TimeUnit.SECONDS);
+        } catch (ExecutionException failed) {
+            assertTrue(failed.getCause() instanceof JavinoException, failed.toString());
+            failures.add(failed.getCause().getMessage());
+        }
+    }
+
+    private static void assertWhole(List<String> percepts) {
+        percepts.forEach(percept -> assertTrue(PERCEPT.matcher(percept).matches(), percept));
+    }
+
+    /** Asks over a good cable. */
+    private static void assertCounts(Emulator emulator, List<String> failures) throws Exception {
+        try (Host host = Host.of(emulator, "counter")) {
+            host.board.percepts(true);
+            Map<String, Integer> counts = new java.util.HashMap<>();
+            for (String percept : host.percepts(all -> all.size() == 3)) {
+                var parts = PERCEPT.matcher(percept);
+                assertTrue(parts.matches(), percept);
+                counts.put(parts.group(1), Integer.valueOf(parts.group(2)));
+            }
+            assertEquals(0, counts.get("repeated"));
+            assertTrue(counts.get("performed") <= ACTIONS);
+            assertTrue(counts.get("performed") >= ACTIONS - failures.size(), failures.toString());
+        }
+    }
+}

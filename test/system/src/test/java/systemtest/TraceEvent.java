@@ -1,0 +1,30 @@
+package systemtest;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+
+/**
+ * One line of the emulator's trace.
+ *
+ * @param seconds emulated time
+ */
+record TraceEvent(double seconds, String board, String name, JsonObject fields, String line) {
+
+    static TraceEvent parse(String line) {
+        JsonObject fields = JsonParser.parseString(line).getAsJsonObject();
+        String board = fields.has("board") ? fields.get("board").getAsString() : "";
+        return new TraceEvent(fields.get("t").getAsDouble(), board, fields.get("event").getAsString(), fields, line);
+    }
+
+    boolean is(String event, String onBoard) {
+        return name.equals(event) && board.equals(onBoard);
+    }
+
+    String text(String field) {
+        return fields.get(field).getAsString();
+    }
+
+    int number(String field) {
+        return fields.get(field).getAsInt();
+    }
+}
