@@ -14,6 +14,7 @@ public final class SerialLink implements Link {
     /** The rate that boards have unless they were built otherwise. */
     public static final int DEFAULT_BAUD = 115_200;
 
+    private static final int TIMEOUT_STEP_MILLIS = 100;
     private static final String NO_PORT = "there is no such port; is the board plugged in?";
 
     private final String name;
@@ -100,8 +101,7 @@ public final class SerialLink implements Link {
 
     @Override
     public int read(byte[] into, Duration timeout) throws LinkException {
-        // Rounded up: jSerialComm takes 0 for "wait for ever".
-        int millis = (int) Math.max(1, timeout.toMillis());
+        int millis = roundedUp(timeout);
         if (millis != timeoutMillis) {
             port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, millis, 0);
             timeoutMillis = millis;
@@ -111,6 +111,11 @@ public final class SerialLink implements Link {
             throw new LinkException(name, "cannot be read" + cause(port) + "; was the board unplugged?");
         }
         return count;
+    }
+
+    /** In steps of 100 ms: POSIX counts in them, and each other value costs a system call or two. Never 0: for ever. */
+    private static int roundedUp(Duration timeout) {
+        return (int) (timeout.toMillis() / TIMEOUT_STEP_MILLIS + 1) * TIMEOUT_STEP_MILLIS;
     }
 
     @Override
