@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -76,6 +77,7 @@ public final class DocumentReader {
             throw ModelException.outside(file, "<queries>, which belong into the .q file,");
         });
         List<Template> templates = Xml.children(nta, "template").map(this::template).toList();
+        unique(templates.stream().map(Template::name).toList(), file);
         return new Document(file, Xml.text(nta, "declaration"), templates, Xml.text(nta, "system"));
     }
 
@@ -85,6 +87,7 @@ public final class DocumentReader {
         Xml.allow(element, where, "name", "parameter", "declaration", "location", "init", "transition");
         Map<String, Location> byId = new LinkedHashMap<>();
         Xml.children(element, "location").forEach(location -> byId.put(location.getAttribute("id"), location(location, where)));
+        unique(byId.values().stream().map(Location::name).toList(), where);
         String initial = Xml.child(element, "init").map(init -> end(init, byId, where).name())
             .orElseThrow(() -> new ModelException(where, "it has no initial location"));
         List<Edge> edges = Xml.children(element, "transition").map(edge -> edge(edge, byId, where)).toList();
@@ -109,6 +112,12 @@ public final class DocumentReader {
         Xml.allowLabels(element, where, "guard", "synchronisation", "assignment", "comments");
         return new Edge(source.name(), target.name(), Xml.label(element, "guard"),
             Xml.label(element, "synchronisation"), Xml.label(element, "assignment"));
+    }
+
+    private static void unique(List<String> names, String where) {
+        names.stream().filter(name -> Collections.frequency(names, name) > 1).findFirst().ifPresent(name -> {
+            throw new ModelException(where, "the name '" + name + "' is given twice");
+        });
     }
 
     private static Element only(Element parent, String tag, String where) {
