@@ -32,20 +32,21 @@ record Check(Network network, List<Query> queries, Exploration own, Optional<Spi
      */
     static Check of(Path model, List<Path> queryFiles, Path folder) throws IOException {
         Network network = NetworkBuilder.build(DocumentReader.read(model));
+        Optional<Verifyta> engine = Verifyta.find();
         List<Query> queries = new ArrayList<>();
-        List<Boolean> uppaal = new ArrayList<>();
+        List<Boolean> verdicts = new ArrayList<>();
         for (Path file : queryFiles) {
             List<Query> read = QueryFile.read(file);
             queries.addAll(read);
-            if (Verifyta.available()) {
-                uppaal.addAll(Verifyta.check(model, file, read.size()));
+            if (engine.isPresent()) {
+                verdicts.addAll(engine.get().check(model, file, read.size()));
             }
         }
         List<Property> properties = properties(network, queries);
         Optional<Spin.Result> spin = Spin.available()
             ? Optional.of(Spin.check(network, properties, folder)) : Optional.empty();
         return new Check(network, queries, Exploration.of(network, properties), spin,
-            Verifyta.available() ? Optional.of(uppaal) : Optional.empty());
+            engine.map(found -> verdicts));
     }
 
     /** The queries' properties, parsed for a network. */

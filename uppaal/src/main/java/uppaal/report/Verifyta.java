@@ -3,6 +3,7 @@ package uppaal.report;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import uppaal.tool.Tool;
@@ -11,11 +12,16 @@ import uppaal.tool.Tool;
 final class Verifyta {
     private static final Pattern VERDICT = Pattern.compile("-- (?:Formula|Property) is (?<not>NOT )?satisfied");
 
-    private Verifyta() {
+    private final String program;
+
+    /** @param program its name on the path, or its path */
+    Verifyta(String program) {
+        this.program = program;
     }
 
-    static boolean available() {
-        return Tool.onPath("verifyta");
+    /** The one on the path, if there is one. */
+    static Optional<Verifyta> find() {
+        return Tool.onPath("verifyta") ? Optional.of(new Verifyta("verifyta")) : Optional.empty();
     }
 
     /**
@@ -24,8 +30,8 @@ final class Verifyta {
      * @param count how many properties there are
      * @throws IOException when it fails or gives another number of verdicts, e.g. since it has no licence
      */
-    static List<Boolean> check(Path model, Path queries, int count) throws IOException {
-        String output = Tool.run(model.toAbsolutePath().getParent(), "verifyta",
+    List<Boolean> check(Path model, Path queries, int count) throws IOException {
+        String output = Tool.run(model.toAbsolutePath().getParent(), program,
             model.toAbsolutePath().toString(), queries.toAbsolutePath().toString());
         List<Boolean> verdicts = verdicts(output);
         if (verdicts.size() != count) {
