@@ -1,0 +1,74 @@
+package uppaal;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import uppaal.document.Document;
+import uppaal.document.Edge;
+import uppaal.document.Location;
+import uppaal.document.Template;
+import uppaal.network.Network;
+import uppaal.network.NetworkBuilder;
+
+/** Writes small networks down without XML. Each template runs once, under its own name. */
+public final class Sketch {
+    private static final Pattern EDGE = Pattern.compile("(\\S+) -> (\\S+?)(?:; ?guard (.*?))?(?:; ?sync (.*?))?(?:; ?set (.*))?");
+
+    private final String declarations;
+    private final List<Template> templates = new ArrayList<>();
+
+    private Sketch(String declarations) {
+        this.declarations = declarations;
+    }
+
+    /** A network with these global declarations. */
+    public static Sketch of(String declarations) {
+        return new Sketch(declarations);
+    }
+
+    /**
+     * Adds a template. Its locations are those that its edges name, the first one first;
+     * a name that ends in {@code !} is committed.
+     *
+     * @param edges {@code a -> b; guard G; sync S; set A}, the last three optional
+     */
+    public Sketch template(String name, String... edges) {
+        Map<String, Location> locations = new LinkedHashMap<>();
+        List<Edge> parsed = new ArrayList<>();
+        for (String text : edges) {
+            Matcher edge = EDGE.matcher(text);
+            if (!edge.matches()) {
+                throw new IllegalArgumentException(text);
+            }
+            parsed.add(new Edge(location(edge.group(1), locations), location(edge.group(2), locations),
+                text(edge.group(3)), text(edge.group(4)), text(edge.group(5))));
+        }
+        templates.add(new Template(name, "", "", List.copyOf(locations.values()), locations.values().iterator().next().name(), parsed));
+        return this;
+    }
+
+    /** The document. */
+    public Document document() {
+        String system = "system " + String.join(", ", templates.stream().map(Template::name).toList()) + ";";
+        return new Document("sketch", declarations, templates, system);
+    }
+
+    /** The network. */
+    public Network network() {
+        return NetworkBuilder.build(document());
+    }
+
+    private static String location(String written, Map<String, Location> locations) {
+        boolean committed = written.endsWith("!");
+        String name = committed ? written.substring(0, written.length() - 1) : written;
+        locations.putIfAbsent(name, new Location(name, committed));
+        return name;
+    }
+
+    private static String text(String group) {
+        return group == null ? "" : group;
+    }
+}

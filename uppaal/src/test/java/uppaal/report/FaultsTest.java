@@ -1,0 +1,48 @@
+package uppaal.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import uppaal.check.Query;
+
+class FaultsTest {
+    private static final Suite SUITE = new Suite(Path.of("models"));
+    private static final List<Kill> KILLS = Faults.ALL.stream().map(fault -> Kill.of(fault, SUITE)).toList();
+
+    @Test
+    void kills_everyFault_isNoticed() {
+        assertEquals(List.of(), KILLS.stream().filter(kill -> !kill.caught()).map(kill -> kill.fault().name()).toList());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "wrong guard, '', 'S1 S2 S8', Q1", "no acknowledgement, '', 'S3 S13', Q1",
+        "multicast to one, '', 'S2 S12 S15', Q1", "lost unicast, P5, 'S1 S4 S11', Q1", "channel kept, '', '', Q1",
+        "plain unicast, '', S14, ''"})
+    void kill_fault_isNoticedByTheseProperties(String fault, String paper, String stronger, String quiet) {
+        Kill kill = KILLS.stream().filter(candidate -> candidate.fault().name().equals(fault)).findFirst().orElseThrow();
+        assertEquals(List.of(paper, stronger, quiet), List.of(String.join(" ", kill.paper()),
+            String.join(" ", kill.stronger()), String.join(" ", kill.quiet())));
+    }
+
+    @Test
+    void kills_everyStrongerProperty_noticesSomething() {
+        Set<String> useful = KILLS.stream().flatMap(kill -> kill.stronger().stream()).collect(Collectors.toCollection(TreeSet::new));
+        assertEquals(SUITE.strongerQueries().stream().map(Query::name).collect(Collectors.toCollection(TreeSet::new)), useful);
+    }
+
+    @Test
+    void in_faultThatNoLongerApplies_isSaid() {
+        Fault fault = new Fault("none", "nothing", Fault.removed("Channel", "Released -> Nowhere"));
+        assertTrue(assertThrows(IllegalArgumentException.class, () -> fault.in(SUITE.paper())).getMessage().contains("changes nothing"));
+    }
+}

@@ -1,0 +1,43 @@
+package uppaal.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import uppaal.promela.Spin;
+
+class MainTest {
+    @TempDir
+    private Path folder;
+
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+
+    private List<String> run(Path models) throws IOException {
+        PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
+        return Main.run(new Suite(models), folder.resolve("output"), new Report(out));
+    }
+
+    @Test
+    void run_ourModels_areAsExpectedForAllEngines() throws IOException {
+        assertEquals(List.of(), run(Path.of("models")));
+        String report = printed.toString(StandardCharsets.UTF_8);
+        assertTrue(report.contains("Counterexample to P7") && report.contains("Counterexample to P8"), report);
+        assertTrue(report.contains("14 faults; 7 pass all eight properties of the paper; 0 pass all."), report);
+    }
+
+    @Test
+    void disagreements_wrongExpectation_isSaidForEachEngine() throws IOException {
+        Path queries = Files.writeString(folder.resolve("wrong.q"), "/* Q1 fails: it stops. */\nA[] not deadlock\n");
+        List<String> wrong = Check.of(Path.of("models/quiet.xml"), List.of(queries), folder).disagreements();
+        assertEquals("quiet.xml, Q1: expected that it fails, for our checker it holds", wrong.get(0));
+        assertEquals(Spin.available() ? 2 : 1, wrong.size());
+    }
+}

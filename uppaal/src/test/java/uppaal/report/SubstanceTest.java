@@ -1,0 +1,32 @@
+package uppaal.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import uppaal.Sketch;
+import uppaal.check.Query;
+import uppaal.network.Network;
+import uppaal.network.NetworkBuilder;
+
+class SubstanceTest {
+    private static final Suite SUITE = new Suite(Path.of("models"));
+
+    @Test
+    void of_paper_onlyTheSecondSaysNothing() {
+        Network network = NetworkBuilder.build(SUITE.paper());
+        List<Substance> found = Substance.of(network, SUITE.paperQueries());
+        assertTrue(found.stream().allMatch(Substance::reached));
+        assertEquals(List.of("P2"), found.stream().filter(Substance::needless).map(Substance::query).toList());
+        assertEquals(7, found.size());
+    }
+
+    @Test
+    void of_emptyImplication_isFound() {
+        Network network = Sketch.of("").template("P", "a -> b; guard false").network();
+        List<Query> query = List.of(new Query("V", true, "nothing.", "A[] P.b imply false", "here"));
+        assertEquals(List.of(new Substance("V", false, false)), Substance.of(network, query));
+    }
+}
