@@ -9,6 +9,21 @@
 // simavr's logger is one for the whole process, and so is this.
 static unsigned long warnings;
 
+// Takes colours (ESC [ … m) and the line's end away.
+static void make_plain(char *text)
+{
+    char *to = text;
+    for (const char *from = text; *from && *from != '\n'; from++) {
+        if (*from == '\033')
+            from += strcspn(from, "m");
+        else
+            *to++ = *from;
+        if (!*from)
+            break;
+    }
+    *to = '\0';
+}
+
 static void log_warning(struct avr_t *avr, const int level, const char *format, va_list arguments)
 {
     char text[300];
@@ -18,7 +33,7 @@ static void log_warning(struct avr_t *avr, const int level, const char *format, 
     if (++warnings > SIMULATOR_LOG_MAX)
         return;
     vsnprintf(text, sizeof text, format, arguments);
-    text[strcspn(text, "\r\n")] = '\0';
+    make_plain(text);
     fprintf(stderr, "javino-emulator: simavr: %s\n", text);
 }
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole boards with real programs; all times are emulated.
+#include "support.h"
+
+TEST(Board, blinks_on_time_and_prints_to_the_trace)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]}]})");
+    run.run_until(1.005);
+    auto pins = run.events("a", "pin");
+    ASSERT_EQ(pins.size(), 100u);
+    for (size_t i = 0; i < pins.size(); i++) {
+        EXPECT_NEAR(pins[i].t, 0.01 * static_cast<double>(i + 1), 0.0001);
+        EXPECT_EQ(pins[i].number("level"), i % 2 == 0);
+        EXPECT_EQ(pins[i].text("name"), "led");
+    }
+    auto lines = run.events("a", "uart");
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].text("line"), "blink");
+    EXPECT_NEAR(lines[0].t, 0.0057, 0.001); // six bytes at 9600 baud
+}
+
+TEST(Board, boards_keep_in_step)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[
+        {"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
+        {"name":"b","firmware":"@sensors","sensors":[{"type":"hc-sr04","trigger":22,"echo":2,"distance":[[0,50]]}]},
+        {"name":"c","firmware":"@blink","watch":[{"pin":13,"name":"led"}]}]})");
+    for (int ms = 1; ms <= 300; ms++) {
+        run.run_until(ms / 1000.0);
+        for (int i = 0; i < 3; i++) {
+            cycles_t now = board_now(&run.e.nodes[i].mega);
+            EXPECT_GE(now, run.e.now);
+            EXPECT_LT(now, run.e.now + 10 * CYCLES_PER_US);
+        }
+    }
+    auto a = run.events("a", "pin");
+    auto c = run.events("c", "pin");
+    ASSERT_EQ(a.size(), c.size());
+    for (size_t i = 0; i < a.size(); i++)
+        EXPECT_EQ(a[i].t, c[i].t);
+}
+
+TEST(Board, a_sleeping_board_is_not_run_in_between)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"}]})");
+    run.run_until(0.0151);
+    EXPECT_GE(board_next_event(&run.e.nodes[0].mega), seconds_to_cycles(0.02));
+}
+
+TEST(Board, a_crash_names_board_and_place)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"bad","firmware":"@crash"}]})");
+    EXPECT_EQ(emulation_run(&run.e, seconds_to_cycles(1)), -1);
+    EXPECT_EQ(std::string(run.e.error).find("board bad: its program crashed at pc 0x"), 0u) << run.e.error;
+}
+
+TEST(Board, the_watchdog_resets_it)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"dog","firmware":"@watchdog"}]})");
+    run.run_until(0.1);
+    auto resets = run.events("dog", "reset");
+    ASSERT_GE(resets.size(), 5u);
+    EXPECT_EQ(resets[0].text("why"), "power");
+    EXPECT_EQ(resets[1].text("why"), "watchdog");
+    EXPECT_NEAR(resets[1].t, 0.016, 0.002);
+}
+
+TEST(Board, asleep_with_interrupts_off_it_stays_so_until_reset)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@halt","port":"p","watch":[{"pin":22,"name":"woke"}]}]})");
+    run.run_until(0.5);
+    EXPECT_TRUE(run.events("a", "pin").empty());
+    EXPECT_TRUE(run.e.nodes[0].mega.halted);
+    board_reset(&run.e.nodes[0].mega);
+    EXPECT_FALSE(run.e.nodes[0].mega.halted);
+}
+
+TEST(Board, firmware_for_something_else_is_refused)
+{
+    Scratch scratch;
+    board b;
+    char error[512];
+    std::string text = scratch.write("text.elf", "no program");
+    EXPECT_EQ(board_init(&b, text.c_str(), {}, error, sizeof error), -1);
+    EXPECT_EQ(error, text + " is no ELF file; expected the .elf that the AVR compiler writes, not the .hex");
+    board_release(&b);
+    EXPECT_EQ(board_init(&b, EMULATOR, {}, error, sizeof error), -1);
+    EXPECT_NE(std::string(error).find("is built for another processor"), std::string::npos) << error;
+    board_release(&b);
+}

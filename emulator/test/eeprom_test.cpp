@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.h"
+
+static const char COUNTER[] = R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"eeprom/a.bin"}]})";
+
+static std::string last_line(Emulation &run)
+{
+    auto lines = run.events("a", "uart");
+    return lines.empty() ? "" : lines.back().text("line");
+}
+
+TEST(Eeprom, survives_from_run_to_run)
+{
+    Scratch scratch;
+    for (char count : {'0', '1', '2'}) {
+        Emulation run(scratch, COUNTER);
+        run.run_until(0.01);
+        EXPECT_EQ(last_line(run), std::string(1, count));
+    }
+    EXPECT_EQ(read_text(scratch.path("eeprom/a.bin")).size(), 4096u);
+}
+
+TEST(Eeprom, survives_a_reset)
+{
+    Scratch scratch;
+    std::string json = COUNTER;
+    json.replace(json.rfind("}"), 1, R"(,"faults":[{"t":0.02,"board":"a","do":"reset"}]})");
+    Emulation run(scratch, json);
+    run.run_until(0.04);
+    EXPECT_EQ(last_line(run), "1");
+}
+
+TEST(Eeprom, is_in_the_file_soon_after_it_was_written)
+{
+    Scratch scratch;
+    Emulation run(scratch, COUNTER);
+    run.run_until(0.11);
+    EXPECT_EQ(read_text(scratch.path("eeprom/a.bin"))[0], '\0'); // 0xFF + 1, the run still under way
+}
+
+TEST(Eeprom, is_forgotten_without_a_file)
+{
+    Scratch scratch;
+    for (int i = 0; i < 2; i++) {
+        Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@boot_count"}]})");
+        run.run_until(0.01);
+        EXPECT_EQ(last_line(run), "0");
+    }
+}
+
+TEST(Eeprom, a_file_of_the_wrong_size_is_refused_and_left_alone)
+{
+    for (size_t size : {0, 1, 4095, 4097}) {
+        Scratch scratch;
+        ASSERT_EQ(scratch.write("a.bin", std::string(size, 'x')), scratch.path("a.bin"));
+        try {
+            Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"a.bin"}]})");
+            FAIL() << size;
+        } catch (const std::runtime_error &e) {
+            EXPECT_EQ(e.what(), "EEPROM file " + scratch.path("a.bin") +
+                                    ": expected exactly 4096 bytes; remove it to start anew");
+        }
+        EXPECT_EQ(read_text(scratch.path("a.bin")), std::string(size, 'x'));
+    }
+}
