@@ -10,50 +10,33 @@ BitClock::BitClock(uint16_t bitTicks)
 void BitClock::reset(bool level) {
   phase_ = 0;
   balance_ = 0;
-  level_ = level;
   steadyLevel_ = level;
-  runTicks_ = 0;
-  edgePhase_ = 0;
 }
 
 bool BitClock::advance(uint16_t &ticks, bool level, bool &bit) {
-  if (level != level_) {
-    level_ = level;
-    runTicks_ = 0;
-    edgePhase_ = phase_;
+  if (level != steadyLevel_ && ticks >= settleTicks_) {
+    steadyLevel_ = level;
+    steer();
   }
-  while (ticks != 0) {
-    const uint16_t taken = step(ticks);
-    ticks -= taken;
-    phase_ += taken;
-    balance_ += level ? static_cast<int16_t>(taken) : -static_cast<int16_t>(taken);
-    if (level_ != steadyLevel_) {
-      runTicks_ += taken;
-      if (runTicks_ >= settleTicks_) steer();
-    }
-    if (phase_ >= bitTicks_) {
-      phase_ -= bitTicks_;
-      bit = balance_ > 0;
-      balance_ = 0;
-      return true;
-    }
+  const uint16_t left = bitTicks_ - phase_;
+  const bool ends = ticks >= left;
+  const uint16_t taken = ends ? left : ticks;
+  ticks -= taken;
+  phase_ += taken;
+  balance_ += level ? static_cast<int16_t>(taken) : -static_cast<int16_t>(taken);
+  if (ends) {
+    bit = balance_ > 0;
+    phase_ = 0;
+    balance_ = 0;
   }
-  return false;
+  return ends;
 }
 
-// Stops at the end of the window, and where a new level has lasted long enough to be believed.
-uint16_t BitClock::step(uint16_t ticks) const {
-  uint16_t most = bitTicks_ - phase_;
-  if (level_ != steadyLevel_ && settleTicks_ - runTicks_ < most) most = settleTicks_ - runTicks_;
-  return ticks < most ? ticks : most;
-}
-
-// A change in the first half of a window came late: the border waits. In the second half it came early: the border
-// moves up. The first half of the window never ends within the quarter bit since, so phase_ stays above the step.
+// The line has changed. In the first half of a window that is late, and the border waits; in the second half it is
+// early, and the border moves up.
 void BitClock::steer() {
-  steadyLevel_ = level_;
-  const bool late = edgePhase_ < bitTicks_ / 2;
-  const uint16_t error = late ? edgePhase_ : bitTicks_ - edgePhase_;
+  const bool late = phase_ < bitTicks_ / 2;
+  const uint16_t error = late ? phase_ : bitTicks_ - phase_;
   const uint16_t move = error / 2 < maxSteerTicks_ ? error / 2 : maxSteerTicks_;
   if (late) {
     phase_ -= move;

@@ -21,24 +21,21 @@ class BitClock {
   void reset(bool level);
 
   /// Goes on in time, at most to the end of the window.
-  /// @param ticks how long the line was at this level; on return, how much of that is still to be gone through
+  /// @param ticks how long the line was at this level, from change to change (a level that stays may come in pieces of
+  /// a quarter of a bit or more); on return, how much of that is still to be gone through
   /// @param bit set where a window ended
   /// @return whether a window ended; to be called again as long as one did.
   JAVINO_OUT_OF_LINE bool advance(uint16_t &ticks, bool level, bool &bit);
 
  private:
-  uint16_t step(uint16_t ticks) const;
   void steer();
 
   const uint16_t bitTicks_;
-  const uint16_t settleTicks_;   // a level that lasts so long is no glitch
+  const uint16_t settleTicks_;  // a level that lasts so long is no glitch
   const uint16_t maxSteerTicks_;
-  uint16_t phase_;      // ticks since the window began, moved by steering
-  int16_t balance_;     // ticks high less ticks low in this window
-  bool level_;          // of the line now
-  bool steadyLevel_;    // the last level that was no glitch
-  uint16_t runTicks_;   // how long the line has been at level_, counted up to settleTicks_
-  uint16_t edgePhase_;  // where in its window the line went to level_
+  uint16_t phase_;    // ticks since the window began, moved by steering
+  int16_t balance_;   // ticks high less ticks low in this window
+  bool steadyLevel_;  // the last level that was no glitch
 };
 
 }  // namespace javino

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Modem.h"
+#include "support/SampledReceiver.h"
 #include "support/Vectors.h"
 
 namespace {
@@ -41,13 +42,23 @@ TEST(AskRadio, receivesEdgesThatAreATenthOfABitOff) {
   }
 }
 
-TEST(AskRadio, receivesThroughGlitchesOfATenthOfABit) {
+TEST(AskRadio, receivesThroughGlitchesWhatASampledReceiverDoesAndMore) {
   std::mt19937 random(23);
-  Modem modem;
-  for (int i = 0; i < PACKETS; i++) {
-    const Bytes payload = randomPayload(random);
-    modem.hardware.play(packetLine(payload).glitches(100, 3 * Modem::BIT, random).silence(12 * Modem::BIT));
-    EXPECT_EQ(modem.take(), payload);
+  const int packets = 300;
+  for (double length : {50.0, 100.0, 150.0}) {
+    Modem modem;
+    int received = 0, sampled = 0;
+    for (int i = 0; i < packets; i++) {
+      const Bytes payload = randomPayload(random);
+      AirLine line = packetLine(payload).glitches(length, 3 * Modem::BIT, random).silence(12 * Modem::BIT);
+      modem.hardware.play(line);
+      if (modem.take() == payload) received++;
+      if (SampledReceiver::receive(line, Modem::BIT) == std::vector<Bytes>{payload}) sampled++;
+    }
+    EXPECT_GE(received, sampled) << "glitches of " << length << " ticks, one in three bits";
+    if (length <= 100) {
+      EXPECT_GE(received, packets * 95 / 100) << "glitches of " << length << " ticks";
+    }
   }
 }
 

