@@ -1,5 +1,9 @@
 package uppaal;
 
+import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
 /** A model or a query that cannot be read or run: one line that says where, and what is wrong. */
 public final class ModelException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -15,5 +19,11 @@ public final class ModelException extends RuntimeException {
     /** For something that UPPAAL knows and this checker does not. */
     public static ModelException outside(String where, String construct) {
         return new ModelException(where, construct + " is outside the subset that this checker reads");
+    }
+
+    /** For a file that cannot be read. */
+    public static ModelException unreadable(Path file, IOException problem) {
+        return new ModelException(file.toString(),
+            problem instanceof NoSuchFileException ? "there is no such file" : "it cannot be read: " + problem.getMessage());
     }
 }

@@ -37,7 +37,8 @@ public final class TinyNetworks {
                     .template("Q", "a -> b; sync c?", "a -> d; sync c?").template("S", "a -> b; sync c?", "a -> d; sync c?"),
                 5, 4, "E<> Q.b && S.d", true),
             new Tiny("a binary sender meets exactly one",
-                Sketch.of("chan c;").template("P", "a -> b; sync c!").template("Q", "a -> b; sync c?").template("S", "a -> b; sync c?"),
+                Sketch.of("chan c;").template("P", "a -> b; sync c!")
+                    .template("Q", "a -> b; sync c?").template("S", "a -> b; sync c?"),
                 3, 2, "A[] !(Q.b && S.b)", true),
             new Tiny("a committed location is left first",
                 Sketch.of("bool n;").template("P", "a -> b!; set n = 1", "b! -> d; set n = 0").template("Q", "a -> b; guard n"),
@@ -46,17 +47,21 @@ public final class TinyNetworks {
                 Sketch.of("bool n;").template("P", "a -> b; set n = 1", "b -> d; set n = 0").template("Q", "a -> b; guard n"),
                 5, 2, "A[] Q.a", false),
             new Tiny("a committed listener lets others speak to it, and only to it",
-                Sketch.of("broadcast chan c, d;").template("P", "a -> b; sync c!", "a -> e; sync d!").template("Q", "w! -> b; sync c?"),
+                Sketch.of("broadcast chan c, d;").template("P", "a -> b; sync c!", "a -> e; sync d!")
+                    .template("Q", "w! -> b; sync c?"),
                 2, 1, "A[] !P.e", true),
             new Tiny("two committed locations are left in any order",
-                Sketch.of("").template("P", "a! -> b").template("Q", "a! -> b").template("S", "a -> b"), 5, 1, "A[] S.b imply (P.b && Q.b)", true),
+                Sketch.of("").template("P", "a! -> b")
+                    .template("Q", "a! -> b").template("S", "a -> b"), 5, 1, "A[] S.b imply (P.b && Q.b)", true),
             new Tiny("a committed location without a way out stops all",
                 Sketch.of("").template("P", "a! -> b; guard false").template("Q", "a -> b"), 1, 1, "E<> deadlock", true),
             new Tiny("guards are asked before assignments are made",
-                Sketch.of("chan c; int[0,1] x;").template("P", "a -> b; sync c!; set x = 1").template("Q", "a -> b; guard x == 0; sync c?"),
+                Sketch.of("chan c; int[0,1] x;").template("P", "a -> b; sync c!; set x = 1")
+                    .template("Q", "a -> b; guard x == 0; sync c?"),
                 2, 1, "E<> Q.b", true),
             new Tiny("and not after them",
-                Sketch.of("broadcast chan c; int[0,1] x;").template("P", "a -> b; sync c!; set x = 1").template("Q", "a -> b; guard x == 1; sync c?"),
+                Sketch.of("broadcast chan c; int[0,1] x;").template("P", "a -> b; sync c!; set x = 1")
+                    .template("Q", "a -> b; guard x == 1; sync c?"),
                 2, 1, "E<> Q.b", false),
             new Tiny("the sender assigns first, then the listeners in their order",
                 Sketch.of("broadcast chan c; int[0,9] x;").template("P", "a -> b; sync c?; set x = x * 2")
@@ -65,7 +70,8 @@ public final class TinyNetworks {
             new Tiny("a counter counts to its guard",
                 Sketch.of("int[-2,3] x = -2;").template("P", "a -> a; guard x < 3; set x++"), 6, 1, "A[] deadlock imply x == 3", true),
             new Tiny("a loop has no deadlock",
-                Sketch.of("chan c;").template("P", "a -> b; sync c!", "b -> a").template("Q", "a -> a; sync c?"), 2, 0, "A[] not deadlock", true));
+                Sketch.of("chan c;").template("P", "a -> b; sync c!", "b -> a")
+                    .template("Q", "a -> a; sync c?"), 2, 0, "A[] not deadlock", true));
     }
 
     private TinyNetworks() {

@@ -30,7 +30,7 @@ public final class QueryFile {
         try {
             return parse(String.valueOf(path.getFileName()), Files.readString(path));
         } catch (IOException problem) {
-            throw new ModelException(path.toString(), "cannot be read: " + problem.getMessage());
+            throw ModelException.unreadable(path, problem);
         }
     }
 

@@ -21,7 +21,7 @@ import uppaal.ModelException;
 
 /**
  * Reads an UPPAAL 4 XML file. The DTD that its DOCTYPE points to is never fetched,
- * and no element, attribute or label is skipped silently: what is not read is refused by its name.
+ * and no element or label is skipped silently: what is not read is refused by its name.
  */
 public final class DocumentReader {
     private final String file;
@@ -36,7 +36,7 @@ public final class DocumentReader {
         try (InputStream bytes = Files.newInputStream(path)) {
             return read(name, bytes);
         } catch (IOException problem) {
-            throw new ModelException(path.toString(), "cannot be read: " + problem.getMessage());
+            throw ModelException.unreadable(path, problem);
         }
     }
 
@@ -86,7 +86,11 @@ public final class DocumentReader {
         String where = file + ", template " + name;
         Xml.allow(element, where, "name", "parameter", "declaration", "location", "init", "transition");
         Map<String, Location> byId = new LinkedHashMap<>();
-        Xml.children(element, "location").forEach(location -> byId.put(location.getAttribute("id"), location(location, where)));
+        Xml.children(element, "location").forEach(location -> {
+            if (byId.put(location.getAttribute("id"), location(location, where)) != null) {
+                throw new ModelException(where, "the id '" + location.getAttribute("id") + "' is given twice");
+            }
+        });
         unique(byId.values().stream().map(Location::name).toList(), where);
         String initial = Xml.child(element, "init").map(init -> end(init, byId, where).name())
             .orElseThrow(() -> new ModelException(where, "it has no initial location"));

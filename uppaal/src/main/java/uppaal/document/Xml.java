@@ -1,9 +1,10 @@
 package uppaal.document;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
@@ -11,6 +12,9 @@ import uppaal.ModelException;
 
 /** What {@link DocumentReader} needs of the DOM. */
 final class Xml {
+    /** The tags that may stand more than once in one place. */
+    private static final Set<String> MANY = Set.of("template", "location", "transition", "label", "nail");
+
     private Xml() {
     }
 
@@ -41,21 +45,29 @@ final class Xml {
             .map(label -> label.getTextContent().strip()).orElse("");
     }
 
-    /** @throws ModelException when the parent has a child of another tag */
+    /** @throws ModelException when the parent has a child of another tag, or two where only one can be meant */
     static void allow(Element parent, String where, String... tags) {
-        for (Element child : children(parent)) {
-            if (!Arrays.asList(tags).contains(child.getTagName())) {
-                throw ModelException.outside(where, "<" + child.getTagName() + ">");
-            }
-        }
+        List<String> found = children(parent).stream().map(Element::getTagName).toList();
+        refuseOther(found, List.of(tags), where, "<%s>");
+        refuseSecond(found.stream().filter(tag -> !MANY.contains(tag)).toList(), where, "<%s>");
     }
 
-    /** @throws ModelException when the parent has a label of another kind */
+    /** @throws ModelException when the parent has a label of another kind, or two of one */
     static void allowLabels(Element parent, String where, String... kinds) {
-        children(parent, "label").map(label -> label.getAttribute("kind"))
-            .filter(kind -> !Arrays.asList(kinds).contains(kind)).findFirst()
-            .ifPresent(kind -> {
-                throw ModelException.outside(where, "a label of kind '" + kind + "'");
-            });
+        List<String> found = children(parent, "label").map(label -> label.getAttribute("kind")).toList();
+        refuseOther(found, List.of(kinds), where, "a label of kind '%s'");
+        refuseSecond(found, where, "label of kind '%s'");
+    }
+
+    private static void refuseOther(List<String> found, List<String> allowed, String where, String format) {
+        found.stream().filter(name -> !allowed.contains(name)).findFirst().ifPresent(name -> {
+            throw ModelException.outside(where, String.format(format, name));
+        });
+    }
+
+    private static void refuseSecond(List<String> found, String where, String format) {
+        found.stream().filter(name -> Collections.frequency(found, name) > 1).findFirst().ifPresent(name -> {
+            throw new ModelException(where, "there is a second " + String.format(format, name));
+        });
     }
 }

@@ -81,7 +81,8 @@ class ExplorationTest {
 
     @Test
     void evidence_lines_canBeRead() {
-        Network network = Sketch.of("chan c; int[0,9] x;").template("P", "a -> b; sync c!; set x = 7").template("Q", "a -> b; sync c?").network();
+        Network network = Sketch.of("chan c; int[0,9] x;").template("P", "a -> b; sync c!; set x = 7")
+            .template("Q", "a -> b; sync c?").network();
         assertEquals(List.of("  1  c                  P a -> b, Q a -> b", "  => P.b, Q.b, x = 7"),
             explore(network, "E<> x == 7").evidence(0).orElseThrow().lines());
         assertEquals(List.of("  => the first state"), explore(network, "A[] x == 7").evidence(0).orElseThrow().lines());
@@ -104,7 +105,8 @@ class ExplorationTest {
     @Test
     void paper_highwaysMessages_canComeInTheirOrder() {
         Network network = NetworkBuilder.build(PAPER);
-        List<String> heard = List.of("sendBroadcast", "encryptUnicast", "sendUnicast", "encryptMulticast", "sendMulticast", "sendBroadcast");
+        List<String> heard = List.of("sendBroadcast", "encryptUnicast", "sendUnicast",
+            "encryptMulticast", "sendMulticast", "sendBroadcast");
         assertTrue(accepts(network, heard));
         assertTrue(!accepts(network, List.of("sendUnicast")), "nothing is sent that was not encrypted");
         assertTrue(!accepts(network, List.of("encryptUnicast", "sendBroadcast")), "nobody else sends in between");

@@ -15,7 +15,8 @@ class QueryFileTest {
         assertEquals(List.of(
             new Query("P1", true, "it never stops.", "A[] not deadlock", "m.q, line 3"),
             new Query("P2", false, "x: nothing, or so.", "E<> a && b", "m.q, line 7")),
-            QueryFile.parse("m.q", "// a file\n/* P1 holds: it never stops. */\nA[] not deadlock\n\n/* P2 fails: x: nothing, or so. */\nE<> a \\\n   && b\n"));
+            QueryFile.parse("m.q", "// a file\n/* P1 holds: it never stops. */\nA[] not deadlock\n\n"
+                + "/* P2 fails: x: nothing, or so. */\nE<> a \\\n   && b\n"));
     }
 
     @ParameterizedTest

@@ -78,9 +78,19 @@ class DocumentReaderTest {
         "<location id='a'/>                                           | it has no initial location",
         "<location id='a'/><init ref='x'/>                            | <init> points to 'x', which is no location of this template",
         "<location id='a'/><init ref='a'/><transition><source ref='a'/></transition> | a transition has no <target>",
+        "<location id='a'/><location id='a'/><init ref='a'/>          | the id 'a' is given twice",
+        "<location id='a'/><init ref='a'/><init ref='a'/>             | there is a second <init>",
         "<location id='a'><name>b</name></location><location id='b'/><init ref='a'/> | the name 'b' is given twice"})
     void read_brokenTemplate_saysWhat(String body, String message) {
         assertEquals("m.xml, template T: " + message,
+            assertThrows(ModelException.class, () -> template(body)).getMessage());
+    }
+
+    @Test
+    void read_twoGuards_areRefused() {
+        String body = LOCATIONS + "<transition><source ref='a'/><target ref='b'/>"
+            + "<label kind='guard'>x</label><label kind='guard'>y</label></transition>";
+        assertEquals("m.xml, template T, edge A1 -> b: there is a second label of kind 'guard'",
             assertThrows(ModelException.class, () -> template(body)).getMessage());
     }
 
@@ -136,7 +146,7 @@ class DocumentReaderTest {
 
     @Test
     void read_noFile_saysWhich() {
-        assertTrue(assertThrows(ModelException.class, () -> DocumentReader.read(Path.of("models/none.xml")))
-            .getMessage().startsWith("models/none.xml: cannot be read"));
+        assertEquals("models/none.xml: there is no such file",
+            assertThrows(ModelException.class, () -> DocumentReader.read(Path.of("models/none.xml"))).getMessage());
     }
 }

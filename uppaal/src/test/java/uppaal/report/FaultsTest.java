@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
@@ -26,7 +28,7 @@ class FaultsTest {
     @ParameterizedTest
     @CsvSource({
         "wrong guard, '', 'S1 S2 S8', Q1", "no acknowledgement, '', 'S3 S13', Q1",
-        "multicast to one, '', 'S2 S12 S15', Q1", "lost unicast, P5, 'S1 S4 S11', Q1", "channel kept, '', '', Q1",
+        "binary channels, '', 'S2 S3 S12 S13 S15', Q1", "lost unicast, P5, 'S1 S4 S11', Q1", "channel kept, '', '', Q1",
         "plain unicast, '', S14, ''"})
     void kill_fault_isNoticedByTheseProperties(String fault, String paper, String stronger, String quiet) {
         Kill kill = KILLS.stream().filter(candidate -> candidate.fault().name().equals(fault)).findFirst().orElseThrow();
@@ -38,6 +40,16 @@ class FaultsTest {
     void kills_everyStrongerProperty_noticesSomething() {
         Set<String> useful = KILLS.stream().flatMap(kill -> kill.stronger().stream()).collect(Collectors.toCollection(TreeSet::new));
         assertEquals(SUITE.strongerQueries().stream().map(Query::name).collect(Collectors.toCollection(TreeSet::new)), useful);
+    }
+
+    @Test
+    void readme_faults_areThoseThatAreFound() throws IOException {
+        String readme = Files.readString(Path.of("README.md"));
+        for (Kill kill : KILLS) {
+            String row = "| " + kill.fault().name() + ": " + kill.fault().sentence() + " | " + Report.names(kill.paper())
+                + " | " + Report.names(kill.stronger()) + " | " + Report.names(kill.quiet()) + " |";
+            assertTrue(readme.contains(row), () -> "README.md needs the row " + row);
+        }
     }
 
     @Test
