@@ -18,10 +18,8 @@ final class Faults {
             added("Receiver_Multicast", "Multicast_Received", "Multicast_Received", "multicast_received!")),
         new Fault("impatience", "the police does not wait for the acknowledgement of its unicast",
             edge("Sender_Unicast", "Unicast_Sent -> Unicast_Acknowledged", edge -> edge.withSynchronisation(""))),
-        new Fault("multicast to one", "the multicast's channels are binary: one of the group gets it",
-            document -> document.withDeclarations(document.declarations().replace(
-                "broadcast chan encryptMulticast, sendMulticast, sendBroadcast;",
-                "chan encryptMulticast, sendMulticast; broadcast chan sendBroadcast;"))),
+        new Fault("binary channels", "a message to many reaches one of them",
+            document -> document.withDeclarations(document.declarations().replace("broadcast chan", "chan"))),
         new Fault("eavesdropper", "the support service's receiver decrypts multicasts of others",
             added("Receiver_Unicast", "Waiting", "Unicast_Decrypted", "encryptMulticast?")),
         new Fault("thief", "hospital and ambulance take unicasts for the support service, and acknowledge them",

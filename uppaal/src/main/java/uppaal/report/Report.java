@@ -67,7 +67,8 @@ final class Report {
         out.printf("%n%s%n%n", title);
     }
 
-    private static String names(List<String> queries) {
+    /** The names of queries as the tables write them. */
+    static String names(List<String> queries) {
         return queries.isEmpty() ? "-" : String.join(" ", queries);
     }
 }
