@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -14,6 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
 
 /**
  * One run: boards, keys, agents, and what is seen of them. Everything that is started here is ended by {@link #close}.
@@ -59,7 +61,7 @@ final class Scenario implements AutoCloseable {
             if (line.startsWith("{")) trace.read(line).ifPresent(this::see);
             else timeline.note(line);
         });
-        waitFor("the boards' ports", () -> List.of(Device.values()).stream()
+        waitFor("the boards' ports", () -> Arrays.stream(Device.values())
             .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
     }
 
@@ -68,9 +70,9 @@ final class Scenario implements AutoCloseable {
         timeline.note("fresh keys, provisioned over serial");
         Path keyring = Path.of("build", "keyring");
         Files.deleteIfExists(keyring);
-        runToEnd("keygen", List.of(options.keygenCommand(keyring)));
+        runToEnd("keygen", Map.of("", options.keygenCommand(keyring)));
         runToEnd("provision", Arrays.stream(Device.values())
-            .map(device -> options.provisionCommand(device, keyring)).toList());
+            .collect(Collectors.toMap(device -> device.title() + ": ", device -> options.provisionCommand(device, keyring))));
     }
 
     /** Starts the agents; the bus last, when all others have said that they are ready. */
@@ -107,12 +109,12 @@ final class Scenario implements AutoCloseable {
         launch(command, line, status -> failure = name + " has ended with status " + status);
     }
 
-    /** Runs commands side by side until all have ended well; what they print is shown. */
-    private void runToEnd(String name, List<List<String>> commands)
+    /** Runs commands side by side until all have ended well; what they print is shown, each behind its title. */
+    private void runToEnd(String name, Map<String, List<String>> commands)
             throws IOException, InterruptedException, BrokenOffException {
         AtomicInteger running = new AtomicInteger(commands.size());
-        for (List<String> command : commands) {
-            launch(command, timeline::note, status -> {
+        for (Map.Entry<String, List<String>> command : commands.entrySet()) {
+            launch(command.getValue(), line -> timeline.note(command.getKey() + line), status -> {
                 running.decrementAndGet();
                 if (status != 0) failure = name + " has ended with status " + status;
             });
