@@ -9,6 +9,7 @@
 #include <simavr/sim_core.h>
 
 #include "firmware.h"
+#include "timer_modes.h"
 
 #define SUPPLY_MV 5000
 // simavr may run so many cycles between two looks at the clock; bounds the overrun of board_run.
@@ -111,6 +112,7 @@ int board_init(board *b, const char *firmware, board_listener listener, char *er
     b->avr->frequency = CYCLES_PER_SECOND;
     b->avr->vcc = b->avr->avcc = b->avr->aref = SUPPLY_MV;
     b->avr->reset = chip_reset;
+    timer_modes_complete(b->avr);
     link_ports(b);
     return firmware_load(b->avr, firmware, error, error_size);
 }

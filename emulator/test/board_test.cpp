@@ -94,3 +94,16 @@ TEST(Board, firmware_for_something_else_is_refused)
     EXPECT_NE(std::string(error).find("is built for another processor"), std::string::npos) << error;
     board_release(&b);
 }
+
+TEST(Board, the_timers_of_an_idle_arduino_let_it_sleep)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@arduino_idle"}]})");
+    cycles_t longest = 0;
+    for (int ms = 10; ms < 20; ms++) {
+        run.run_until(ms / 1000.0);
+        cycles_t sleep = board_next_event(&run.e.nodes[0].mega) - run.e.now;
+        longest = sleep > longest ? sleep : longest;
+    }
+    EXPECT_GT(longest, CYCLES_PER_MS / 4); // and not the 64 cycles of one timer clock
+}
