@@ -19,6 +19,7 @@ libelf-dev               reads firmware files
 libjansson-dev           JSON: scenario files and test vectors
 libgtest-dev             GoogleTest
 libgmock-dev             GoogleMock
+spin                     checks the model beside our checker
 "
 # For systems without these packages: the commands that must be there.
 COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake"
