@@ -30,7 +30,7 @@
 #define JAVINO_ACTIONS 16
 #endif
 
-/// Places of the ring that holds the boot epoch, 2…64. 5 bytes of EEPROM each; each lasts for 50 000 boots.
+/// Places of the ring that holds the boot epoch, 4…64. 5 bytes of EEPROM each; each is good for 25 000 boots.
 #ifndef JAVINO_EPOCH_SLOTS
 #define JAVINO_EPOCH_SLOTS 16
 #endif
@@ -56,7 +56,7 @@ static_assert(JAVINO_REPLAY_ENTRIES >= 1 && JAVINO_REPLAY_ENTRIES <= 254, "JAVIN
 static_assert(JAVINO_RECEIVE_QUEUE >= 1 && JAVINO_RECEIVE_QUEUE <= 128, "JAVINO_RECEIVE_QUEUE must be 1…128");
 static_assert(JAVINO_TRANSMIT_QUEUE >= 1 && JAVINO_TRANSMIT_QUEUE <= 16, "JAVINO_TRANSMIT_QUEUE must be 1…16");
 static_assert(JAVINO_ACTIONS >= 1 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 1…254");
-static_assert(JAVINO_EPOCH_SLOTS >= 2 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 2…64");
+static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 4…64");
 
 }  // namespace config
 }  // namespace javino

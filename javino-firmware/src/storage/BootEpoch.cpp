@@ -7,38 +7,32 @@ namespace javino {
 
 const uint32_t BootEpoch::NONE_LEFT;
 
+static const uint8_t COPIES = 2;
+
 static EepromRecord recordAt(Eeprom &eeprom, uint8_t slot) {
   return EepromRecord(eeprom, static_cast<uint16_t>(EPOCHS_AT + slot * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
 }
 
 void BootEpoch::begin() {
   const uint8_t highest = findHighest();
-  stored_ = false;
-  if (value_ == NONE_LEFT) return;
-  for (uint8_t i = 1; i <= config::EPOCH_SLOTS && !stored_; i++) {
-    stored_ = store(static_cast<uint8_t>((highest + i) % config::EPOCH_SLOTS));
+  if (value_ != NONE_LEFT) value_++;
+  uint8_t copies = 0;
+  for (uint8_t i = 1; i < config::EPOCH_SLOTS && copies < COPIES && value_ != NONE_LEFT; i++) {
+    if (store(static_cast<uint8_t>((highest + i) % config::EPOCH_SLOTS))) copies++;
   }
+  stored_ = copies == COPIES;
 }
 
-// Sets the new value, and returns the place of the highest epoch stored so far.
+// Sets the value to the highest epoch stored so far, 0 where there is none, and returns its place.
 uint8_t BootEpoch::findHighest() {
-  uint32_t highest = 0;
   uint8_t slotOfHighest = config::EPOCH_SLOTS - 1;
-  uint8_t unreadable = 0;
+  value_ = 0;
   for (uint8_t slot = 0; slot < config::EPOCH_SLOTS; slot++) {
-    const EepromRecord record = recordAt(eeprom_, slot);
     uint8_t stored[EPOCH_LENGTH];
-    if (record.read(stored)) {
-      const uint32_t epoch = readUint24(stored);
-      if (epoch < highest) continue;
-      highest = epoch;
-      slotOfHighest = slot;
-    } else if (!record.isBlank()) {
-      unreadable++;
-    }
+    if (!recordAt(eeprom_, slot).read(stored) || readUint24(stored) < value_) continue;
+    value_ = readUint24(stored);
+    slotOfHighest = slot;
   }
-  const uint32_t raised = highest + unreadable + 1;
-  value_ = raised < NONE_LEFT ? raised : NONE_LEFT;
   return slotOfHighest;
 }
 

@@ -10,14 +10,13 @@ namespace javino {
 /// The count of this board's boots, the first half of each nonce (SPEC 5.1): raised by one and stored before anything
 /// is sent, so that no epoch is ever used in two boots.
 ///
-/// A ring of records (Config.h: 16) takes the epochs in turn. The next boot writes to the place behind the highest
-/// epoch, so a write that is torn by a loss of power leaves all earlier epochs whole. A place that cannot be read may
-/// have held a later epoch than any that can: each such place raises the new epoch by one more. So a decayed place
-/// costs some epochs out of 16.7 million, and never repeats one.
+/// A ring of records (Config.h: 16) takes the epochs in turn, each of them twice: in the two places behind the highest
+/// epoch so far. A write that is torn by a loss of power leaves the earlier epochs whole, and an epoch counts as
+/// stored when both copies are there: so a place that decays later does not make it come again.
 ///
-/// Wear: a boot changes one place, its seal twice (erased, written). Cells last 100 000 writes, a place 50 000 boots,
-/// the ring of 16 places 800 000 boots: 20 boots an hour for four and a half years. A place that is worn out is
-/// passed over.
+/// Wear: a boot changes two places, the seal of each twice (erased, written). Cells last 100 000 writes, a place
+/// 50 000 boots that use it, the ring of 16 places 400 000 boots: 20 boots an hour for more than two years. A place
+/// that is worn out is passed over.
 class BootEpoch {
  public:
   /// 0xFFFFFF stands for "none left" and is never used in a nonce.
@@ -25,7 +24,7 @@ class BootEpoch {
 
   explicit BootEpoch(Eeprom &eeprom) : eeprom_(eeprom), value_(0), stored_(false) {}
 
-  /// Raises the epoch and stores it: some 17 ms. To be called once, after a boot.
+  /// Raises the epoch and stores it: some 30 ms. To be called once, after a boot.
   JAVINO_NOINLINE void begin();
 
   /// 1…0xFFFFFE, or NONE_LEFT.

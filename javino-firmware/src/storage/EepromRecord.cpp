@@ -14,13 +14,6 @@ static uint8_t sealOf(const Crc16 &crc) {
   return low == ERASED ? 0 : low;
 }
 
-bool EepromRecord::isBlank() const {
-  for (uint8_t i = 0; i < length_ + CHECK_LENGTH; i++) {
-    if (stored(i) != ERASED) return false;
-  }
-  return true;
-}
-
 bool EepromRecord::read(uint8_t *data) const {
   Crc16 crc;
   for (uint8_t i = 0; i < length_; i++) {

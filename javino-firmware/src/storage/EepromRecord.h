@@ -21,10 +21,6 @@ class EepromRecord {
   /// @param length of the data, 1…253 bytes
   EepromRecord(Eeprom &eeprom, uint16_t at, uint8_t length) : eeprom_(eeprom), at_(at), length_(length) {}
 
-  /// Whether nothing was ever written here: every byte is 0xFF. A record that is neither blank nor readable is erased,
-  /// half-written or decayed.
-  bool isBlank() const;
-
   /// Copies the data out.
   /// @return false, and the copy is to be thrown away, where there is no whole record.
   bool read(uint8_t *data) const;
