@@ -1,0 +1,58 @@
+#include <board/Actions.h>
+#include <gtest/gtest.h>
+
+#include "support/Bytes.h"
+
+#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
+
+using javino::Actions;
+using javino::Status;
+
+namespace {
+
+bool succeed(const javino::Arguments &) { return true; }
+bool refuse(const javino::Arguments &) { return false; }
+
+Status perform(const Actions &actions, const std::string &action) {
+  const Bytes bytes = bytesOf(action);
+  return actions.perform(bytes.data(), static_cast<uint16_t>(bytes.size()));
+}
+
+}  // namespace
+
+TEST(Actions, performs_what_was_named) {
+  Actions actions;
+  EXPECT_TRUE(actions.add(F("stop"), succeed));
+  EXPECT_TRUE(actions.add(F("go"), refuse));
+  EXPECT_EQ(Status::OK, perform(actions, "stop"));
+  EXPECT_EQ(Status::OK, perform(actions, "stop(now)"));
+  EXPECT_EQ(Status::ACTION_FAILED, perform(actions, "go"));
+  EXPECT_EQ(Status::BAD_ARGUMENT, perform(actions, "stop("));
+}
+
+TEST(Actions, knows_names_whole_only) {
+  Actions actions;
+  actions.add(F("stop"), succeed);
+  for (const char *name : {"sto", "stopp", "Stop", "x", "stop_"}) {
+    EXPECT_EQ(Status::UNKNOWN_ACTION, perform(actions, name)) << name;
+  }
+  EXPECT_EQ(Status::BAD_ARGUMENT, perform(actions, std::string("stop\0", 5)));
+}
+
+TEST(Actions, refuses_names_that_are_taken_or_missing) {
+  Actions actions;
+  EXPECT_TRUE(actions.add(F("stop"), succeed));
+  EXPECT_FALSE(actions.add(F("stop"), refuse));
+  EXPECT_EQ(Status::OK, perform(actions, "stop"));
+  EXPECT_FALSE(actions.add(F(""), succeed));
+  EXPECT_FALSE(actions.add(nullptr, succeed));
+  EXPECT_FALSE(actions.add(F("x"), nullptr));
+}
+
+TEST(Actions, refuses_more_than_Config_says) {
+  Actions actions;
+  std::vector<std::string> names;
+  for (int i = 0; i <= javino::config::ACTIONS; i++) names.push_back("action" + std::to_string(i));
+  for (int i = 0; i < javino::config::ACTIONS; i++) EXPECT_TRUE(actions.add(F(names[i].c_str()), succeed));
+  EXPECT_FALSE(actions.add(F(names.back().c_str()), succeed));
+}

@@ -1,0 +1,82 @@
+#include <addressing/Address.h>
+#include <addressing/Base64Digit.h>
+#include <gtest/gtest.h>
+
+#include "support/Vectors.h"
+
+using javino::Address;
+
+namespace {
+
+std::string nameOf(Address::Class addressClass) {
+  switch (addressClass) {
+    case Address::DEVICE:
+      return "device";
+    case Address::SERIAL_LINE:
+      return "serial";
+    case Address::BROADCAST:
+      return "broadcast";
+    case Address::MULTICAST:
+      return "multicast";
+    default:
+      return "reserved";
+  }
+}
+
+uint16_t half(const std::string &digits) {
+  return static_cast<uint16_t>(javino::base64Value(static_cast<uint8_t>(digits.at(0))) * 64 +
+                               javino::base64Value(static_cast<uint8_t>(digits.at(1))));
+}
+
+}  // namespace
+
+TEST(Address, reads_all_valid_vectors) {
+  for (const Vector &vector : vectors("addresses.json", "valid")) {
+    SCOPED_TRACE(vector.toString());
+    Address address;
+    ASSERT_TRUE(Address::parse(bytesOf(vector.text("text")).data(), address));
+    EXPECT_EQ(std::stoul(vector.text("value"), nullptr, 16), address.value());
+    EXPECT_EQ(vector.text("class"), nameOf(address.classOf()));
+    EXPECT_EQ(half(vector.text("group")), address.group());
+    EXPECT_EQ(half(vector.text("member")), address.member());
+  }
+}
+
+TEST(Address, writes_what_it_read) {
+  for (const Vector &vector : vectors("addresses.json", "valid")) {
+    Bytes text(4);
+    Address(static_cast<uint32_t>(std::stoul(vector.text("value"), nullptr, 16))).write(text.data());
+    EXPECT_EQ(vector.text("text"), textOf(text));
+  }
+}
+
+// The length is the caller's to see to: an address is always read from four bytes.
+TEST(Address, refuses_invalid_vectors_of_four_bytes) {
+  int refused = 0;
+  for (const Vector &vector : vectors("addresses.json", "invalid")) {
+    const Bytes text = bytesOf(vector.text("text"));
+    if (text.size() != Address::TEXT_LENGTH) continue;
+    SCOPED_TRACE(vector.toString());
+    Address address(42);
+    EXPECT_FALSE(Address::parse(text.data(), address));
+    EXPECT_EQ(Address(42), address) << "a refused text leaves the address alone";
+    refused++;
+  }
+  EXPECT_GT(refused, 0);
+}
+
+TEST(Address, every_byte_outside_the_alphabet_is_no_digit) {
+  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (int byte = 0; byte < 256; byte++) {
+    const size_t value = alphabet.find(static_cast<char>(byte));
+    const uint8_t expected = value == std::string::npos ? javino::NOT_A_DIGIT : static_cast<uint8_t>(value);
+    EXPECT_EQ(expected, javino::base64Value(static_cast<uint8_t>(byte))) << byte;
+    if (value == std::string::npos) continue;
+    EXPECT_EQ(byte, javino::base64Digit(expected));
+  }
+}
+
+TEST(Address, is_the_serial_line_where_nothing_is_set) {
+  EXPECT_TRUE(Address().isSerial());
+  EXPECT_FALSE(Address().isDevice());
+}

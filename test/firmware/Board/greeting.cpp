@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "support/Reference.h"
+#include "support/TestBoard.h"
+
+using javino::Status;
+
+TEST(Board, performs_nothing_but_hello_after_each_boot) {
+  TestBoard board;
+  for (int boot = 0; boot < 3; boot++) {
+    board.reboot();
+    for (char command : std::string("PAIRKDLSZ")) {
+      const BoardReply reply = board.request(command);
+      EXPECT_EQ(Status::NOT_GREETED, reply.status) << command;
+      EXPECT_TRUE(reply.body.empty());
+    }
+    EXPECT_EQ(Status::NOT_GREETED, board.request(Bytes()).status);
+    EXPECT_EQ(Status::NOT_GREETED, board.transmit("////", "ROMA", "tell;help").status);
+    EXPECT_EQ(Status::OK, board.hello().status);
+    EXPECT_EQ(Status::OK, board.request('L').status);
+  }
+}
+
+TEST(Board, a_repeat_that_crosses_a_reboot_is_not_performed) {
+  TestBoard board;
+  board.start();
+  const Bytes request = reference::packet(77, reference::frame("++++", "++++", bytesOf("IROMA")));
+  board.sendRaw(request);
+  board.reboot();
+  const std::vector<Bytes> replies = board.sendRaw(request);
+  ASSERT_EQ(1u, replies.size());
+  EXPECT_EQ(static_cast<uint8_t>(Status::NOT_GREETED), reference::cobsDecoded(replies[0])[11]);
+}
+
+TEST(Board, tells_version_id_boot_count_and_name) {
+  TestBoard board;
+  board.reboot();
+  EXPECT_EQ(bytesOf("\x01++++") + fromHex("000002") + bytesOf("test 1.0"), board.hello().body);
+  board.request('I', bytesOf("ROMA"));
+  board.reboot();
+  EXPECT_EQ(bytesOf("\x01ROMA") + fromHex("000003") + bytesOf("test 1.0"), board.hello().body);
+}
+
+TEST(Board, is_not_greeted_by_a_host_of_another_version) {
+  TestBoard board;
+  for (uint8_t version : {0, 2, 255}) {
+    const BoardReply reply = board.request('H', {version});
+    EXPECT_EQ(Status::OK, reply.status);
+    EXPECT_EQ(1, reply.body.at(0));
+    EXPECT_EQ(Status::NOT_GREETED, board.request('L').status);
+  }
+}
+
+TEST(Board, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {
+  TestBoard board;
+  const Bytes hello = reference::packet(1, reference::frame("++++", "++++", {'H', 1}));
+  board.sendRaw(hello);
+  board.sendRaw(hello);
+  EXPECT_EQ(0u, board.counter(javino::Counter::SERIAL_REPEATS));
+}
+
+TEST(Board, begins_although_the_radio_does_not_and_says_so) {
+  SimulatedEeprom eeprom;
+  FakePort port;
+  FakeRadio radio;
+  radio.works = false;
+  javino::Board board(port, eeprom, radio, "x");
+  EXPECT_FALSE(board.begin());
+}

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include "support/Reference.h"
+#include "support/TestBoard.h"
+
+#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
+
+namespace {
+
+const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
+
+// All secrets that the board has or had.
+std::vector<Bytes> secrets() {
+  javino::DerivedKeys keys;
+  keys.derive(KEY.data());
+  return {KEY, Bytes(keys.encryption, keys.encryption + 16), Bytes(keys.authentication, keys.authentication + 16)};
+}
+
+}  // namespace
+
+TEST(Board, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks) {
+  TestBoard board;
+  board.start("SUPP");
+  board.board->onPercepts([](javino::Percepts &percepts) { percepts.add(F("dark")); });
+  board.setKey("SUHO", KEY);
+  RandomBytes random(15);
+  for (int i = 0; i < 5000; i++) {
+    Bytes message = random.bytes(random.number(40));
+    if (!message.empty()) message[0] = static_cast<uint8_t>("HPAIRLSZX"[random.number(9)]);
+    board.request(message);
+  }
+  Bytes everything = board.port.everWritten();
+  for (const Bytes &packet : board.radio.sent) everything = everything + packet;
+  for (const Bytes &secret : secrets()) {
+    EXPECT_FALSE(contains(everything, secret));
+    for (size_t at = 0; at + 4 <= secret.size(); at++) {
+      EXPECT_FALSE(contains(everything, Bytes(secret.begin() + at, secret.begin() + at + 4))) << at;
+    }
+  }
+}
+
+TEST(Board, random_packets_get_one_reply_each_and_never_break_it) {
+  TestBoard board;
+  board.start("SUPP");
+  RandomBytes random(16);
+  for (int i = 0; i < 5000; i++) {
+    const char *destinations[] = {"++++", "////", "//SU", "SUHO", "+FAA"};
+    const std::string destination = destinations[random.number(5)];
+    const Bytes message = random.bytes(random.number(512));
+    EXPECT_EQ(1u, board.sendRaw(reference::packet(random.byte(), reference::frame(destination, "SUPP", message))).size());
+  }
+}
+
+TEST(Board, random_bytes_are_answered_with_silence) {
+  TestBoard board;
+  board.start("SUPP");
+  RandomBytes random(17);
+  for (int i = 0; i < 1000; i++) EXPECT_TRUE(board.sendRaw(random.bytes(random.number(700)) + Bytes{0}).empty());
+}

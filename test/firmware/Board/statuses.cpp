@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+#include <storage/EepromLayout.h>
+
+#include "support/Reference.h"
+#include "support/TestBoard.h"
+#include "support/Vectors.h"
+
+#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
+
+using javino::Status;
+
+namespace {
+
+const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
+const Bytes KEY_CHECK = fromHex("dcc75b");
+
+Status statusOf(const std::string &name) {
+  const struct {
+    const char *name;
+    Status status;
+  } all[] = {{"UNKNOWN_COMMAND", Status::UNKNOWN_COMMAND}, {"BAD_ARGUMENT", Status::BAD_ARGUMENT}};
+  for (const auto &entry : all) {
+    if (name == entry.name) return entry.status;
+  }
+  throw std::runtime_error("the test knows no status " + name);
+}
+
+class BoardStatus : public testing::Test {
+ protected:
+  BoardStatus() { board.start("ROMA"); }
+
+  TestBoard board;
+};
+
+}  // namespace
+
+TEST_F(BoardStatus, refuses_all_bad_requests_of_the_vectors) {
+  for (const Vector &vector : vectors("commands.json", "badRequests")) {
+    SCOPED_TRACE(vector.toString());
+    const BoardReply reply = board.request(vector.bytes("message"));
+    EXPECT_EQ(statusOf(vector.text("status")), reply.status);
+    EXPECT_TRUE(reply.body.empty());
+  }
+}
+
+TEST_F(BoardStatus, understands_all_requests_of_the_vectors) {
+  board.board->action(F("stop"), [](const javino::Arguments &) { return true; });
+  board.board->action(F("goTo"), [](const javino::Arguments &) { return true; });
+  for (const Vector &vector : vectors("commands.json", "requests")) {
+    SCOPED_TRACE(vector.toString());
+    if (vector.text("name") == "transmit") continue;
+    EXPECT_EQ(Status::OK, board.request(vector.bytes("message")).status);
+  }
+}
+
+TEST_F(BoardStatus, transmits_the_requests_of_the_vectors) {
+  for (const Vector &vector : vectors("commands.json", "requests")) {
+    if (vector.text("name") != "transmit") continue;
+    SCOPED_TRACE(vector.toString());
+    board.request('I', bytesOf(vector.text("origin")));
+    if (vector.text("destination") != "////") board.setKey(vector.text("destination"), KEY);
+    EXPECT_EQ(Status::OK, board.transmit(vector.text("destination"), vector.text("origin"), vector.text("content")).status);
+    board.finishSending();
+  }
+}
+
+TEST_F(BoardStatus, answers_UNKNOWN_COMMAND_to_every_other_command_byte) {
+  for (int command = 0; command < 256; command++) {
+    if (std::string("HPAIRKDLS").find(static_cast<char>(command)) != std::string::npos) continue;
+    EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request(Bytes(1, static_cast<uint8_t>(command))).status) << command;
+  }
+  EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request(Bytes()).status);
+}
+
+TEST_F(BoardStatus, answers_BAD_ARGUMENT_to_bodies_that_a_command_does_not_take) {
+  for (const std::string &message : {std::string("H"), std::string("H\1\1"), std::string("L1"), std::string("S1"),
+                                     std::string("P\2"), std::string("A"), std::string("Astop("), std::string("D////"),
+                                     std::string("D++++"), std::string("IROM"), std::string("K")}) {
+    EXPECT_EQ(Status::BAD_ARGUMENT, board.request(bytesOf(message)).status) << message;
+  }
+}
+
+TEST_F(BoardStatus, answers_UNKNOWN_ACTION_and_ACTION_FAILED) {
+  board.board->action(F("refuse"), [](const javino::Arguments &) { return false; });
+  EXPECT_EQ(Status::UNKNOWN_ACTION, board.request(bytesOf("Afly")).status);
+  EXPECT_EQ(Status::ACTION_FAILED, board.request(bytesOf("Arefuse")).status);
+}
+
+TEST_F(BoardStatus, hands_arguments_to_the_action) {
+  static long speed;
+  board.board->action(F("speed"), [](const javino::Arguments &arguments) { return arguments.integer(0, speed); });
+  EXPECT_EQ(Status::OK, board.request(bytesOf("Aspeed(-12)")).status);
+  EXPECT_EQ(-12, speed);
+}
+
+TEST(Board, answers_NO_RF_ID_before_one_is_set) {
+  TestBoard board;
+  board.start();
+  EXPECT_EQ(Status::NO_RF_ID, board.transmit("////", "ROMA", "tell;help").status);
+}
+
+TEST_F(BoardStatus, answers_WRONG_ORIGIN) {
+  EXPECT_EQ(Status::WRONG_ORIGIN, board.transmit("////", "SUPO", "tell;help").status);
+  EXPECT_EQ(Status::WRONG_ORIGIN, board.transmit("////", "++++", "tell;help").status);
+  EXPECT_EQ(Status::WRONG_ORIGIN, board.exchange(reference::frame("++++", "ROMA", bytesOf("L"))).status);
+}
+
+TEST_F(BoardStatus, answers_BAD_DESTINATION) {
+  for (const char *destination : {"ROMA", "+FAA", "+KAA", "/AAA", "/+//", "+++/"}) {
+    EXPECT_EQ(Status::BAD_DESTINATION, board.transmit(destination, "ROMA", "tell;help").status) << destination;
+  }
+}
+
+TEST_F(BoardStatus, answers_NO_KEY) {
+  EXPECT_EQ(Status::NO_KEY, board.transmit("SUPO", "ROMA", "tell;help").status);
+  EXPECT_EQ(Status::NO_KEY, board.transmit("//SU", "ROMA", "tell;help").status);
+  EXPECT_EQ(Status::NO_KEY, board.request(bytesOf("DSUPO")).status);
+}
+
+TEST_F(BoardStatus, answers_TOO_LONG_beyond_67_and_53_bytes) {
+  board.setKey("SUPO", KEY);
+  EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", std::string(67, 'x')).status);
+  EXPECT_EQ(Status::TOO_LONG, board.transmit("////", "ROMA", std::string(68, 'x')).status);
+  EXPECT_EQ(Status::OK, board.transmit("SUPO", "ROMA", std::string(53, 'x')).status);
+  EXPECT_EQ(Status::TOO_LONG, board.transmit("SUPO", "ROMA", std::string(54, 'x')).status);
+  EXPECT_EQ(Status::TOO_LONG, board.transmit("SUPO", "ROMA", std::string(511, 'x')).status);
+}
+
+TEST_F(BoardStatus, answers_QUEUE_FULL) {
+  for (int i = 0; i < 1 + javino::config::TRANSMIT_QUEUE; i++) {
+    EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", "tell;help").status);
+  }
+  EXPECT_EQ(Status::QUEUE_FULL, board.transmit("////", "ROMA", "tell;help").status);
+  board.finishSending();
+  EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", "tell;help").status);
+}
+
+TEST_F(BoardStatus, answers_STORE_FULL) {
+  for (int i = 0; i < javino::config::KEYS; i++) {
+    EXPECT_EQ(KEY_CHECK, board.setKey("AA" + std::string(1, static_cast<char>('A' + i)) + "A", KEY).body);
+  }
+  EXPECT_EQ(Status::STORE_FULL, board.setKey("SUPO", KEY).status);
+  board.request(bytesOf("DAACA"));
+  EXPECT_EQ(Status::OK, board.setKey("SUPO", KEY).status);
+  EXPECT_EQ(16u * 7, board.request('L').body.size());
+}
+
+TEST_F(BoardStatus, answers_STORE_FAILED) {
+  board.eeprom.wearOut(javino::KEYS_AT);
+  EXPECT_EQ(Status::STORE_FAILED, board.setKey("SUPO", KEY).status);
+  board.eeprom.wearOut(javino::RF_ID_AT);
+  EXPECT_EQ(Status::STORE_FAILED, board.request(bytesOf("ISUPO")).status);
+}
+
+TEST_F(BoardStatus, seals_nothing_where_the_boot_epoch_could_not_be_stored) {
+  board.setKey("SUPO", KEY);
+  for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) board.eeprom.wearOut(at);
+  EXPECT_FALSE(board.reboot());
+  board.hello();
+  EXPECT_EQ(Status::STORE_FAILED, board.transmit("SUPO", "ROMA", "tell;help").status);
+  EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", "tell;help").status);
+}
+
+TEST_F(BoardStatus, answers_NONCE_EXHAUSTED) {
+  board.setKey("SUPO", KEY);
+  javino::EepromRecord(board.eeprom, javino::EPOCHS_AT, 3).write(fromHex("fffffe").data());
+  board.reboot();
+  board.hello();
+  EXPECT_EQ(Status::NONCE_EXHAUSTED, board.transmit("SUPO", "ROMA", "tell;help").status);
+  EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", "tell;help").status) << "a broadcast needs no nonce";
+}
+
+TEST_F(BoardStatus, opens_and_blocks_the_radio) {
+  EXPECT_FALSE(board.radio.listening) << "boards start with the radio blocked";
+  board.request('R', {1});
+  EXPECT_TRUE(board.radio.listening);
+  board.request('R', {0});
+  EXPECT_FALSE(board.radio.listening);
+}

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+#include <secure/NonceSource.h>
+#include <storage/EepromLayout.h>
+
+#include "support/SimulatedEeprom.h"
+
+using javino::BootEpoch;
+
+namespace {
+
+void store(SimulatedEeprom &eeprom, uint32_t epoch) {
+  const Bytes data = {static_cast<uint8_t>(epoch >> 16), static_cast<uint8_t>(epoch >> 8), static_cast<uint8_t>(epoch)};
+  javino::EepromRecord(eeprom, javino::EPOCHS_AT, 3).write(data.data());
+}
+
+}  // namespace
+
+TEST(BootEpoch, the_last_one_is_used_and_none_after_it) {
+  SimulatedEeprom eeprom;
+  store(eeprom, 0xFFFFFD);
+  BootEpoch last(eeprom);
+  last.begin();
+  EXPECT_EQ(0xFFFFFEu, last.value());
+  EXPECT_FALSE(javino::NonceSource(last).isExhausted());
+  for (int i = 0; i < 3; i++) {
+    BootEpoch after(eeprom);
+    after.begin();
+    EXPECT_EQ(BootEpoch::NONE_LEFT, after.value());
+    EXPECT_TRUE(javino::NonceSource(after).isExhausted());
+  }
+}
+
+TEST(NonceSource, counts_up_from_zero_behind_the_epoch) {
+  SimulatedEeprom eeprom;
+  store(eeprom, 0x010202);
+  BootEpoch epoch(eeprom);
+  epoch.begin();
+  javino::NonceSource nonces(epoch);
+  Bytes nonce(6);
+  nonces.take(nonce.data());
+  EXPECT_EQ("010203000000", toHex(nonce));
+  nonces.take(nonce.data());
+  EXPECT_EQ("010203000001", toHex(nonce));
+}
+
+TEST(NonceSource, is_exhausted_after_the_last_counter) {
+  SimulatedEeprom eeprom;
+  BootEpoch epoch(eeprom);
+  epoch.begin();
+  javino::NonceSource nonces(epoch);
+  Bytes nonce(6);
+  for (uint32_t i = 0; i <= 0xFFFFFF; i++) nonces.take(nonce.data());
+  EXPECT_EQ("000001ffffff", toHex(nonce));
+  EXPECT_TRUE(nonces.isExhausted());
+}

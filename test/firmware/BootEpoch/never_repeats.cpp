@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+#include <storage/BootEpoch.h>
+#include <storage/EepromLayout.h>
+
+#include "support/SimulatedEeprom.h"
+
+using javino::BootEpoch;
+
+namespace {
+
+const int STORE_WRITES = 12;  // the most that storing takes, twice: seal (2), three bytes, the CRC's other half
+
+// Boots once; returns the epoch that may be used from now on, or 0 where the power was cut before.
+uint32_t boot(SimulatedEeprom &eeprom) {
+  BootEpoch epoch(eeprom);
+  try {
+    epoch.begin();
+  } catch (const PowerCut &) {
+    eeprom.restorePower();
+    return 0;
+  }
+  return epoch.isStored() ? epoch.value() : 0;
+}
+
+}  // namespace
+
+TEST(BootEpoch, counts_the_boots_from_one) {
+  SimulatedEeprom eeprom;
+  for (uint32_t expected = 1; expected <= 1000; expected++) ASSERT_EQ(expected, boot(eeprom));
+}
+
+TEST(BootEpoch, power_cuts_at_every_write_with_any_garbage_never_repeat_an_epoch) {
+  RandomBytes random(9);
+  for (int run = 0; run < 200; run++) {
+    SimulatedEeprom eeprom;
+    uint32_t last = 0;
+    for (int i = 0; i < 100; i++) {
+      if (random.number(2) == 0) eeprom.cutPowerAfter(static_cast<int>(random.number(STORE_WRITES)), random.byte());
+      const uint32_t epoch = boot(eeprom);
+      eeprom.restorePower();
+      if (epoch == 0) continue;
+      ASSERT_GT(epoch, last);
+      last = epoch;
+    }
+  }
+}
+
+TEST(BootEpoch, a_place_that_decays_never_makes_it_repeat) {
+  RandomBytes random(10);
+  SimulatedEeprom eeprom;
+  uint32_t last = 0;
+  for (int i = 0; i < 2000; i++) {
+    const uint16_t at = static_cast<uint16_t>(javino::EPOCHS_AT + random.number(javino::config::EPOCH_SLOTS * 5));
+    if (random.number(3) == 0) eeprom.corrupt(at, static_cast<uint8_t>(eeprom.read(at) ^ 1 << random.number(8)));
+    const uint32_t epoch = boot(eeprom);
+    ASSERT_GT(epoch, last);
+    last = epoch;
+  }
+}
+
+TEST(BootEpoch, a_worn_place_is_passed_over) {
+  SimulatedEeprom eeprom;
+  uint32_t last = boot(eeprom);
+  for (uint16_t i = 0; i < 5; i++) eeprom.wearOut(static_cast<uint16_t>(javino::EPOCHS_AT + 15 + i));
+  for (int i = 0; i < 100; i++) {
+    const uint32_t epoch = boot(eeprom);
+    ASSERT_GT(epoch, last);
+    last = epoch;
+  }
+}
+
+TEST(BootEpoch, is_not_stored_where_one_copy_only_was_kept) {
+  SimulatedEeprom eeprom;
+  boot(eeprom);
+  for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) {
+    const bool inThirdPlace = at >= javino::EPOCHS_AT + 10 && at < javino::EPOCHS_AT + 15;
+    if (!inThirdPlace) eeprom.wearOut(at);
+  }
+  EXPECT_EQ(0u, boot(eeprom));
+}
+
+TEST(BootEpoch, an_eeprom_that_keeps_nothing_is_told) {
+  SimulatedEeprom eeprom;
+  for (uint16_t at = 0; at < 200; at++) eeprom.wearOut(at);
+  BootEpoch epoch(eeprom);
+  epoch.begin();
+  EXPECT_FALSE(epoch.isStored());
+}
+
+TEST(BootEpoch, wear_is_spread_over_the_ring) {
+  SimulatedEeprom eeprom;
+  for (int i = 0; i < 1600; i++) boot(eeprom);
+  for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) EXPECT_LE(eeprom.writesOf(at), 400) << at;
+}

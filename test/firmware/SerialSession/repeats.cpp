@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/Reference.h"
+#include "support/TestBoard.h"
+
+#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
+
+using javino::Counter;
+using javino::Status;
+
+namespace {
+
+int performed;
+
+bool count(const javino::Arguments &) {
+  performed++;
+  return true;
+}
+
+class SerialSessionTest : public testing::Test {
+ protected:
+  SerialSessionTest() {
+    performed = 0;
+    board.start();
+    board.board->action(F("count"), count);
+  }
+
+  Bytes request(uint8_t sequence, const std::string &message) {
+    return reference::packet(sequence, reference::frame("++++", "++++", bytesOf(message)));
+  }
+
+  TestBoard board;
+};
+
+}  // namespace
+
+TEST_F(SerialSessionTest, a_repeat_is_answered_from_memory_and_performed_once) {
+  const std::vector<Bytes> first = board.sendRaw(request(100, "Acount"));
+  for (int i = 0; i < 5; i++) EXPECT_EQ(first, board.sendRaw(request(100, "Acount")));
+  EXPECT_EQ(1, performed);
+  EXPECT_EQ(5u, board.counter(Counter::SERIAL_REPEATS));
+}
+
+TEST_F(SerialSessionTest, another_sequence_or_another_request_is_no_repeat) {
+  board.sendRaw(request(100, "Acount"));
+  board.sendRaw(request(101, "Acount"));
+  board.sendRaw(request(101, "Acount(1)"));
+  board.sendRaw(request(100, "Acount"));
+  EXPECT_EQ(4, performed);
+}
+
+TEST_F(SerialSessionTest, the_sequence_byte_is_echoed_for_all_its_values) {
+  for (int sequence = 0; sequence < 256; sequence++) {
+    const std::vector<Bytes> replies = board.sendRaw(request(static_cast<uint8_t>(sequence), "L"));
+    ASSERT_EQ(1u, replies.size());
+    EXPECT_EQ(sequence, reference::cobsDecoded(replies[0])[0]);
+  }
+}
+
+TEST_F(SerialSessionTest, every_chunk_size_gives_the_same_replies) {
+  const Bytes bytes = request(1, "Acount") + request(2, "L") + request(3, "S") + request(4, "Acount(2)");
+  for (size_t step = 1; step <= bytes.size(); step++) {
+    TestBoard other;
+    other.start();
+    other.board->action(F("count"), count);
+    performed = 0;
+    std::vector<Bytes> replies;
+    for (size_t at = 0; at < bytes.size(); at += step) {
+      const size_t end = std::min(at + step, bytes.size());
+      for (const Bytes &reply : other.sendRaw(Bytes(bytes.begin() + at, bytes.begin() + end))) replies.push_back(reply);
+    }
+    ASSERT_EQ(4u, replies.size()) << step;
+    ASSERT_EQ(2, performed) << step;
+  }
+}
+
+TEST_F(SerialSessionTest, a_reply_goes_out_in_whatever_pieces_the_line_takes) {
+  board.port.setRoom(0);
+  board.port.arrive(request(1, "S") + request(2, "Acount"));
+  board.board->run();
+  EXPECT_EQ(0, performed) << "the second request waits until the first one's reply is out";
+  EXPECT_TRUE(board.board->isIdle()) << "there is nothing to do until the line takes bytes again";
+  Bytes written;
+  for (int i = 0; i < 200; i++) {
+    board.port.setRoom(1);
+    board.board->run();
+    written = written + board.port.takeWritten();
+  }
+  EXPECT_EQ(2, std::count(written.begin(), written.end(), 0));
+  EXPECT_EQ(1, performed);
+}
+
+TEST_F(SerialSessionTest, is_not_idle_while_bytes_wait) {
+  EXPECT_TRUE(board.board->isIdle());
+  board.port.arrive({1});
+  EXPECT_FALSE(board.board->isIdle());
+}
+
+TEST_F(SerialSessionTest, damage_is_counted_and_not_answered) {
+  Bytes damaged = request(1, "Acount");
+  damaged[5] = static_cast<uint8_t>(damaged[5] ^ 0x10);
+  EXPECT_TRUE(board.sendRaw(damaged).empty());
+  EXPECT_TRUE(board.sendRaw({2, 0}).empty());
+  EXPECT_TRUE(board.sendRaw({2, 1, 0}).empty());
+  EXPECT_TRUE(board.sendRaw(Bytes(600, 0x55) + Bytes{0}).empty());
+  EXPECT_EQ(0, performed);
+  EXPECT_EQ(4u, board.counter(Counter::SERIAL_DAMAGED));
+}
+
+TEST_F(SerialSessionTest, packets_that_hold_no_frame_are_counted_and_not_answered) {
+  EXPECT_TRUE(board.sendRaw(reference::packet(1, bytesOf("++++++++AB"))).empty());
+  EXPECT_TRUE(board.sendRaw(reference::packet(1, bytesOf("++++++++AI"))).empty());
+  EXPECT_TRUE(board.sendRaw(reference::packet(1, bytesOf("++++++-+AA"))).empty());
+  EXPECT_TRUE(board.sendRaw(reference::packet(1, bytesOf("++++////AA"))).empty());
+  EXPECT_EQ(4u, board.counter(Counter::SERIAL_BAD_FRAMES));
+  EXPECT_EQ(0u, board.counter(Counter::SERIAL_DAMAGED));
+}
+
+TEST_F(SerialSessionTest, a_noisy_line_performs_nothing_twice_and_answers_only_what_came_whole) {
+  RandomBytes random(12);
+  for (int round = 0; round < 1000; round++) {
+    const uint8_t sequence = static_cast<uint8_t>(round);
+    const Bytes good = request(sequence, "Acount(" + std::to_string(round) + ")");
+    const int before = performed;
+    Bytes noisy = good;
+    const uint32_t at = random.number(static_cast<uint32_t>(noisy.size()));
+    switch (random.number(3)) {
+      case 0:
+        noisy[at] = static_cast<uint8_t>(noisy[at] ^ 1 << random.number(8));
+        break;
+      case 1:
+        noisy.erase(noisy.begin() + at);
+        break;
+      default:
+        noisy.insert(noisy.begin() + at, random.byte());
+    }
+    board.sendRaw(noisy + Bytes{0});
+    board.sendRaw(good);
+    board.sendRaw(good);
+    ASSERT_EQ(before + 1, performed) << toHex(noisy);
+  }
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <board/SerialPort.h>
+
+#include <deque>
+
+#include "Bytes.h"
+
+/// A serial line in memory: the test puts bytes in, and takes what the board wrote.
+class FakePort : public javino::SerialPort {
+ public:
+  bool canRead() const override { return !in_.empty(); }
+  uint8_t read() override;
+  bool canWrite() const override { return room_ > 0; }
+  void write(uint8_t byte) override;
+
+  void arrive(const Bytes &bytes) { in_.insert(in_.end(), bytes.begin(), bytes.end()); }
+
+  /// All that the board wrote since the last call.
+  Bytes takeWritten();
+
+  /// All that the board ever wrote.
+  const Bytes &everWritten() const { return ever_; }
+
+  /// How many bytes write() takes until the next call; unlimited at first.
+  void setRoom(size_t room) { room_ = room; }
+
+ private:
+  std::deque<uint8_t> in_;
+  Bytes out_;
+  Bytes ever_;
+  size_t room_ = SIZE_MAX;
+};

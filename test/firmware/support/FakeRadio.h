@@ -1,0 +1,37 @@
+#pragma once
+
+#include <radio/Radio.h>
+
+#include <deque>
+#include <vector>
+
+#include "Bytes.h"
+
+/// A radio in memory: the test lets packets arrive, sees what is sent, and says when it is sent.
+class FakeRadio : public javino::Radio {
+ public:
+  bool begin() override { return works; }
+  void listen(bool open) override { listening = open; }
+  bool send(const uint8_t *payload, uint8_t length) override;
+  bool sending() const override { return onAir_; }
+  uint8_t receive(uint8_t *payload) override;
+  void counters(javino::RadioCounters &into) const override { into = counts; }
+  void update() override { updates++; }
+  bool idle() const override { return in_.empty(); }
+
+  void arrive(const Bytes &payload) { in_.push_back(payload); }
+
+  /// The packet on the air ends.
+  void finishSending();
+
+  bool works = true;      ///< whether begin() succeeds
+  bool refuses = false;   ///< whether send() does nothing
+  bool listening = false;
+  int updates = 0;
+  javino::RadioCounters counts = {0, 0, 0, 0};
+  std::vector<Bytes> sent;
+
+ private:
+  std::deque<Bytes> in_;
+  bool onAir_ = false;
+};

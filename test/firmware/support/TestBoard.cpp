@@ -1,0 +1,149 @@
+#include "TestBoard.h"
+
+#include <secure/Envelope.h>
+
+#include <stdexcept>
+
+#include "Reference.h"
+
+using javino::Status;
+
+namespace {
+
+BoardReply parse(const Bytes &packet, uint8_t sequence) {
+  const Bytes inner = reference::cobsDecoded(packet);
+  if (inner.size() < 14 || inner[0] != sequence) throw std::runtime_error("not the reply: " + toHex(inner));
+  const Bytes checked(inner.begin(), inner.end() - 2);
+  if (reference::crc(checked) != (inner[inner.size() - 2] | inner[inner.size() - 1] << 8)) {
+    throw std::runtime_error("reply with a wrong CRC: " + toHex(inner));
+  }
+  const Bytes message(checked.begin() + 11, checked.end());
+  if (Bytes(checked.begin() + 1, checked.end()) != reference::frame("++++", "++++", message)) {
+    throw std::runtime_error("reply with a wrong header: " + toHex(inner));
+  }
+  return {static_cast<Status>(message[0]), Bytes(message.begin() + 1, message.end())};
+}
+
+}  // namespace
+
+std::vector<std::string> PollReply::texts(char type) const {
+  std::vector<std::string> texts;
+  for (const PollRecord &record : records) {
+    if (record.type == type) texts.push_back(textOf(record.value));
+  }
+  return texts;
+}
+
+PolledMessage::PolledMessage(const Bytes &value)
+    : number(value.at(0)),
+      destination(value.begin() + 1, value.begin() + 5),
+      origin(value.begin() + 5, value.begin() + 9),
+      content(value.begin() + 9, value.end()) {}
+
+bool TestBoard::reboot() {
+  port = FakePort();
+  radio = FakeRadio();
+  board.reset(new javino::Board(port, eeprom, radio, "test 1.0"));
+  return board->begin();
+}
+
+void TestBoard::start(const std::string &rfId) {
+  reboot();
+  hello();
+  if (!rfId.empty()) request('I', bytesOf(rfId));
+}
+
+BoardReply TestBoard::hello() { return request('H', {1}); }
+
+BoardReply TestBoard::request(const Bytes &message) {
+  return exchange(reference::frame("++++", "++++", message));
+}
+
+BoardReply TestBoard::transmit(const std::string &destination, const std::string &origin, const std::string &content) {
+  return exchange(plain(destination, origin, content));
+}
+
+PollReply TestBoard::poll(bool percepts) { return pollWith({static_cast<uint8_t>(percepts)}); }
+
+PollReply TestBoard::pollTaking(uint8_t taken) { return pollWith({0, taken}); }
+
+PollReply TestBoard::pollWith(const Bytes &body) {
+  const BoardReply reply = request('P', body);
+  if (reply.status != Status::OK) throw std::runtime_error("poll failed");
+  PollReply parsed;
+  parsed.more = (reply.body.at(0) & 1) != 0;
+  parsed.leftOut = (reply.body.at(0) & 2) != 0;
+  for (size_t i = 1; i < reply.body.size();) {
+    const size_t length = static_cast<size_t>(reply.body.at(i + 1) << 8 | reply.body.at(i + 2));
+    const Bytes value(reply.body.begin() + i + 3, reply.body.begin() + i + 3 + length);
+    parsed.records.push_back({static_cast<char>(reply.body[i]), value});
+    i += 3 + length;
+  }
+  return parsed;
+}
+
+std::vector<PolledMessage> TestBoard::messages() {
+  std::vector<PolledMessage> messages;
+  for (const PollRecord &record : poll().records) {
+    if (record.type == 'M') messages.push_back(PolledMessage(record.value));
+  }
+  return messages;
+}
+
+uint32_t TestBoard::counter(javino::Counter counter) {
+  const Bytes body = request('S').body;
+  for (size_t i = 0; i + 5 <= body.size(); i += 5) {
+    if (body[i] != static_cast<uint8_t>(counter)) continue;
+    return static_cast<uint32_t>(body[i + 1]) << 24 | body[i + 2] << 16 | body[i + 3] << 8 | body[i + 4];
+  }
+  throw std::runtime_error("no such counter");
+}
+
+BoardReply TestBoard::exchange(const Bytes &frame) {
+  const std::vector<Bytes> replies = sendRaw(reference::packet(++sequence_, frame));
+  if (replies.size() != 1) throw std::runtime_error(std::to_string(replies.size()) + " replies");
+  return parse(replies[0], sequence_);
+}
+
+std::vector<Bytes> TestBoard::sendRaw(const Bytes &bytes) {
+  port.arrive(bytes);
+  board->run();
+  std::vector<Bytes> packets;
+  Bytes packet;
+  for (uint8_t byte : port.takeWritten()) {
+    if (byte != 0) {
+      packet.push_back(byte);
+    } else {
+      packets.push_back(packet);
+      packet.clear();
+    }
+  }
+  if (!packet.empty()) throw std::runtime_error("the last reply has no end");
+  return packets;
+}
+
+void TestBoard::receive(const Bytes &payload) {
+  radio.arrive(payload);
+  board->run();
+}
+
+void TestBoard::finishSending() {
+  radio.finishSending();
+  board->run();
+}
+
+Bytes sealed(const Bytes &key, const std::string &destination, const std::string &origin, const Bytes &nonce,
+             const std::string &content) {
+  javino::DerivedKeys keys;
+  keys.derive(key.data());
+  const Bytes frame = plain(destination, origin, content);
+  javino::Frame parsed;
+  javino::Frame::parse(frame.data(), static_cast<uint16_t>(frame.size()), parsed);
+  Bytes into(frame.size() + javino::SEAL_LENGTH);
+  into.resize(javino::Envelope(keys).seal(parsed, nonce.data(), into.data()));
+  return into;
+}
+
+Bytes plain(const std::string &destination, const std::string &origin, const std::string &content) {
+  return reference::frame(destination, origin, bytesOf(content));
+}

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <board/Board.h>
+
+#include <memory>
+#include <vector>
+
+#include "Bytes.h"
+#include "FakePort.h"
+#include "FakeRadio.h"
+#include "SimulatedEeprom.h"
+
+/// A record of a poll reply.
+struct PollRecord {
+  char type;
+  Bytes value;
+};
+
+struct PollReply {
+  bool more = false;
+  bool leftOut = false;
+  std::vector<PollRecord> records;
+
+  /// The values of all records of a type, as text.
+  std::vector<std::string> texts(char type) const;
+};
+
+/// A message as a poll brings it.
+struct PolledMessage {
+  explicit PolledMessage(const Bytes &value);
+
+  uint8_t number;
+  std::string destination;
+  std::string origin;
+  std::string content;
+};
+
+/// A reply as it came: status and body.
+struct BoardReply {
+  javino::Status status;
+  Bytes body;
+};
+
+/// A board on a fake port, radio and EEPROM, and a host that talks to it by the definition in SPEC 4. The EEPROM
+/// outlives reboots.
+class TestBoard {
+ public:
+  TestBoard() { reboot(); }
+
+  /// Loses all of RAM and starts again; what is on its way on port and radio is lost.
+  /// @return what begin() returned
+  bool reboot();
+
+  /// Reboots, says hello, and sets an RF id where one is given.
+  void start(const std::string &rfId = "");
+
+  BoardReply hello();
+
+  /// Sends a message to the board itself under a new sequence byte, and takes its reply.
+  BoardReply request(const Bytes &message);
+  BoardReply request(char command, const Bytes &body = Bytes()) { return request(Bytes(1, command) + body); }
+
+  /// Asks for a content to be transmitted.
+  BoardReply transmit(const std::string &destination, const std::string &origin, const std::string &content);
+
+  BoardReply setKey(const std::string &address, const Bytes &key) { return request('K', bytesOf(address) + key); }
+
+  PollReply poll(bool percepts = false);
+  PollReply pollTaking(uint8_t taken);
+  std::vector<PolledMessage> messages();
+
+  uint32_t counter(javino::Counter counter);
+
+  /// Sends any frame as a request; throws where not exactly one good reply comes.
+  BoardReply exchange(const Bytes &frame);
+
+  /// Sends bytes as they are; @return the replies' packets without their closing 0x00.
+  std::vector<Bytes> sendRaw(const Bytes &bytes);
+
+  /// Lets a packet arrive by radio.
+  void receive(const Bytes &payload);
+
+  /// Lets the packet on the air end, and the board see it.
+  void finishSending();
+
+  uint8_t lastSequence() const { return sequence_; }
+
+  FakePort port;
+  FakeRadio radio;
+  SimulatedEeprom eeprom;
+  std::unique_ptr<javino::Board> board;
+
+ private:
+  PollReply pollWith(const Bytes &body);
+
+  uint8_t sequence_ = 0;
+};
+
+/// Makes what another board would send: a sealed frame, as it is on the air.
+Bytes sealed(const Bytes &key, const std::string &destination, const std::string &origin, const Bytes &nonce,
+             const std::string &content);
+
+/// A plain frame.
+Bytes plain(const std::string &destination, const std::string &origin, const std::string &content);
