@@ -20,7 +20,7 @@ bool Commands::perform(const Frame &request, Reply &reply) {
   return allowed;
 }
 
-bool Commands::isAlwaysPerformed(const Frame &request) const {
+bool Commands::isAlwaysPerformed(const Frame &request) {
   return isForBoard(request) && request.length != 0 && request.message[0] == HELLO;
 }
 

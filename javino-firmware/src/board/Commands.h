@@ -10,13 +10,13 @@
 #include "Counters.h"
 #include "KeyCommands.h"
 #include "Poll.h"
-#include "RequestHandler.h"
+#include "Reply.h"
 #include "Sender.h"
 
 namespace javino {
 
 /// Performs the requests of SPEC 4.3: finds the command, checks its body, and hands it to the part that does it.
-class Commands : public RequestHandler {
+class Commands {
  public:
   /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
   Commands(const char *firmwareName, Radio &radio, RfId &id, const BootEpoch &epoch, KeyCommands &keys,
@@ -32,8 +32,12 @@ class Commands : public RequestHandler {
         counters_(counters),
         greeted_(false) {}
 
-  bool perform(const Frame &request, Reply &reply) override;
-  bool isAlwaysPerformed(const Frame &request) const override;
+  /// Performs a request and writes status and body of its reply, which stands at an OK without a body.
+  /// @return whether the reply is to be remembered for repeats of the request
+  bool perform(const Frame &request, Reply &reply);
+
+  /// Whether the request is always performed, even if it is byte by byte the one before.
+  static bool isAlwaysPerformed(const Frame &request);
 
  private:
   Status dispatch(const Frame &request, Reply &reply);

@@ -41,26 +41,19 @@ void Percepts::open(Record &record, const FlashText *name) {
   record.add('(');
 }
 
-// With a name, the text is its quoted argument; without, it is the whole literal.
-void Percepts::write(const FlashText *name, const Text &text) {
-  const bool quoted = name != nullptr;
+void Percepts::write(const Text &literal) {
   Record record(reply_, PERCEPT);
-  if (quoted) {
-    open(record, name);
-    record.add('"');
-  }
-  char next;
-  for (uint16_t i = 0; (next = text[i]) != 0; i++) {
-    if (quoted) {
-      addEscaped(record, next);
-    } else {
-      record.add(static_cast<uint8_t>(next));
-    }
-  }
-  if (quoted) {
-    record.add('"');
-    record.add(')');
-  }
+  for (uint16_t i = 0; literal[i] != 0; i++) record.add(static_cast<uint8_t>(literal[i]));
+  close(record);
+}
+
+void Percepts::write(const FlashText *name, const Text &text) {
+  Record record(reply_, PERCEPT);
+  open(record, name);
+  record.add('"');
+  for (uint16_t i = 0; text[i] != 0; i++) addEscaped(record, text[i]);
+  record.add('"');
+  record.add(')');
   close(record);
 }
 

@@ -31,8 +31,8 @@ class Percepts {
   void add(const FlashText *name, const FlashText *text) { write(name, Text(text)); }
 
   // A whole literal, as it stands: `position(3,"km")`
-  void literal(const char *text) { write(nullptr, Text(text)); }
-  void literal(const FlashText *text) { write(nullptr, Text(text)); }
+  void literal(const char *text) { write(Text(text)); }
+  void literal(const FlashText *text) { write(Text(text)); }
 
   /// Whether some did not fit.
   bool leftOut() const { return leftOut_; }
@@ -49,6 +49,7 @@ class Percepts {
   };
 
   static void open(Record &record, const FlashText *name);
+  JAVINO_NOINLINE void write(const Text &literal);
   JAVINO_NOINLINE void write(const FlashText *name, const Text &text);
   JAVINO_NOINLINE void write(const FlashText *name, bool negative, unsigned long magnitude);
   void close(Record &record);

@@ -26,7 +26,7 @@ class Sender {
   Status send(const Frame &frame, uint8_t &number);
 
  private:
-  Status checkAddresses(const Frame &frame) const;
+  JAVINO_NOINLINE Status checkAddresses(const Frame &frame) const;
   Status sendPlain(const Frame &frame, uint8_t &number);
   JAVINO_NOINLINE Status sendSealed(const Frame &frame, uint8_t &number);
 

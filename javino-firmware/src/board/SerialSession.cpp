@@ -2,9 +2,9 @@
 
 namespace javino {
 
-SerialSession::SerialSession(SerialPort &port, RequestHandler &handler, Counters &counters)
+SerialSession::SerialSession(SerialPort &port, Commands &commands, Counters &counters)
     : port_(port),
-      handler_(handler),
+      commands_(commands),
       counters_(counters),
       requestWaits_(false),
       remembers_(false),
@@ -51,7 +51,7 @@ void SerialSession::answer() {
     counters_.count(Counter::SERIAL_REPEATS);
   } else {
     reply_.begin(decoder_.sequence());
-    remembers_ = handler_.perform(request, reply_);
+    remembers_ = commands_.perform(request, reply_);
     lastSequence_ = decoder_.sequence();
     lastCrc_ = decoder_.crc();
     reply_.finish();
@@ -61,7 +61,7 @@ void SerialSession::answer() {
 
 bool SerialSession::isRepeat(const Frame &request) const {
   return remembers_ && decoder_.sequence() == lastSequence_ && decoder_.crc() == lastCrc_ &&
-         !handler_.isAlwaysPerformed(request);
+         !Commands::isAlwaysPerformed(request);
 }
 
 void SerialSession::write() {

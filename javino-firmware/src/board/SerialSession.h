@@ -5,9 +5,9 @@
 #include "../framing/CobsEncoder.h"
 #include "../framing/PacketDecoder.h"
 #include "../support/NoInline.h"
+#include "Commands.h"
 #include "Counters.h"
 #include "Reply.h"
-#include "RequestHandler.h"
 #include "SerialPort.h"
 
 namespace javino {
@@ -18,7 +18,7 @@ namespace javino {
 /// the reply is out.
 class SerialSession {
  public:
-  SerialSession(SerialPort &port, RequestHandler &handler, Counters &counters);
+  SerialSession(SerialPort &port, Commands &commands, Counters &counters);
 
   /// Reads, performs and answers as far as bytes and room are there.
   void run();
@@ -34,7 +34,7 @@ class SerialSession {
   void write();
 
   SerialPort &port_;
-  RequestHandler &handler_;
+  Commands &commands_;
   Counters &counters_;
   CobsEncoder encoder_;
   bool requestWaits_;     // a whole request is in the decoder

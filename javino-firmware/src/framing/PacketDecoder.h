@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
 #include "Limits.h"
 
 namespace javino {
@@ -35,7 +36,7 @@ class PacketDecoder {
  private:
   void restart();
   void beginBlock(uint8_t code);
-  void append(uint8_t byte);
+  JAVINO_NOINLINE void append(uint8_t byte);
   PacketEvent finish();
   PacketEvent check() const;
 
