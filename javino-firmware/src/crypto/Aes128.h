@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/NoInline.h"
+#include "Aes128Core.h"
 
 namespace javino {
 
@@ -21,10 +22,14 @@ class Aes128 {
   JAVINO_NOINLINE ~Aes128();
 
   /// Expands a key of 16 bytes.
-  void setKey(const uint8_t *key);
+  void setKey(const uint8_t *key) { javino_aes128_expand(roundKeys_, key); }
 
   /// Encrypts 16 bytes in place.
-  void encrypt(uint8_t *block) const;
+  void encrypt(uint8_t *block) const { javino_aes128_encrypt(roundKeys_, block, block); }
+
+  /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `onto`: the step of a stream mode.
+  /// @param onto another place than `in`, or the same
+  void encryptOnto(const uint8_t *in, uint8_t *onto) const { javino_aes128_encrypt_onto(roundKeys_, in, onto); }
 
  private:
   static const uint8_t ROUNDS = 10;

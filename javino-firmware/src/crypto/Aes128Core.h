@@ -1,0 +1,29 @@
+#pragma once
+
+/// The two primitives under Aes128, each in two implementations: assembly for AVR (Aes128Avr.S), C++ for all others
+/// (Aes128Portable.cpp). This file is included by C++ and by assembly.
+
+// Devices whose core has MOVW and LPM to any register: all ATmegas.
+#if defined(__AVR_HAVE_MOVW__) && defined(__AVR_HAVE_LPMX__) && !defined(__AVR_TINY__)
+#define JAVINO_AES_IN_ASSEMBLY 1
+#else
+#define JAVINO_AES_IN_ASSEMBLY 0
+#endif
+
+#ifndef __ASSEMBLER__
+
+#include <stdint.h>
+
+extern "C" {
+
+/// Expands a key of 16 bytes to 11 round keys, 176 bytes (FIPS 197 section 5.2).
+void javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
+
+/// Encrypts 16 bytes (FIPS 197 section 5.1); `in` and `out` may be the same place, but not overlap otherwise.
+void javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out);
+
+/// Like javino_aes128_encrypt(), but adds (XOR) the result to what is at `out`.
+void javino_aes128_encrypt_onto(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out);
+}
+
+#endif
