@@ -17,15 +17,18 @@ class Cfb128 {
   JAVINO_NOINLINE ~Cfb128();
 
   /// Encrypts the next bytes in place.
-  JAVINO_NOINLINE void encrypt(uint8_t *bytes, uint16_t length);
+  void encrypt(uint8_t *bytes, uint16_t length) { apply(bytes, length, false); }
 
   /// Decrypts the next bytes in place.
-  JAVINO_NOINLINE void decrypt(uint8_t *bytes, uint16_t length);
+  void decrypt(uint8_t *bytes, uint16_t length) { apply(bytes, length, true); }
 
  private:
   Cfb128(const Cfb128 &);
   Cfb128 &operator=(const Cfb128 &);
 
+  JAVINO_NOINLINE void apply(uint8_t *bytes, uint16_t length, bool decrypting);
+  uint8_t *encryptBlocks(uint8_t *bytes, uint16_t blocks);
+  uint8_t *decryptBlocks(uint8_t *bytes, uint16_t blocks);
   uint8_t *keyStreamByte();
 
   const Aes128 &cipher_;
