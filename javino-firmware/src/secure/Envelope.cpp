@@ -11,20 +11,18 @@ const uint8_t Envelope::MIN_FRAME_LENGTH;
 const uint8_t Envelope::NONCE_AT;
 const uint8_t Envelope::CONTENT_AT;
 
+// The tagged bytes lie in the frame in just the order of SPEC 5: destination, origin, size, N, C.
 uint16_t Envelope::seal(const Frame &plain, const uint8_t *nonce, uint8_t *sealed) const {
   uint8_t *content = sealed + CONTENT_AT;
   Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
   memcpy(sealed + NONCE_AT, nonce, NONCE_LENGTH);
   memcpy(content, plain.message, plain.length);
-  {
-    const Aes128 cipher(keys_.encryption);
-    uint8_t iv[Aes128::BLOCK_LENGTH];
-    initialVector(sealed, cipher, iv);
-    Cfb128(cipher, iv).encrypt(content, plain.length);
-  }
-  uint8_t full[Aes128::BLOCK_LENGTH];
-  tag(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), full);
-  memcpy(content + plain.length, full, TAG_LENGTH);
+  uint8_t iv[Aes128::BLOCK_LENGTH];
+  initialVector(sealed, iv);
+  Cfb128(encryption_, iv).encrypt(content, plain.length);
+  uint8_t tag[Aes128::BLOCK_LENGTH];
+  cmac(authentication_, sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
+  memcpy(content + plain.length, tag, TAG_LENGTH);
   return static_cast<uint16_t>(MIN_FRAME_LENGTH + plain.length);
 }
 
@@ -32,33 +30,26 @@ bool Envelope::isAuthentic(const uint8_t *frame, uint16_t length) const {
   if (length < MIN_FRAME_LENGTH) return false;
   const uint16_t tagged = static_cast<uint16_t>(length - TAG_LENGTH);
   uint8_t expected[Aes128::BLOCK_LENGTH];
-  tag(frame, tagged, expected);
+  cmac(authentication_, frame, tagged, expected);
   return equalInConstantTime(expected, frame + tagged, TAG_LENGTH);
 }
 
 uint16_t Envelope::open(uint8_t *frame, uint16_t length) const {
   const uint16_t content = static_cast<uint16_t>(length - MIN_FRAME_LENGTH);
-  const Aes128 cipher(keys_.encryption);
   uint8_t iv[Aes128::BLOCK_LENGTH];
-  initialVector(frame, cipher, iv);
-  Cfb128(cipher, iv).decrypt(frame + CONTENT_AT, content);
+  initialVector(frame, iv);
+  Cfb128(encryption_, iv).decrypt(frame + CONTENT_AT, content);
   return content;
 }
 
 // Origin, destination, nonce, two zeroes, encrypted: unpredictable, as CFB wants it (NIST SP 800-38A appendix C).
-void Envelope::initialVector(const uint8_t *frame, const Aes128 &cipher, uint8_t *iv) const {
+void Envelope::initialVector(const uint8_t *frame, uint8_t *iv) const {
   memcpy(iv, frame + Address::TEXT_LENGTH, Address::TEXT_LENGTH);
   memcpy(iv + Address::TEXT_LENGTH, frame, Address::TEXT_LENGTH);
   memcpy(iv + 2 * Address::TEXT_LENGTH, frame + NONCE_AT, NONCE_LENGTH);
   iv[14] = 0;
   iv[15] = 0;
-  cipher.encrypt(iv);
-}
-
-// The tagged bytes lie in the frame in just the order of SPEC 5: destination, origin, size, N, C.
-void Envelope::tag(const uint8_t *frame, uint16_t length, uint8_t *into) const {
-  const Aes128 cipher(keys_.authentication);
-  cmac(cipher, frame, length, into);
+  encryption_.encrypt(iv);
 }
 
 }  // namespace javino

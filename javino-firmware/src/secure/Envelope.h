@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../crypto/Aes128.h"
 #include "../crypto/DerivedKeys.h"
 #include "../framing/Frame.h"
 #include "../support/NoInline.h"
@@ -21,8 +22,9 @@ class Envelope {
   /// Where the content begins in a sealed frame, once opened.
   static const uint8_t CONTENT_AT = NONCE_AT + NONCE_LENGTH;
 
-  /// @param keys outlive this object
-  explicit Envelope(const DerivedKeys &keys) : keys_(keys) {}
+  /// Expands the keys: 352 bytes of round keys, wiped at the end of life.
+  explicit Envelope(const DerivedKeys &keys)
+      : encryption_(keys.encryption), authentication_(keys.authentication) {}
 
   /// Builds a sealed frame.
   /// @param plain with the content as message, 0…497 bytes
@@ -40,10 +42,10 @@ class Envelope {
   JAVINO_NOINLINE uint16_t open(uint8_t *frame, uint16_t length) const;
 
  private:
-  JAVINO_NOINLINE void initialVector(const uint8_t *frame, const Aes128 &cipher, uint8_t *iv) const;
-  JAVINO_NOINLINE void tag(const uint8_t *frame, uint16_t length, uint8_t *into) const;
+  JAVINO_NOINLINE void initialVector(const uint8_t *frame, uint8_t *iv) const;
 
-  const DerivedKeys &keys_;
+  const Aes128 encryption_;
+  const Aes128 authentication_;
 };
 
 }  // namespace javino
