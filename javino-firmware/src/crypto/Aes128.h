@@ -27,8 +27,10 @@ class Aes128 {
   /// Encrypts 16 bytes in place.
   void encrypt(uint8_t *block) const { javino_aes128_encrypt(roundKeys_, block, block); }
 
-  /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `onto`: the step of a stream mode.
-  /// @param onto another place than `in`, or the same
+  /// Encrypts the 16 bytes at `in` to the 16 bytes at `out`: another place, or the same.
+  void encrypt(const uint8_t *in, uint8_t *out) const { javino_aes128_encrypt(roundKeys_, in, out); }
+
+  /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `onto`: the step of a chain.
   void encryptOnto(const uint8_t *in, uint8_t *onto) const { javino_aes128_encrypt_onto(roundKeys_, in, onto); }
 
  private:

@@ -14,35 +14,51 @@ const uint8_t BLOCK = Aes128::BLOCK_LENGTH;
 // to the next (SP 800-38B section 6.1).
 void doubleInField(uint8_t *block) {
   const uint8_t overflow = static_cast<uint8_t>(-(block[0] >> 7));
-  for (uint8_t i = 0; i < BLOCK - 1; i++) block[i] = static_cast<uint8_t>(block[i] << 1 | block[i + 1] >> 7);
-  block[BLOCK - 1] = static_cast<uint8_t>(block[BLOCK - 1] << 1 ^ (overflow & 0x87));
+  uint8_t carry = overflow & 0x87;
+  for (uint8_t *byte = block + BLOCK; byte-- != block;) {
+    const uint8_t before = *byte;
+    *byte = static_cast<uint8_t>(before << 1) ^ carry;
+    carry = before >> 7;
+  }
 }
 
-void xorInto(uint8_t *into, const uint8_t *from, uint16_t length) {
-  for (uint16_t i = 0; i < length; i++) into[i] ^= from[i];
+void xorInto(uint8_t *into, const uint8_t *from, uint8_t length) {
+  for (; length > 0; length--) *into++ ^= *from++;
 }
 
 }  // namespace
 
-void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t *tag) {
-  uint8_t subkey[BLOCK];
-  memset(subkey, 0, BLOCK);
-  cipher.encrypt(subkey);
-  doubleInField(subkey);
+Cmac::Cmac(const Aes128 &cipher) : cipher_(cipher) {
+  memset(subkey_, 0, BLOCK);
+  cipher_.encrypt(subkey_);
+  doubleInField(subkey_);
+}
 
-  memset(tag, 0, BLOCK);
-  for (; length > BLOCK; message += BLOCK, length = static_cast<uint16_t>(length - BLOCK)) {
-    xorInto(tag, message, BLOCK);
-    cipher.encrypt(tag);
+Cmac::~Cmac() { wipe(subkey_, sizeof subkey_); }
+
+void Cmac::compute(const uint8_t *message, uint16_t length, uint8_t *tag) const {
+  // Becomes the last block: its subkey, its bytes, and what comes from the blocks before, added up.
+  uint8_t last[BLOCK];
+  memcpy(last, subkey_, BLOCK);
+  const uint8_t lastLength = length > 0 && length % BLOCK == 0 ? BLOCK : static_cast<uint8_t>(length % BLOCK);
+  if (lastLength < BLOCK) {
+    doubleInField(last);
+    last[lastLength] ^= 0x80;
   }
-  xorInto(tag, message, length);
-  if (length < BLOCK) {
-    tag[length] ^= 0x80;
-    doubleInField(subkey);
+  const uint8_t *const lastBytes = message + (length - lastLength);
+  xorInto(last, lastBytes, lastLength);
+
+  if (message != lastBytes) {
+    const uint8_t *chained = message;
+    while ((message += BLOCK) != lastBytes) {
+      cipher_.encrypt(chained, tag);
+      xorInto(tag, message, BLOCK);
+      chained = tag;
+    }
+    cipher_.encryptOnto(chained, last);
   }
-  xorInto(tag, subkey, BLOCK);
-  cipher.encrypt(tag);
-  wipe(subkey, sizeof subkey);
+  cipher_.encrypt(last, tag);
+  wipe(last, sizeof last);
 }
 
 bool equalInConstantTime(const uint8_t *some, const uint8_t *other, uint8_t length) {

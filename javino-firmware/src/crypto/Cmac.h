@@ -2,14 +2,35 @@
 
 #include <stdint.h>
 
+#include "../support/NoInline.h"
 #include "Aes128.h"
 
 namespace javino {
 
-/// Computes the AES-CMAC of a message (NIST SP 800-38B section 6.2).
-/// @param length 0…65535 bytes
-/// @param tag room for the 16 bytes of the untruncated tag
-void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t *tag);
+/// AES-CMAC (NIST SP 800-38B section 6) under one key, whose subkey is computed once.
+class Cmac {
+ public:
+  /// @param cipher outlives this object
+  JAVINO_NOINLINE explicit Cmac(const Aes128 &cipher);
+  ~Cmac();
+
+  /// Computes the tag of a message.
+  /// @param length 0…65535 bytes
+  /// @param tag room for the 16 bytes of the untruncated tag
+  JAVINO_NOINLINE void compute(const uint8_t *message, uint16_t length, uint8_t *tag) const;
+
+ private:
+  Cmac(const Cmac &);
+  Cmac &operator=(const Cmac &);
+
+  const Aes128 &cipher_;
+  uint8_t subkey_[Aes128::BLOCK_LENGTH];  // K1
+};
+
+/// Computes the tag of a single message.
+inline void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t *tag) {
+  Cmac(cipher).compute(message, length, tag);
+}
 
 /// Compares in a time that depends on the length only.
 bool equalInConstantTime(const uint8_t *some, const uint8_t *other, uint8_t length);

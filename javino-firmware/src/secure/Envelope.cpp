@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "../crypto/Cfb128.h"
-#include "../crypto/Cmac.h"
 
 namespace javino {
 
@@ -21,7 +20,7 @@ uint16_t Envelope::seal(const Frame &plain, const uint8_t *nonce, uint8_t *seale
   initialVector(sealed, iv);
   Cfb128(encryption_, iv).encrypt(content, plain.length);
   uint8_t tag[Aes128::BLOCK_LENGTH];
-  cmac(authentication_, sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
+  cmac_.compute(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
   memcpy(content + plain.length, tag, TAG_LENGTH);
   return static_cast<uint16_t>(MIN_FRAME_LENGTH + plain.length);
 }
@@ -30,7 +29,7 @@ bool Envelope::isAuthentic(const uint8_t *frame, uint16_t length) const {
   if (length < MIN_FRAME_LENGTH) return false;
   const uint16_t tagged = static_cast<uint16_t>(length - TAG_LENGTH);
   uint8_t expected[Aes128::BLOCK_LENGTH];
-  cmac(authentication_, frame, tagged, expected);
+  cmac_.compute(frame, tagged, expected);
   return equalInConstantTime(expected, frame + tagged, TAG_LENGTH);
 }
 

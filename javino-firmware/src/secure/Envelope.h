@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../crypto/Aes128.h"
+#include "../crypto/Cmac.h"
 #include "../crypto/DerivedKeys.h"
 #include "../framing/Frame.h"
 #include "../support/NoInline.h"
@@ -22,9 +23,9 @@ class Envelope {
   /// Where the content begins in a sealed frame, once opened.
   static const uint8_t CONTENT_AT = NONCE_AT + NONCE_LENGTH;
 
-  /// Expands the keys: 352 bytes of round keys, wiped at the end of life.
-  explicit Envelope(const DerivedKeys &keys)
-      : encryption_(keys.encryption), authentication_(keys.authentication) {}
+  /// Expands the keys, once for all frames of this object: 368 bytes, wiped at the end of life.
+  JAVINO_NOINLINE explicit Envelope(const DerivedKeys &keys)
+      : encryption_(keys.encryption), authentication_(keys.authentication), cmac_(authentication_) {}
 
   /// Builds a sealed frame.
   /// @param plain with the content as message, 0…497 bytes
@@ -46,6 +47,7 @@ class Envelope {
 
   const Aes128 encryption_;
   const Aes128 authentication_;
+  const Cmac cmac_;
 };
 
 }  // namespace javino
