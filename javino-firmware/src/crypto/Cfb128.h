@@ -16,10 +16,10 @@ class Cfb128 {
   JAVINO_NOINLINE Cfb128(const Aes128 &cipher, const uint8_t *iv);
   JAVINO_NOINLINE ~Cfb128();
 
-  /// Encrypts the next bytes in place.
+  /// Encrypts the next bytes in place. Fastest where all calls but the last have whole blocks of 16 bytes.
   void encrypt(uint8_t *bytes, uint16_t length) { apply(bytes, length, false); }
 
-  /// Decrypts the next bytes in place.
+  /// Decrypts the next bytes in place. Fastest where all calls but the last have whole blocks of 16 bytes.
   void decrypt(uint8_t *bytes, uint16_t length) { apply(bytes, length, true); }
 
  private:
@@ -27,8 +27,8 @@ class Cfb128 {
   Cfb128 &operator=(const Cfb128 &);
 
   JAVINO_NOINLINE void apply(uint8_t *bytes, uint16_t length, bool decrypting);
-  uint8_t *encryptBlocks(uint8_t *bytes, uint16_t blocks);
-  uint8_t *decryptBlocks(uint8_t *bytes, uint16_t blocks);
+  void encryptBlocks(uint8_t *bytes, const uint8_t *end);
+  void decryptBlocks(uint8_t *bytes, uint8_t *end);
   uint8_t *keyStreamByte();
 
   const Aes128 &cipher_;
