@@ -1,0 +1,22 @@
+#pragma once
+
+#include "../firmware/support/Bytes.h"
+#include "Mega.h"
+
+/// The Mega that all tests of a run share, and how they ask it.
+Mega &mega();
+
+/// What came of an operation.
+struct Outcome {
+  uint64_t cycles;
+  Mailbox mailbox;
+
+  /// The first bytes of the mailbox's data.
+  Bytes bytes(size_t count) const { return Bytes(mailbox.bytes, mailbox.bytes + count); }
+};
+
+/// Throws where `data` does not fit the mailbox.
+/// @param key, second 16 bytes, or none where the operation takes none
+/// @param nonce 6 bytes or none
+Outcome perform(Mailbox::Operation operation, const Bytes &key, const Bytes &second, const Bytes &data,
+                const Bytes &nonce = Bytes());

@@ -1,0 +1,95 @@
+// Holds what the firmware costs to the figures in budget.json, and writes both to cycles.txt.
+#include <gtest/gtest.h>
+#include <jansson.h>
+
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+
+#include "../firmware/support/Vectors.h"
+#include "TestMega.h"
+
+namespace {
+
+typedef std::map<std::string, double> Figures;
+
+const Bytes KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
+const Bytes SECOND = fromHex("000102030405060708090a0b0c0d0e0f");
+
+Bytes random(size_t count) { return RandomBytes(7).bytes(count); }
+
+double cyclesOf(Mailbox::Operation operation, const Bytes &data) {
+  return static_cast<double>(perform(operation, KEY, SECOND, data, fromHex("000001000000")).cycles);
+}
+
+double cyclesAByte(Mailbox::Operation operation, const Bytes &data) {
+  return cyclesOf(operation, data) / static_cast<double>(data.size());
+}
+
+// The longest packet among the vectors, with its closing zero: header and CRC weigh least.
+Bytes longestPacket() {
+  Bytes longest;
+  for (const Vector &vector : vectors("packets.json", "valid")) {
+    const Bytes packet = vector.bytes("packet");
+    if (packet.size() > longest.size()) longest = packet;
+  }
+  return longest;
+}
+
+// The content of 16 bytes, from ROMA to SUHO: 'C' and 'A' are the digits of 128 bits.
+Bytes frame() { return bytesOf("SUHOROMACA") + random(16); }
+
+Bytes sealedFrame() {
+  const Outcome sealed = perform(Mailbox::SEAL, KEY, SECOND, frame(), fromHex("000001000000"));
+  return sealed.bytes(sealed.mailbox.length);
+}
+
+Figures measured() {
+  Figures figures;
+  figures["AES-128, one block, call included"] = cyclesOf(Mailbox::ENCRYPT_BLOCK, random(16));
+  figures["AES-128 key schedule, call included"] = cyclesOf(Mailbox::EXPAND_KEY, {});
+  figures["CFB-128, encrypt 64 bytes"] = cyclesOf(Mailbox::ENCRYPT_CFB, random(64));
+  figures["CFB-128, decrypt 64 bytes"] = cyclesOf(Mailbox::DECRYPT_CFB, random(64));
+  figures["CMAC, 32 bytes"] = cyclesOf(Mailbox::COMPUTE_CMAC, random(32));
+  figures["keys of a shared key: Kenc, Kmac, check value"] = cyclesOf(Mailbox::DERIVE_KEYS, {});
+  figures["envelope: expand and wipe both keys"] = cyclesOf(Mailbox::EXPAND_KEYS, {});
+  figures["seal 16 bytes, keys expanded"] = cyclesOf(Mailbox::SEAL, frame());
+  figures["open 16 bytes, keys expanded"] = cyclesOf(Mailbox::OPEN, sealedFrame());
+  figures["CRC-16, a byte"] = cyclesAByte(Mailbox::ADD_TO_CRC, random(500));
+  figures["serial packet: COBS and CRC, a byte"] = cyclesAByte(Mailbox::DECODE_PACKET, longestPacket());
+  return figures;
+}
+
+Figures budget() {
+  json_error_t error;
+  json_t *root = json_load_file(BUDGET, 0, &error);
+  if (root == nullptr) throw std::runtime_error(std::string(BUDGET) + ": " + error.text);
+  Figures figures;
+  const char *what;
+  json_t *cycles;
+  json_object_foreach(root, what, cycles) figures[what] = json_number_value(cycles);
+  json_decref(root);
+  return figures;
+}
+
+}  // namespace
+
+TEST(Budget, is_kept) {
+  const Figures now = measured();
+  Figures allowed = budget();
+  FILE *table = fopen(TABLE, "w");
+  ASSERT_NE(nullptr, table) << TABLE;
+  fprintf(table, "%-48s %10s %10s\n", "what", "cycles", "budget");
+  for (const auto &figure : now) {
+    const auto limit = allowed.find(figure.first);
+    if (limit == allowed.end()) {
+      ADD_FAILURE() << "budget.json has no budget for \"" << figure.first << "\"";
+      continue;
+    }
+    fprintf(table, "%-48s %10.1f %10.1f\n", figure.first.c_str(), figure.second, limit->second);
+    EXPECT_LE(figure.second, limit->second) << figure.first;
+    allowed.erase(limit);
+  }
+  fclose(table);
+  for (const auto &limit : allowed) ADD_FAILURE() << "budget.json names \"" << limit.first << "\", which nobody measures";
+}

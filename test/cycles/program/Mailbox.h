@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdint.h>
+
+/// What the test asks of the program on the emulated Mega, and what comes back: laid out alike by both compilers.
+struct Mailbox {
+  enum Operation : uint8_t {
+    NOTHING,         ///< the cost of measuring
+    EXPAND_KEY,      ///< key
+    ENCRYPT_BLOCK,   ///< key; the first 16 of bytes, in place
+    DERIVE_KEYS,     ///< key; into bytes: Kenc, Kmac, check value
+    ENCRYPT_CFB,     ///< key, second as IV; length bytes, in place
+    DECRYPT_CFB,     ///< the same
+    COMPUTE_CMAC,    ///< key; length bytes; the tag replaces the first 16
+    EXPAND_KEYS,     ///< key as Kenc, second as Kmac: makes and wipes an envelope
+    SEAL,            ///< key as Kenc, second as Kmac, nonce; bytes: a frame, becomes the sealed frame
+    OPEN,            ///< key as Kenc, second as Kmac; bytes: a sealed frame; length becomes the content's, 0xFFFF if forged
+    ADD_TO_CRC,      ///< length bytes; the CRC replaces the first two
+    DECODE_PACKET    ///< length bytes of the line; the last PacketEvent replaces the first
+  };
+
+  uint8_t operation;
+  uint8_t reserved;
+  uint16_t length;
+  uint8_t key[16];
+  uint8_t second[16];
+  uint8_t nonce[6];
+  uint8_t bytes[600];
+};
+
+static_assert(sizeof(Mailbox) == 642, "no padding on either side");

@@ -1,0 +1,16 @@
+; Calls of the two assembly functions with the markers right before and behind the call, so that what is measured is
+; CALL, function and RET. The arguments are those of the function.
+
+#include <avr/io.h>
+
+  .macro measured_call function
+  .global measured_\function
+measured_\function:
+  out _SFR_IO_ADDR(GPIOR0), r24
+  call \function
+  out _SFR_IO_ADDR(GPIOR0), r1
+  ret
+  .endm
+
+  measured_call javino_aes128_expand
+  measured_call javino_aes128_encrypt

@@ -1,0 +1,150 @@
+// Runs on the emulated Mega: does what the mailbox asks for, between two writes to GPIOR0 that the test times.
+
+#include <avr/io.h>
+#include <string.h>
+
+#include "Mailbox.h"
+#include "crypto/Cfb128.h"
+#include "crypto/Cmac.h"
+#include "framing/Crc16.h"
+#include "framing/PacketDecoder.h"
+#include "secure/Envelope.h"
+
+extern "C" void measured_javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
+extern "C" void measured_javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out);
+
+namespace {
+
+using namespace javino;
+
+Mailbox mailbox;
+
+// The compiler may not move anything across.
+inline void barrier() { __asm__ volatile("" ::: "memory"); }
+
+template <typename Work>
+inline void measure(Work work) {
+  barrier();
+  GPIOR0 = 1;
+  barrier();
+  work();
+  barrier();
+  GPIOR0 = 0;
+  barrier();
+}
+
+DerivedKeys mailboxKeys() {
+  DerivedKeys keys;
+  memcpy(keys.encryption, mailbox.key, sizeof keys.encryption);
+  memcpy(keys.authentication, mailbox.second, sizeof keys.authentication);
+  return keys;
+}
+
+void encryptBlock() {
+  uint8_t roundKeys[176];
+  javino_aes128_expand(roundKeys, mailbox.key);
+  measured_javino_aes128_encrypt(roundKeys, mailbox.bytes, mailbox.bytes);
+}
+
+void expandKey() {
+  uint8_t roundKeys[176];
+  measured_javino_aes128_expand(roundKeys, mailbox.key);
+}
+
+void deriveKeys() {
+  DerivedKeys keys;
+  measure([&] { keys.derive(mailbox.key); });
+  memcpy(mailbox.bytes, keys.encryption, 16);
+  memcpy(mailbox.bytes + 16, keys.authentication, 16);
+  memcpy(mailbox.bytes + 32, keys.check, DerivedKeys::CHECK_LENGTH);
+}
+
+void cfb(bool decrypting) {
+  const Aes128 cipher(mailbox.key);
+  Cfb128 stream(cipher, mailbox.second);
+  measure([&] {
+    if (decrypting) {
+      stream.decrypt(mailbox.bytes, mailbox.length);
+    } else {
+      stream.encrypt(mailbox.bytes, mailbox.length);
+    }
+  });
+}
+
+void computeCmac() {
+  const Aes128 cipher(mailbox.key);
+  uint8_t tag[16];
+  measure([&] { cmac(cipher, mailbox.bytes, mailbox.length, tag); });
+  memcpy(mailbox.bytes, tag, sizeof tag);
+}
+
+void seal() {
+  const Envelope envelope(mailboxKeys());
+  static uint8_t sealed[sizeof mailbox.bytes];
+  Frame plain;
+  if (Frame::parse(mailbox.bytes, mailbox.length, plain) != FrameError::NONE) return;
+  uint16_t length = 0;
+  measure([&] { length = envelope.seal(plain, mailbox.nonce, sealed); });
+  memcpy(mailbox.bytes, sealed, length);
+  mailbox.length = length;
+}
+
+void open() {
+  const Envelope envelope(mailboxKeys());
+  uint16_t content = 0xFFFF;
+  measure([&] {
+    if (envelope.isAuthentic(mailbox.bytes, mailbox.length)) content = envelope.open(mailbox.bytes, mailbox.length);
+  });
+  mailbox.length = content;
+}
+
+void addToCrc() {
+  Crc16 crc;
+  measure([&] { crc.add(mailbox.bytes, mailbox.length); });
+  mailbox.bytes[0] = static_cast<uint8_t>(crc.value());
+  mailbox.bytes[1] = static_cast<uint8_t>(crc.value() >> 8);
+}
+
+void decodePacket() {
+  static PacketDecoder decoder;
+  PacketEvent event = PacketEvent::NONE;
+  measure([&] {
+    for (uint16_t i = 0; i < mailbox.length; i++) event = decoder.add(mailbox.bytes[i]);
+  });
+  mailbox.bytes[0] = static_cast<uint8_t>(event);
+}
+
+void perform() {
+  switch (mailbox.operation) {
+    case Mailbox::NOTHING: measure([] {}); break;
+    case Mailbox::EXPAND_KEY: expandKey(); break;
+    case Mailbox::ENCRYPT_BLOCK: encryptBlock(); break;
+    case Mailbox::DERIVE_KEYS: deriveKeys(); break;
+    case Mailbox::ENCRYPT_CFB: cfb(false); break;
+    case Mailbox::DECRYPT_CFB: cfb(true); break;
+    case Mailbox::COMPUTE_CMAC: computeCmac(); break;
+    case Mailbox::EXPAND_KEYS: {
+      const DerivedKeys keys = mailboxKeys();
+      measure([&] { const Envelope envelope(keys); });
+      break;
+    }
+    case Mailbox::SEAL: seal(); break;
+    case Mailbox::OPEN: open(); break;
+    case Mailbox::ADD_TO_CRC: addToCrc(); break;
+    case Mailbox::DECODE_PACKET: decodePacket(); break;
+  }
+}
+
+}  // namespace
+
+int main() {
+  const uint16_t address = reinterpret_cast<uint16_t>(&mailbox);
+  GPIOR1 = static_cast<uint8_t>(address);
+  GPIOR1 = static_cast<uint8_t>(address >> 8);
+  for (;;) {
+    barrier();
+    GPIOR2 = 1;  // the test reads and writes the mailbox now
+    barrier();
+    perform();
+  }
+}
