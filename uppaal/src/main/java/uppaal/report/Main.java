@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import uppaal.ModelException;
 
-/** {@code gradle :uppaal:model}: checks the models and prints what was found. */
+/** {@code gradle model}: checks the models and prints what was found. */
 public final class Main {
     private Main() {
     }
