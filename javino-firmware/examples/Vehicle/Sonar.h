@@ -2,15 +2,17 @@
 
 #include <Arduino.h>
 
-/// An HC-SR04 that measures in the background, about sixteen times a second. There can be one of it.
+/// An HC-SR04 on a Mega that measures in the background, about sixteen times a second. There can be one of it.
 class Sonar {
  public:
   static const uint16_t MIN_CM = 2;
   static const uint16_t MAX_CM = 400;
 
+  /// The echo's pin is fixed, as its interrupt is.
+  static const uint8_t ECHO_PIN = 2;
+
   /// @param triggerPin any digital pin
-  /// @param echoPin a pin with an external interrupt (Mega: 2, 3, 18-21)
-  Sonar(uint8_t triggerPin, uint8_t echoPin) : triggerPin_(triggerPin), echoPin_(echoPin) {}
+  explicit Sonar(uint8_t triggerPin) : triggerPin_(triggerPin) {}
 
   void begin();
 
@@ -25,7 +27,6 @@ class Sonar {
 
  private:
   const uint8_t triggerPin_;
-  const uint8_t echoPin_;
   uint16_t centimetres_ = 0;
   uint32_t lastTriggerMs_ = 0;
 };

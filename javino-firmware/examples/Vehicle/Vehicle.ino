@@ -1,7 +1,7 @@
 // A vehicle: drives, sees what is ahead, lights its way, and can sound an alarm or a siren.
 //
 // Wiring:
-//   HC-SR04 ultrasonic sensor    trigger to 22, echo to 2
+//   HC-SR04 ultrasonic sensor    trigger to 22, echo to 2 (no other pin: see Sonar.cpp)
 //   light dependent resistor     divider of LDR (to 5 V) and 10 kΩ (to ground) to A0
 //   L298N motor driver           left motor: 5 forward, 6 backward; right motor: 7 forward, 8 backward
 //   active buzzer                9
@@ -29,7 +29,7 @@ const uint8_t BUZZER_PIN = 9;
 const uint8_t HEADLIGHTS_PIN = 30;
 
 javino::Javino board(Serial, "vehicle 1.0");
-Sonar sonar(22, 2);
+Sonar sonar(22);
 Siren siren(31, 32);
 
 bool moving = false;
