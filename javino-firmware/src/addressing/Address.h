@@ -14,11 +14,15 @@ class Address {
 
   enum Class : uint8_t { DEVICE, SERIAL_LINE, BROADCAST, MULTICAST, RESERVED };
 
+  /// Any address, to be assigned before use. No constructor: those of all the addresses that a board holds would cost
+  /// 228 bytes of flash.
+  Address() = default;
+
   /// The serial line's address, `++++`; as an RF id it means that none is set.
-  Address() : group_(PLUSES), member_(PLUSES) {}
+  static Address serialLine() { return Address(PLUSES, PLUSES); }
 
   /// @param value 0…0xFFFFFF
-  explicit Address(uint32_t value) : group_(value >> 12 & 0xFFF), member_(value & 0xFFF) {}
+  explicit Address(uint32_t value) : Address(value >> 12 & 0xFFF, value & 0xFFF) {}
 
   /// Reads four digits.
   /// @return false, and `into` is untouched, where one is outside the alphabet.
@@ -49,6 +53,8 @@ class Address {
   static const uint16_t FIRST_PLUS = 0xF80;  // the two digits `+A`, the first group that is no device's
   static const uint16_t PLUSES = 0xFBE;      // `++`
   static const uint16_t SLASHES = 0xFFF;     // `//`
+
+  Address(uint16_t group, uint16_t member) : group_(group), member_(member) {}
 
   uint16_t group_;
   uint16_t member_;

@@ -48,7 +48,7 @@ struct StoredKey {
 void KeyStore::begin() {
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     StoredKey stored;
-    addresses_[slot] = recordAt(eeprom_, slot).read(stored.bytes) ? stored.address() : Address();
+    addresses_[slot] = recordAt(eeprom_, slot).read(stored.bytes) ? stored.address() : Address::serialLine();
   }
 }
 
@@ -82,13 +82,13 @@ KeyStore::Result KeyStore::set(const Address &address, const uint8_t *key) {
   StoredKey stored;
   stored.pack(address, derived);
   const bool kept = recordAt(eeprom_, slot).write(stored.bytes);
-  addresses_[slot] = kept ? address : Address();
+  addresses_[slot] = kept ? address : Address::serialLine();
   return kept ? STORED : FAILED;
 }
 
 bool KeyStore::erase(uint8_t slot) {
   const bool erased = recordAt(eeprom_, slot).erase(SECRETS_LENGTH);
-  if (erased) addresses_[slot] = Address();
+  if (erased) addresses_[slot] = Address::serialLine();
   return erased;
 }
 

@@ -9,7 +9,7 @@ namespace javino {
 /// The board's own address, which EEPROM keeps (SPEC 4.3, set RF id).
 class RfId {
  public:
-  explicit RfId(Eeprom &eeprom) : eeprom_(eeprom) {}
+  explicit RfId(Eeprom &eeprom) : eeprom_(eeprom), address_(Address::serialLine()) {}
 
   /// Reads what is stored. To be called once, after a boot.
   void begin();

@@ -76,7 +76,7 @@ TEST(Address, every_byte_outside_the_alphabet_is_no_digit) {
   }
 }
 
-TEST(Address, is_the_serial_line_where_nothing_is_set) {
-  EXPECT_TRUE(Address().isSerial());
-  EXPECT_FALSE(Address().isDevice());
+TEST(Address, of_the_serial_line_is_no_device) {
+  EXPECT_TRUE(Address::serialLine().isSerial());
+  EXPECT_FALSE(Address::serialLine().isDevice());
 }

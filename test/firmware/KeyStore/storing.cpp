@@ -79,7 +79,7 @@ TEST_F(KeyStoreTest, the_key_itself_is_never_in_the_eeprom) {
 }
 
 TEST_F(KeyStoreTest, a_free_place_has_no_key_for_the_serial_line) {
-  EXPECT_EQ(KeyStore::NO_SLOT, store.find(Address()));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.find(Address::serialLine()));
 }
 
 TEST_F(KeyStoreTest, a_worn_cell_is_told_and_leaves_no_key) {
