@@ -14,7 +14,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /** A running {@code javino-emulator} with a scenario of its own, in a folder of its own. */
-final class Emulator implements AutoCloseable {
+public final class Emulator implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
@@ -31,20 +31,20 @@ final class Emulator implements AutoCloseable {
     }
 
     /** What a test says of its scenario; the words are those of emulator/README.md. */
-    static final class Scenario {
+    public static final class Scenario {
         private final Map<String, Object> radio = new LinkedHashMap<>(Map.of("bitRate", 2000, "range", 100));
         private final List<Map<String, Object>> boards = new ArrayList<>();
         private final List<Map<String, Object>> faults = new ArrayList<>();
         private String speed = "1";
         private long seed = 1;
 
-        Scenario radio(String key, Object value) {
+        public Scenario radio(String key, Object value) {
             radio.put(key, value);
             return this;
         }
 
         /** A board with a sketch of the library's examples or of test/system/sketches, e.g. {@code Vehicle}. */
-        Scenario board(String name, String sketch, Map<String, Object> more) {
+        public Scenario board(String name, String sketch, Map<String, Object> more) {
             Map<String, Object> board = new LinkedHashMap<>();
             board.put("name", name);
             board.put("firmware", firmware(sketch).toString());
@@ -55,27 +55,27 @@ final class Emulator implements AutoCloseable {
             return this;
         }
 
-        Scenario board(String name, String sketch) {
+        public Scenario board(String name, String sketch) {
             return board(name, sketch, Map.of());
         }
 
-        Scenario fault(double seconds, String board, String what) {
+        public Scenario fault(double seconds, String board, String what) {
             faults.add(Map.of("t", seconds, "board", board, "do", what));
             return this;
         }
 
-        Scenario speed(String times) {
+        public Scenario speed(String times) {
             speed = times;
             return this;
         }
 
-        Scenario seed(long value) {
+        public Scenario seed(long value) {
             seed = value;
             return this;
         }
 
         /** Starts the emulator in a folder, where EEPROM files of earlier runs are taken up. */
-        Emulator start(Path folder) throws IOException {
+        public Emulator start(Path folder) throws IOException {
             Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
             if (!faults.isEmpty()) scenario.put("faults", faults);
             Path file = folder.resolve("scenario.json");
@@ -109,7 +109,7 @@ final class Emulator implements AutoCloseable {
     }
 
     /** The path under which a host opens a board's serial port. */
-    String port(String board) {
+    public String port(String board) {
         return folder.resolve("ports").resolve(board).toString();
     }
 
@@ -122,17 +122,17 @@ final class Emulator implements AutoCloseable {
     }
 
     /** All that has been traced until now. */
-    synchronized List<TraceEvent> trace() {
+    public synchronized List<TraceEvent> trace() {
         return List.copyOf(trace);
     }
 
     /** The first event, since the run began, that is as described; waits for it if need be. */
-    synchronized TraceEvent await(String what, Predicate<TraceEvent> wanted) throws InterruptedException {
+    public synchronized TraceEvent await(String what, Predicate<TraceEvent> wanted) throws InterruptedException {
         return await(what, 1, wanted);
     }
 
     /** The n-th event, since the run began, that is as described; waits for it if need be. */
-    synchronized TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted) throws InterruptedException {
+    public synchronized TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         int next = 0;
         int found = 0;
@@ -147,7 +147,7 @@ final class Emulator implements AutoCloseable {
     }
 
     /** The packets that a board has sent, as the sniffer read them. */
-    List<TraceEvent> sentBy(String board) {
+    public List<TraceEvent> sentBy(String board) {
         return trace().stream().filter(event -> event.is("rf-tx", board)).toList();
     }
 

@@ -24,11 +24,11 @@ import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 
 /** A board session that a test drives, with what came from the board in queues. */
-final class Host implements AutoCloseable {
+public final class Host implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 60;
 
-    final Board board;
+    public final Board board;
     private final BlockingQueue<ReceivedMessage> messages = new LinkedBlockingQueue<>();
     private final BlockingQueue<Integer> sent = new LinkedBlockingQueue<>();
     private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
@@ -52,16 +52,16 @@ final class Host implements AutoCloseable {
         });
     }
 
-    static Host of(Emulator emulator, String board) {
+    public static Host of(Emulator emulator, String board) {
         return over(SerialLink.opener(emulator.port(board)));
     }
 
-    static Host over(LinkOpener link) {
+    public static Host over(LinkOpener link) {
         return new Host(link);
     }
 
     /** Gives the board an id and keys, and opens its radio. */
-    Host as(String id, Map<String, byte[]> keys) {
+    public Host as(String id, Map<String, byte[]> keys) {
         get(board.setRfId(Address.parse(id)));
         keys.forEach((address, key) -> get(board.setKey(Address.parse(address), Key.of(Bytes.copyOf(key)))));
         get(board.radio(true));
@@ -69,7 +69,7 @@ final class Host implements AutoCloseable {
     }
 
     /** Sends, and waits until it has been on the air. */
-    void send(String to, String content) throws InterruptedException {
+    public void send(String to, String content) throws InterruptedException {
         int number = get(board.transmit(Address.parse(to), content(content)));
         Integer ended = sent.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
         if (ended == null || ended != number) throw new AssertionError("transmission " + number + ", but " + ended + " ended");
@@ -84,7 +84,7 @@ final class Host implements AutoCloseable {
     }
 
     /** The next message that came, waited for. */
-    ReceivedMessage message() throws InterruptedException {
+    public ReceivedMessage message() throws InterruptedException {
         ReceivedMessage message = messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
         if (message == null) throw new AssertionError("no message came");
         return message;

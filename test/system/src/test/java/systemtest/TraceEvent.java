@@ -8,23 +8,23 @@ import com.google.gson.JsonParser;
  *
  * @param seconds emulated time
  */
-record TraceEvent(double seconds, String board, String name, JsonObject fields, String line) {
+public record TraceEvent(double seconds, String board, String name, JsonObject fields, String line) {
 
-    static TraceEvent parse(String line) {
+    public static TraceEvent parse(String line) {
         JsonObject fields = JsonParser.parseString(line).getAsJsonObject();
         String board = fields.has("board") ? fields.get("board").getAsString() : "";
         return new TraceEvent(fields.get("t").getAsDouble(), board, fields.get("event").getAsString(), fields, line);
     }
 
-    boolean is(String event, String onBoard) {
+    public boolean is(String event, String onBoard) {
         return name.equals(event) && board.equals(onBoard);
     }
 
-    String text(String field) {
+    public String text(String field) {
         return fields.get(field).getAsString();
     }
 
-    int number(String field) {
+    public int number(String field) {
         return fields.get(field).getAsInt();
     }
 }
