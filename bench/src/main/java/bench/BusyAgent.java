@@ -1,0 +1,89 @@
+package bench;
+
+import diffuser.Diffuser;
+import jason.infra.local.LocalAgArch;
+import java.io.File;
+import java.time.Duration;
+import java.util.List;
+import javino.link.LinkOpener;
+
+/** How fast an agent that always has something to do goes on reasoning, with boards of different quickness. */
+public final class BusyAgent implements Subject {
+
+    private static final String PROGRAM = "!work. +!work <- !!work.";
+    private static final String WITH_BOARD = "!start. +!start <- .percepts(open); .port(\"memory\"). " + PROGRAM;
+    private static final int WARM_UP_SECONDS = 6;
+    private static final int SECONDS = 5;
+
+    /** How the board behaves; plain: there is none, nor an architecture. */
+    private enum Kind { PLAIN, AT_ONCE, LATE, SILENT }
+
+    /** The architecture under test with a board in memory, chosen by the process's argument. */
+    public static final class MemoryDiffuser extends Diffuser {
+
+        private static final long serialVersionUID = 1L;
+        private static Kind kind;
+
+        @Override
+        protected LinkOpener link(String port) {
+            return switch (kind) {
+                case LATE -> MemoryBoard.answeringAfter(Duration.ofMillis(50));
+                case SILENT -> MemoryBoard.silent();
+                default -> MemoryBoard.answeringAfter(Duration.ZERO);
+            };
+        }
+    }
+
+    @Override
+    public String name() {
+        return "busy";
+    }
+
+    @Override
+    public String method() {
+        return """
+            an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a second, the median of
+            5 seconds after 6 of warming up. With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
+            never, and whose one percept changes at every poll. The reference is the same agent without the architecture, run before and
+            after the three.""";
+    }
+
+    @Override
+    public List<Row> measure() throws Exception {
+        double before = cyclesOf(Kind.PLAIN);
+        double atOnce = cyclesOf(Kind.AT_ONCE);
+        double late = cyclesOf(Kind.LATE);
+        double silent = cyclesOf(Kind.SILENT);
+        double plain = (before + cyclesOf(Kind.PLAIN)) / 2;
+        return List.of(row("at once", atOnce, plain), row("after 50 ms", late, plain), row("never", silent, plain));
+    }
+
+    private static Row row(String answers, double ours, double plain) {
+        return Row.against("busy agent, board answers " + answers, "%.0f cycles/s", ours, plain, "plain agent").goal("≥ 0.90");
+    }
+
+    private static double cyclesOf(Kind kind) throws Exception {
+        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
+        List<String> lines = Command.run(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"), BusyAgent.class.getName(), kind);
+        return Double.parseDouble(lines.get(lines.size() - 1));
+    }
+
+    /** Prints how many cycles a second an agent of the kind given does. */
+    public static void main(String[] kinds) throws Exception {
+        MemoryDiffuser.kind = Kind.valueOf(kinds[0]);
+        boolean plain = MemoryDiffuser.kind == Kind.PLAIN;
+        LocalAgArch agent = plain ? Agents.start("busy", PROGRAM) : Agents.start("busy", WITH_BOARD, MemoryDiffuser.class);
+        Thread.sleep(Duration.ofSeconds(WARM_UP_SECONDS).toMillis());
+        Samples cycles = new Samples();
+        for (int i = 0; i < SECONDS; i++) cycles.add(cyclesASecond(agent));
+        System.out.println(cycles.median());
+        System.exit(0);
+    }
+
+    private static double cyclesASecond(LocalAgArch agent) throws InterruptedException {
+        int from = agent.getCycleNumber();
+        long begun = System.nanoTime();
+        Thread.sleep(1000);
+        return (agent.getCycleNumber() - from) / ((System.nanoTime() - begun) / 1e9);
+    }
+}

@@ -1,0 +1,33 @@
+package bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** The PC that the benchmarks run on, and where things are on it. */
+final class Machine {
+
+    /** The top of the repository. */
+    static final Path ROOT = Path.of(System.getProperty("javino.root"));
+
+    private Machine() { }
+
+    /** Processor, cores and Java. */
+    static String describe() throws IOException {
+        Path cpuinfo = Path.of("/proc/cpuinfo");
+        String model = !Files.exists(cpuinfo) ? System.getProperty("os.arch") : Files.readAllLines(cpuinfo).stream()
+            .filter(line -> line.startsWith("model name")).map(line -> line.substring(line.indexOf(':') + 2)).findFirst()
+            .orElse(System.getProperty("os.arch"));
+        return Row.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(), System.getProperty("java.version"));
+    }
+
+    /** Where gradle has put the program of a sketch. */
+    static Path firmware(String sketch) {
+        return ROOT.resolve("javino-firmware/build/" + sketch.toLowerCase(java.util.Locale.ROOT) + "/" + sketch + ".ino.elf");
+    }
+
+    /** A program of bench/native. */
+    static Path program(String name) {
+        return ROOT.resolve("bench/build/native/" + name);
+    }
+}

@@ -1,0 +1,105 @@
+package bench;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.ThreadLocalRandom;
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.link.SerialLink;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Outcome;
+import systemtest.Emulator;
+import systemtest.Host;
+import systemtest.TraceEvent;
+
+/** From host to host over two emulated boards: how long a message takes, how long its packet is, how much gets through. */
+final class Radio implements Subject {
+
+    private static final double BIT_RATE = 2000;
+    private static final String SIXTEEN_BYTES = "tell;x(12345678)";
+    private static final String LONGEST = "tell;x(" + "1".repeat(59) + ")";
+    private static final int MESSAGES = 25;
+    private static final int LONG_MESSAGES = 20;
+    private static final int WAITING_ON_BOARD = 2;
+
+    @Override
+    public String name() {
+        return "radio";
+    }
+
+    @Override
+    public String method() {
+        return """
+            two emulated Megas with the sketches Vehicle and Station at real time, each with a host over its pty. Unicast: 25 sealed
+            contents of 16 bytes, from the call that asks for the transmission to the call that hands over the message, by the host's
+            clock: request and polling are in it, so it is more than from the request's last byte to the message's first. The ratio is
+            that of the median to the packet's time on the air. Goodput: 20 broadcasts of 67 bytes, the longest content that fits one
+            packet, with two of them always waiting at the board; content bits from the first packet's start to the last one's end.
+            Its limit is what line code (8 of 12 bits), training and header leave: 536 of 1008 bits. Longer contents need pieces, which
+            do not exist yet.""";
+    }
+
+    @Override
+    public List<Row> measure() throws Exception {
+        Path folder = Files.createTempDirectory("javino-bench");
+        try (Emulator emulator = new Emulator.Scenario().board("sender", "Vehicle").board("receiver", "Station").start(folder)) {
+            byte[] key = new byte[16];
+            ThreadLocalRandom.current().nextBytes(key);
+            Samples latency = new Samples();
+            try (Host receiver = Host.of(emulator, "receiver").as("SUPP", Map.of("SUPO", key))) {
+                try (Host sender = Host.of(emulator, "sender").as("SUPO", Map.of("SUPP", key))) {
+                    for (int i = 0; i < MESSAGES; i++) latency.add(sendOne(sender, receiver));
+                }
+            }
+            TraceEvent packet = emulator.sentBy("sender").get(0);
+            double airtime = 1000 * packet.number("bits") / BIT_RATE;
+            double payload = packet.text("payload").length() / 2.0;
+            return List.of(
+                Row.against("sealed unicast of 16 bytes, host to host, median", "%.0f ms", latency.median(), airtime, "on the air").goal("≤ 1.10"),
+                Row.cited("the same beside the public stack", "%.0f ms", latency.median(), 877, "the paper's software"),
+                Row.cited("payload on the air for 16 sealed bytes", "%.0f bytes", payload, 54, "the paper's software").goal("≤ 40"),
+                goodput(emulator));
+        }
+    }
+
+    /** Milliseconds that a message takes. */
+    private static double sendOne(Host sender, Host receiver) throws Exception {
+        long begun = System.nanoTime();
+        var sent = sender.board.transmit(Address.parse("SUPP"), Content.decode(Bytes.ofText(SIXTEEN_BYTES)));
+        receiver.message();
+        long ended = System.nanoTime();
+        sent.join();
+        // So that the next one comes at another moment between two polls.
+        Thread.sleep(ThreadLocalRandom.current().nextInt(50, 90));
+        return (ended - begun) / 1e6;
+    }
+
+    private static Row goodput(Emulator emulator) throws Exception {
+        Semaphore room = new Semaphore(WAITING_ON_BOARD);
+        int before = emulator.sentBy("sender").size();
+        try (Board board = Board.open(SerialLink.opener(emulator.port("sender")), BoardConfig.create(), new BoardListener() {
+            @Override
+            public void transmitted(int number, Outcome outcome) {
+                room.release();
+            }
+        })) {
+            for (int i = 0; i < LONG_MESSAGES; i++) {
+                room.acquire();
+                board.transmit(Address.parse("////"), Content.decode(Bytes.ofText(LONGEST))).join();
+            }
+            room.acquire(WAITING_ON_BOARD);
+        }
+        List<TraceEvent> packets = emulator.sentBy("sender");
+        List<TraceEvent> sent = packets.subList(before, packets.size());
+        double seconds = sent.get(sent.size() - 1).fields().get("end").getAsDouble() - sent.get(0).fields().get("start").getAsDouble();
+        double share = sent.size() * LONGEST.length() * 8 / seconds / BIT_RATE;
+        double limit = LONGEST.length() * 8.0 / sent.get(0).number("bits");
+        return Row.against("goodput of one sender, contents of 67 bytes", "%.1f %% of the bit rate", 100 * share, 100 * limit, "limit").goal("≥ 0.85");
+    }
+}

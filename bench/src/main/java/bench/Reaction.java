@@ -1,0 +1,121 @@
+package bench;
+
+import diffuser.Diffuser;
+import jason.asSemantics.Message;
+import jason.infra.local.LocalAgArch;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ThreadLocalRandom;
+import systemtest.Emulator;
+import systemtest.TraceEvent;
+
+/** How soon an agent knows what has changed at its board, and how soon what it says is on the air. */
+final class Reaction implements Subject {
+
+    private static final int CHANGES = 40;
+    private static final int MESSAGES = 20;
+    /** Emulated seconds of the first change; by then the messages have been sent. */
+    private static final double FIRST = 15;
+    /** No multiple of the poll interval, so that the changes come at all moments between two polls. */
+    private static final double DISTANCE = 0.3037;
+    private static final double STEP_SECONDS = 1e-6;
+    private static final int BRIGHTER = 20;
+
+    private static final String PROGRAM = """
+        !start.
+        +!start <- .port("%s"); .percepts(open); .setMyRFId(ROMA); bench.note(started).
+        +light(L) <- bench.note(light(L)).
+        +!say <- bench.note(say); .diffuse(broadcast, tell, x).
+        """;
+
+    @Override
+    public String name() {
+        return "reaction";
+    }
+
+    @Override
+    public String method() {
+        return """
+            an agent with the Diffuser's default settings and an emulated board (Vehicle) at real time. Percept: 40 steps of the voltage on
+            A0, at all moments between two polls, each to the first action of the plan for `+light(L)`. Radio: 20 times from the action
+            before `.diffuse` to the TX pin's first change. The emulator's clock is tied to the host's by the earliest arrival of a line of
+            its trace.""";
+    }
+
+    @Override
+    public List<Row> measure() throws Exception {
+        Map<String, Object> wiring = Map.of(
+            "sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", steps())),
+            "watch", List.of(Map.of("pin", 12, "name", "transmitter")));
+        try (Emulator emulator = new Emulator.Scenario().board("board", "Vehicle", wiring).start(Files.createTempDirectory("javino-bench"))) {
+            LocalAgArch agent = Agents.start("reaction", PROGRAM.formatted(emulator.port("board")), Diffuser.class);
+            try {
+                return measure(emulator, agent);
+            } finally {
+                agent.stopAg();
+            }
+        }
+    }
+
+    private static List<Row> measure(Emulator emulator, LocalAgArch agent) throws Exception {
+        await("started");
+        List<Long> said = new ArrayList<>();
+        List<TraceEvent> begun = new ArrayList<>();
+        long clock = Long.MAX_VALUE;
+        double silentSince = 0;
+        for (int i = 0; i < MESSAGES; i++) {
+            agent.receiveMsg(new Message("achieve", "bench", "reaction", "say"));
+            said.add(await("say"));
+            double before = silentSince;
+            TraceEvent rise = emulator.await("a carrier", event -> event.is("pin", "board") && event.number("level") == 1
+                && event.seconds() > before);
+            clock = Math.min(clock, System.nanoTime() - nanos(rise.seconds()));
+            begun.add(rise);
+            silentSince = emulator.await("the packet's end", i + 1, event -> event.is("rf-tx", "board")).fields().get("end").getAsDouble();
+            Thread.sleep(ThreadLocalRandom.current().nextInt(20, 60));
+        }
+        Samples spoken = new Samples();
+        for (int i = 0; i < MESSAGES; i++) spoken.add((nanos(begun.get(i).seconds()) + clock - said.get(i)) / 1e6);
+        Samples perceived = new Samples();
+        for (int i = 0; i < CHANGES; i++) perceived.add((await("light(" + light(i) + ")") - nanos(changeOf(i)) - clock) / 1e6);
+        return List.of(
+            Row.of("percept: pin to belief event, median (longest)", both(perceived)).goal("≤ 30 ms"),
+            Row.of(".diffuse to first bit on air, median (longest)", both(spoken)).goal("≤ 30 ms"));
+    }
+
+    private static String both(Samples milliseconds) {
+        return Row.text("%.1f ms (%.1f)", milliseconds.median(), milliseconds.greatest());
+    }
+
+    private static long nanos(double seconds) {
+        return Math.round(seconds * 1e9);
+    }
+
+    /** When the agent told this; what it told before that is forgotten. */
+    private static long await(String what) throws InterruptedException {
+        while (true) {
+            note.Note next = note.next();
+            if (next.what().equals(what)) return next.nanos();
+        }
+    }
+
+    private static double changeOf(int change) {
+        return FIRST + change * DISTANCE;
+    }
+
+    private static int light(int change) {
+        return BRIGHTER * (change + 1);
+    }
+
+    /** The light's course: a step at each change. */
+    private static List<List<Double>> steps() {
+        List<List<Double>> points = new ArrayList<>();
+        for (int i = 0; i < CHANGES; i++) {
+            points.add(List.of(changeOf(i), (double) light(i - 1)));
+            points.add(List.of(changeOf(i) + STEP_SECONDS, (double) light(i)));
+        }
+        return points;
+    }
+}

@@ -1,0 +1,55 @@
+package bench;
+
+import java.util.Locale;
+
+/**
+ * One line of the table.
+ *
+ * @param what      what was measured.
+ * @param ours      the figure, with its unit.
+ * @param reference what it is compared with, or empty.
+ * @param ratio     ours to the reference, or empty.
+ * @param goal      what we want to reach, or empty.
+ */
+record Row(String what, String ours, String reference, String ratio, String goal) {
+
+    /** A figure that is compared with nothing. */
+    static Row of(String what, String ours) {
+        return new Row(what, ours, "", "", "");
+    }
+
+    /**
+     * A figure and one measured in the same way in the same run.
+     *
+     * @param format of both figures, with their unit, as {@code "%.1f ms"}.
+     */
+    static Row against(String what, String format, double ours, double reference, String name) {
+        return of(what, text(format, ours)).and(text(format, reference) + " " + name, ours / reference);
+    }
+
+    /**
+     * A figure and one that was not measured in this run but comes from where {@code cited} says.
+     *
+     * @param format of both figures, with their unit.
+     */
+    static Row cited(String what, String format, double ours, double reference, String cited) {
+        return of(what, text(format, ours)).and(text(format, reference) + " " + cited + " (cited)", ours / reference);
+    }
+
+    private static String ratioText(double quotient) {
+        if (!Double.isFinite(quotient)) return "";
+        return text(quotient == 0 || quotient >= 0.1 ? "%.2f" : "%.4f", quotient);
+    }
+
+    Row goal(String toReach) {
+        return new Row(what, ours, reference, ratio, toReach);
+    }
+
+    private Row and(String other, double quotient) {
+        return new Row(what, ours, other, ratioText(quotient), goal);
+    }
+
+    static String text(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
+    }
+}

@@ -1,0 +1,16 @@
+package bench;
+
+import java.util.List;
+
+/** Something that is measured. */
+interface Subject {
+
+    /** One word, by which it can be asked for alone. */
+    String name();
+
+    /** Sentences for docs/performance.md: how it is measured, and what the figures do not say. */
+    String method();
+
+    /** Measures. */
+    List<Row> measure() throws Exception;
+}
