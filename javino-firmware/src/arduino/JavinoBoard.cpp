@@ -5,7 +5,7 @@
 namespace javino {
 
 Javino::Javino(HardwareSerial &serial, const char *firmwareName, Radio &radio)
-    : serial_(serial), port_(serial), board_(port_, eeprom_, radio, firmwareName) {}
+    : serial_(serial), board_(SerialPort(serial), radio, firmwareName) {}
 
 bool Javino::begin(unsigned long baud) {
   serial_.begin(baud);

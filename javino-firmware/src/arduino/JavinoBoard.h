@@ -3,8 +3,6 @@
 #include <Arduino.h>
 
 #include "../board/Board.h"
-#include "ArduinoEeprom.h"
-#include "ArduinoSerialPort.h"
 
 namespace javino {
 
@@ -34,8 +32,6 @@ class Javino {
 
  private:
   HardwareSerial &serial_;
-  ArduinoSerialPort port_;
-  ArduinoEeprom eeprom_;
   Board board_;
 };
 

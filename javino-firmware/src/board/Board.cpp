@@ -2,11 +2,8 @@
 
 namespace javino {
 
-Board::Board(SerialPort &port, Eeprom &eeprom, Radio &radio, const char *firmwareName)
+Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
     : radio_(radio),
-      id_(eeprom),
-      epoch_(eeprom),
-      keys_(eeprom),
       nonces_(epoch_),
       transmitter_(radio),
       receiver_(radio, id_, keys_, counters_),

@@ -3,7 +3,6 @@
 #include "../radio/Radio.h"
 #include "../secure/NonceSource.h"
 #include "../storage/BootEpoch.h"
-#include "../storage/Eeprom.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
 #include "../support/NoInline.h"
@@ -24,8 +23,8 @@ namespace javino {
 /// radio. The class Javino puts it on an Arduino.
 class Board {
  public:
-  /// All that is given outlives the board.
-  Board(SerialPort &port, Eeprom &eeprom, Radio &radio, const char *firmwareName);
+  /// The UART, the radio and the name outlive the board.
+  Board(SerialPort port, Radio &radio, const char *firmwareName);
 
   /// Reads the EEPROM, raises the boot epoch and starts the radio. To be called once, after a boot.
   /// @return false where the radio could not be started or the EEPROM not be written; all else works nevertheless.

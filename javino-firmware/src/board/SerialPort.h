@@ -2,25 +2,32 @@
 
 #include <stdint.h>
 
+/// A UART of the Arduino core.
+class HardwareSerial;
+
 namespace javino {
 
-/// The bytes between host and board. The seam for the UART; no function waits.
+/// The bytes between host and board; no function waits. The seam for the UART; bound when linking, to
+/// ArduinoSerialPort.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
+/// bytes of flash.
 class SerialPort {
  public:
+  explicit SerialPort(HardwareSerial &serial) : serial_(serial) {}
+
   /// @return whether read() has a byte. Safe to call with interrupts off, as is canWrite().
-  virtual bool canRead() const = 0;
+  bool canRead() const;
 
   /// The next byte that came; only while canRead().
-  virtual uint8_t read() = 0;
+  uint8_t read();
 
   /// @return whether write() takes a byte without waiting.
-  virtual bool canWrite() const = 0;
+  bool canWrite() const;
 
   /// Sends a byte; only while canWrite().
-  virtual void write(uint8_t byte) = 0;
+  void write(uint8_t byte);
 
- protected:
-  ~SerialPort() {}
+ private:
+  HardwareSerial &serial_;
 };
 
 }  // namespace javino

@@ -2,7 +2,7 @@
 
 namespace javino {
 
-SerialSession::SerialSession(SerialPort &port, Commands &commands, Counters &counters)
+SerialSession::SerialSession(SerialPort port, Commands &commands, Counters &counters)
     : port_(port),
       commands_(commands),
       counters_(counters),

@@ -18,7 +18,7 @@ namespace javino {
 /// the reply is out.
 class SerialSession {
  public:
-  SerialSession(SerialPort &port, Commands &commands, Counters &counters);
+  SerialSession(SerialPort port, Commands &commands, Counters &counters);
 
   /// Reads, performs and answers as far as bytes and room are there.
   void run();
@@ -33,7 +33,7 @@ class SerialSession {
   bool isRepeat(const Frame &request) const;
   void write();
 
-  SerialPort &port_;
+  SerialPort port_;
   Commands &commands_;
   Counters &counters_;
   CobsEncoder encoder_;

@@ -9,8 +9,8 @@ const uint32_t BootEpoch::NONE_LEFT;
 
 static const uint8_t COPIES = 2;
 
-static EepromRecord recordAt(Eeprom &eeprom, uint8_t slot) {
-  return EepromRecord(eeprom, static_cast<uint16_t>(EPOCHS_AT + slot * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
+static EepromRecord recordAt(uint8_t slot) {
+  return EepromRecord(static_cast<uint16_t>(EPOCHS_AT + slot * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
 }
 
 void BootEpoch::begin() {
@@ -29,7 +29,7 @@ uint8_t BootEpoch::findHighest() {
   value_ = 0;
   for (uint8_t slot = 0; slot < config::EPOCH_SLOTS; slot++) {
     uint8_t stored[EPOCH_LENGTH];
-    if (!recordAt(eeprom_, slot).read(stored) || readUint24(stored) < value_) continue;
+    if (!recordAt(slot).read(stored) || readUint24(stored) < value_) continue;
     value_ = readUint24(stored);
     slotOfHighest = slot;
   }
@@ -39,7 +39,7 @@ uint8_t BootEpoch::findHighest() {
 bool BootEpoch::store(uint8_t slot) {
   uint8_t epoch[EPOCH_LENGTH];
   writeUint24(epoch, value_);
-  return recordAt(eeprom_, slot).write(epoch);
+  return recordAt(slot).write(epoch);
 }
 
 }  // namespace javino

@@ -3,7 +3,6 @@
 #include <stdint.h>
 
 #include "../support/NoInline.h"
-#include "Eeprom.h"
 
 namespace javino {
 
@@ -22,7 +21,7 @@ class BootEpoch {
   /// 0xFFFFFF stands for "none left" and is never used in a nonce.
   static const uint32_t NONE_LEFT = 0xFFFFFF;
 
-  explicit BootEpoch(Eeprom &eeprom) : eeprom_(eeprom), value_(0), stored_(false) {}
+  BootEpoch() : value_(0), stored_(false) {}
 
   /// Raises the epoch and stores it: some 30 ms. To be called once, after a boot.
   JAVINO_NOINLINE void begin();
@@ -37,7 +36,6 @@ class BootEpoch {
   uint8_t findHighest();
   bool store(uint8_t slot);
 
-  Eeprom &eeprom_;
   uint32_t value_;
   bool stored_;
 };

@@ -4,18 +4,15 @@
 
 namespace javino {
 
-/// Bytes that survive a loss of power. The seam for the EEPROM; host tests put a simulated one here, torn writes and
-/// all.
-class Eeprom {
- public:
-  virtual uint8_t read(uint16_t at) const = 0;
+/// Bytes that survive a loss of power. The seam for the EEPROM; bound when linking, to ArduinoEeprom.cpp on a board and
+/// to a simulated one in the host tests, torn writes and all. A chip has one EEPROM, so there is no object to pass.
+namespace eeprom {
 
-  /// Writes a byte where it differs from what is there, and waits for it: some 3.4 ms on an ATmega.
-  /// Whether the cell kept it, read() tells.
-  virtual void update(uint16_t at, uint8_t value) = 0;
+uint8_t read(uint16_t at);
 
- protected:
-  ~Eeprom() {}
-};
+/// Writes a byte where it differs from what is there, and waits for it: some 3.4 ms on an ATmega.
+/// Whether the cell kept it, read() tells.
+void update(uint16_t at, uint8_t value);
 
+}  // namespace eeprom
 }  // namespace javino

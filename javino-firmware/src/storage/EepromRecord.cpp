@@ -1,5 +1,7 @@
 #include "EepromRecord.h"
 
+#include "Eeprom.h"
+
 namespace javino {
 
 const uint8_t EepromRecord::CHECK_LENGTH;
@@ -42,9 +44,9 @@ bool EepromRecord::erase(uint8_t secrets) {
   return stored(length_ + 1) == ERASED;
 }
 
-uint8_t EepromRecord::stored(uint8_t index) const { return eeprom_.read(static_cast<uint16_t>(at_ + index)); }
+uint8_t EepromRecord::stored(uint8_t index) const { return eeprom::read(static_cast<uint16_t>(at_ + index)); }
 
-void EepromRecord::store(uint8_t index, uint8_t value) { eeprom_.update(static_cast<uint16_t>(at_ + index), value); }
+void EepromRecord::store(uint8_t index, uint8_t value) { eeprom::update(static_cast<uint16_t>(at_ + index), value); }
 
 bool EepromRecord::holds(const uint8_t *data) const {
   Crc16 crc;

@@ -3,7 +3,6 @@
 #include <stdint.h>
 
 #include "../framing/Crc16.h"
-#include "Eeprom.h"
 
 namespace javino {
 
@@ -19,7 +18,7 @@ class EepromRecord {
 
   /// @param at the first byte in EEPROM
   /// @param length of the data, 1…253 bytes
-  EepromRecord(Eeprom &eeprom, uint16_t at, uint8_t length) : eeprom_(eeprom), at_(at), length_(length) {}
+  EepromRecord(uint16_t at, uint8_t length) : at_(at), length_(length) {}
 
   /// Copies the data out.
   /// @return false, and the copy is to be thrown away, where there is no whole record.
@@ -39,7 +38,6 @@ class EepromRecord {
   bool holds(const uint8_t *data) const;
   bool isSealed(const Crc16 &crc) const;
 
-  Eeprom &eeprom_;
   uint16_t at_;
   uint8_t length_;
 };

@@ -4,6 +4,7 @@
 
 #include "../support/BigEndian.h"
 #include "../support/Wipe.h"
+#include "Eeprom.h"
 #include "EepromLayout.h"
 
 namespace javino {
@@ -17,8 +18,8 @@ const uint8_t SECRETS_LENGTH = 2 * Aes128::KEY_LENGTH;
 const uint8_t CHECK_AT = SECRETS_LENGTH;
 const uint8_t ADDRESS_AT = CHECK_AT + DerivedKeys::CHECK_LENGTH;
 
-EepromRecord recordAt(Eeprom &eeprom, uint8_t slot) {
-  return EepromRecord(eeprom, static_cast<uint16_t>(KEYS_AT + slot * KEY_RECORD_LENGTH), KEY_LENGTH);
+EepromRecord recordAt(uint8_t slot) {
+  return EepromRecord(static_cast<uint16_t>(KEYS_AT + slot * KEY_RECORD_LENGTH), KEY_LENGTH);
 }
 
 // A key as EEPROM holds it: secrets first, so that erase() can overwrite just them.
@@ -48,7 +49,7 @@ struct StoredKey {
 void KeyStore::begin() {
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     StoredKey stored;
-    addresses_[slot] = recordAt(eeprom_, slot).read(stored.bytes) ? stored.address() : Address::serialLine();
+    addresses_[slot] = recordAt(slot).read(stored.bytes) ? stored.address() : Address::serialLine();
   }
 }
 
@@ -61,14 +62,14 @@ uint8_t KeyStore::find(const Address &address) const {
 
 bool KeyStore::load(uint8_t slot, DerivedKeys &into) const {
   StoredKey stored;
-  if (addresses_[slot].isSerial() || !recordAt(eeprom_, slot).read(stored.bytes)) return false;
+  if (addresses_[slot].isSerial() || !recordAt(slot).read(stored.bytes)) return false;
   stored.unpack(into);
   return true;
 }
 
 void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
   const uint16_t at = static_cast<uint16_t>(KEYS_AT + slot * KEY_RECORD_LENGTH + CHECK_AT);
-  for (uint8_t i = 0; i < DerivedKeys::CHECK_LENGTH; i++) check[i] = eeprom_.read(static_cast<uint16_t>(at + i));
+  for (uint8_t i = 0; i < DerivedKeys::CHECK_LENGTH; i++) check[i] = eeprom::read(static_cast<uint16_t>(at + i));
 }
 
 KeyStore::Result KeyStore::set(const Address &address, const uint8_t *key) {
@@ -81,13 +82,13 @@ KeyStore::Result KeyStore::set(const Address &address, const uint8_t *key) {
 
   StoredKey stored;
   stored.pack(address, derived);
-  const bool kept = recordAt(eeprom_, slot).write(stored.bytes);
+  const bool kept = recordAt(slot).write(stored.bytes);
   addresses_[slot] = kept ? address : Address::serialLine();
   return kept ? STORED : FAILED;
 }
 
 bool KeyStore::erase(uint8_t slot) {
-  const bool erased = recordAt(eeprom_, slot).erase(SECRETS_LENGTH);
+  const bool erased = recordAt(slot).erase(SECRETS_LENGTH);
   if (erased) addresses_[slot] = Address::serialLine();
   return erased;
 }

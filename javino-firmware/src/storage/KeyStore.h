@@ -6,7 +6,6 @@
 #include "../addressing/Address.h"
 #include "../crypto/DerivedKeys.h"
 #include "../support/NoInline.h"
-#include "Eeprom.h"
 
 namespace javino {
 
@@ -25,8 +24,6 @@ class KeyStore {
 
   static const uint8_t SLOTS = config::KEYS;
   static const uint8_t NO_SLOT = 0xFF;
-
-  explicit KeyStore(Eeprom &eeprom) : eeprom_(eeprom) {}
 
   /// Reads the addresses. To be called once, after a boot.
   void begin();
@@ -56,7 +53,6 @@ class KeyStore {
  private:
   uint8_t placeFor(const Address &address) const;
 
-  Eeprom &eeprom_;
   Address addresses_[SLOTS];
 };
 

@@ -2,14 +2,13 @@
 
 #include "../addressing/Address.h"
 #include "../support/NoInline.h"
-#include "Eeprom.h"
 
 namespace javino {
 
 /// The board's own address, which EEPROM keeps (SPEC 4.3, set RF id).
 class RfId {
  public:
-  explicit RfId(Eeprom &eeprom) : eeprom_(eeprom), address_(Address::serialLine()) {}
+  RfId() : address_(Address::serialLine()) {}
 
   /// Reads what is stored. To be called once, after a boot.
   void begin();
@@ -24,7 +23,6 @@ class RfId {
   bool set(const Address &address);
 
  private:
-  Eeprom &eeprom_;
   Address address_;
 };
 

@@ -1,9 +1,8 @@
+#include <Arduino.h>
 #include <board/Actions.h>
 #include <gtest/gtest.h>
 
 #include "support/Bytes.h"
-
-#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
 
 using javino::Actions;
 using javino::Status;

@@ -64,6 +64,6 @@ TEST(Board, begins_although_the_radio_does_not_and_says_so) {
   FakePort port;
   FakeRadio radio;
   radio.works = false;
-  javino::Board board(port, eeprom, radio, "x");
+  javino::Board board(javino::SerialPort(port), radio, "x");
   EXPECT_FALSE(board.begin());
 }

@@ -1,9 +1,8 @@
+#include <Arduino.h>
 #include <gtest/gtest.h>
 
 #include "support/Reference.h"
 #include "support/TestBoard.h"
-
-#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
 
 namespace {
 

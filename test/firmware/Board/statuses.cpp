@@ -1,11 +1,10 @@
+#include <Arduino.h>
 #include <gtest/gtest.h>
 #include <storage/EepromLayout.h>
 
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 #include "support/Vectors.h"
-
-#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
 
 using javino::Status;
 
@@ -163,7 +162,7 @@ TEST_F(BoardStatus, seals_nothing_where_the_boot_epoch_could_not_be_stored) {
 
 TEST_F(BoardStatus, answers_NONCE_EXHAUSTED) {
   board.setKey("SUPO", KEY);
-  javino::EepromRecord(board.eeprom, javino::EPOCHS_AT, 3).write(fromHex("fffffe").data());
+  javino::EepromRecord(javino::EPOCHS_AT, 3).write(fromHex("fffffe").data());
   board.reboot();
   board.hello();
   EXPECT_EQ(Status::NONCE_EXHAUSTED, board.transmit("SUPO", "ROMA", "tell;help").status);

@@ -8,22 +8,22 @@ using javino::BootEpoch;
 
 namespace {
 
-void store(SimulatedEeprom &eeprom, uint32_t epoch) {
+void store(uint32_t epoch) {
   const Bytes data = {static_cast<uint8_t>(epoch >> 16), static_cast<uint8_t>(epoch >> 8), static_cast<uint8_t>(epoch)};
-  javino::EepromRecord(eeprom, javino::EPOCHS_AT, 3).write(data.data());
+  javino::EepromRecord(javino::EPOCHS_AT, 3).write(data.data());
 }
 
 }  // namespace
 
 TEST(BootEpoch, the_last_one_is_used_and_none_after_it) {
   SimulatedEeprom eeprom;
-  store(eeprom, 0xFFFFFD);
-  BootEpoch last(eeprom);
+  store(0xFFFFFD);
+  BootEpoch last;
   last.begin();
   EXPECT_EQ(0xFFFFFEu, last.value());
   EXPECT_FALSE(javino::NonceSource(last).isExhausted());
   for (int i = 0; i < 3; i++) {
-    BootEpoch after(eeprom);
+    BootEpoch after;
     after.begin();
     EXPECT_EQ(BootEpoch::NONE_LEFT, after.value());
     EXPECT_TRUE(javino::NonceSource(after).isExhausted());
@@ -32,8 +32,8 @@ TEST(BootEpoch, the_last_one_is_used_and_none_after_it) {
 
 TEST(NonceSource, counts_up_from_zero_behind_the_epoch) {
   SimulatedEeprom eeprom;
-  store(eeprom, 0x010202);
-  BootEpoch epoch(eeprom);
+  store(0x010202);
+  BootEpoch epoch;
   epoch.begin();
   javino::NonceSource nonces(epoch);
   Bytes nonce(6);
@@ -45,7 +45,7 @@ TEST(NonceSource, counts_up_from_zero_behind_the_epoch) {
 
 TEST(NonceSource, is_exhausted_after_the_last_counter) {
   SimulatedEeprom eeprom;
-  BootEpoch epoch(eeprom);
+  BootEpoch epoch;
   epoch.begin();
   javino::NonceSource nonces(epoch);
   Bytes nonce(6);

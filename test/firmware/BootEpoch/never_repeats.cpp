@@ -12,7 +12,7 @@ const int STORE_WRITES = 12;  // the most that storing takes, twice: seal (2), t
 
 // Boots once; returns the epoch that may be used from now on, or 0 where the power was cut before.
 uint32_t boot(SimulatedEeprom &eeprom) {
-  BootEpoch epoch(eeprom);
+  BootEpoch epoch;
   try {
     epoch.begin();
   } catch (const PowerCut &) {
@@ -82,7 +82,7 @@ TEST(BootEpoch, is_not_stored_where_one_copy_only_was_kept) {
 TEST(BootEpoch, an_eeprom_that_keeps_nothing_is_told) {
   SimulatedEeprom eeprom;
   for (uint16_t at = 0; at < 200; at++) eeprom.wearOut(at);
-  BootEpoch epoch(eeprom);
+  BootEpoch epoch;
   epoch.begin();
   EXPECT_FALSE(epoch.isStored());
 }

@@ -10,9 +10,9 @@ namespace {
 const uint8_t LENGTH = 10;
 const uint8_t AT = 3;
 
-Bytes readFrom(SimulatedEeprom &eeprom) {
+Bytes stored() {
   Bytes data(LENGTH);
-  return EepromRecord(eeprom, AT, LENGTH).read(data.data()) ? data : Bytes();
+  return EepromRecord(AT, LENGTH).read(data.data()) ? data : Bytes();
 }
 
 }  // namespace
@@ -22,23 +22,23 @@ TEST(EepromRecord, gives_back_what_was_written) {
   SimulatedEeprom eeprom;
   for (int i = 0; i < 500; i++) {
     const Bytes data = random.bytes(LENGTH);
-    EXPECT_TRUE(EepromRecord(eeprom, AT, LENGTH).write(data.data()));
-    EXPECT_EQ(data, readFrom(eeprom));
+    EXPECT_TRUE(EepromRecord(AT, LENGTH).write(data.data()));
+    EXPECT_EQ(data, stored());
   }
 }
 
 TEST(EepromRecord, is_not_there_before_the_first_write_and_after_erasing) {
   SimulatedEeprom eeprom;
-  EepromRecord record(eeprom, AT, LENGTH);
-  EXPECT_EQ(Bytes(), readFrom(eeprom));
+  EepromRecord record(AT, LENGTH);
+  EXPECT_EQ(Bytes(), stored());
   record.write(Bytes(LENGTH, 1).data());
   EXPECT_TRUE(record.erase(0));
-  EXPECT_EQ(Bytes(), readFrom(eeprom));
+  EXPECT_EQ(Bytes(), stored());
 }
 
 TEST(EepromRecord, the_same_again_writes_nothing) {
   SimulatedEeprom eeprom;
-  EepromRecord record(eeprom, AT, LENGTH);
+  EepromRecord record(AT, LENGTH);
   record.write(Bytes(LENGTH, 1).data());
   const int before = eeprom.writes();
   EXPECT_TRUE(record.write(Bytes(LENGTH, 1).data()));
@@ -52,7 +52,7 @@ TEST(EepromRecord, a_power_cut_leaves_the_old_the_new_or_none) {
       SimulatedEeprom eeprom;
       const Bytes old = random.bytes(LENGTH);
       const Bytes next = random.bytes(LENGTH);
-      EepromRecord record(eeprom, AT, LENGTH);
+      EepromRecord record(AT, LENGTH);
       record.write(old.data());
       eeprom.cutPowerAfter(cut, static_cast<uint8_t>(garbage));
       try {
@@ -60,7 +60,7 @@ TEST(EepromRecord, a_power_cut_leaves_the_old_the_new_or_none) {
       } catch (const PowerCut &) {
       }
       eeprom.restorePower();
-      const Bytes found = readFrom(eeprom);
+      const Bytes found = stored();
       ASSERT_TRUE(found.empty() || found == old || found == next) << cut << " " << garbage << " " << toHex(found);
     }
   }
@@ -69,7 +69,7 @@ TEST(EepromRecord, a_power_cut_leaves_the_old_the_new_or_none) {
 TEST(EepromRecord, a_worn_cell_is_told) {
   for (uint16_t worn = AT; worn < AT + LENGTH + 2; worn++) {
     SimulatedEeprom eeprom;
-    EepromRecord record(eeprom, AT, LENGTH);
+    EepromRecord record(AT, LENGTH);
     record.write(Bytes(LENGTH, 0x55).data());
     eeprom.corrupt(worn, 0x12);
     eeprom.wearOut(worn);
@@ -79,19 +79,19 @@ TEST(EepromRecord, a_worn_cell_is_told) {
 
 TEST(EepromRecord, any_changed_bit_makes_it_unreadable) {
   SimulatedEeprom eeprom;
-  EepromRecord(eeprom, AT, LENGTH).write(bytesOf("0123456789").data());
+  EepromRecord(AT, LENGTH).write(bytesOf("0123456789").data());
   for (uint16_t bit = 0; bit < (LENGTH + 2) * 8; bit++) {
     const uint16_t at = static_cast<uint16_t>(AT + bit / 8);
     const uint8_t before = eeprom.read(at);
     eeprom.corrupt(at, static_cast<uint8_t>(before ^ 1 << bit % 8));
-    EXPECT_EQ(Bytes(), readFrom(eeprom)) << bit;
+    EXPECT_EQ(Bytes(), stored()) << bit;
     eeprom.corrupt(at, before);
   }
 }
 
 TEST(EepromRecord, erasing_overwrites_the_secrets) {
   SimulatedEeprom eeprom;
-  EepromRecord record(eeprom, AT, LENGTH);
+  EepromRecord record(AT, LENGTH);
   record.write(bytesOf("secret0000").data());
   EXPECT_TRUE(record.erase(6));
   EXPECT_FALSE(contains(eeprom.content(), bytesOf("secret")));

@@ -24,7 +24,7 @@ bool holds(const KeyStore &store, const Address &address, const Bytes &key) {
 
 class KeyStoreTest : public testing::Test {
  protected:
-  KeyStoreTest() : store(eeprom) { store.begin(); }
+  KeyStoreTest() { store.begin(); }
 
   SimulatedEeprom eeprom;
   KeyStore store;
@@ -34,7 +34,7 @@ class KeyStoreTest : public testing::Test {
 
 TEST_F(KeyStoreTest, keeps_a_key_over_a_reboot) {
   EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
-  KeyStore after(eeprom);
+  KeyStore after;
   after.begin();
   EXPECT_TRUE(holds(after, SUPO, KEY));
 }
@@ -64,7 +64,7 @@ TEST_F(KeyStoreTest, an_erased_key_is_gone_for_good) {
   store.set(SUPO, KEY.data());
   EXPECT_TRUE(store.erase(store.find(SUPO)));
   EXPECT_EQ(KeyStore::NO_SLOT, store.find(SUPO));
-  KeyStore after(eeprom);
+  KeyStore after;
   after.begin();
   EXPECT_EQ(KeyStore::NO_SLOT, after.find(SUPO));
   DerivedKeys derived;
@@ -99,7 +99,7 @@ TEST(KeyStore, a_power_cut_at_any_write_leaves_the_old_key_or_none_or_the_new) {
   for (int cut = 0; cut <= javino::KEY_RECORD_LENGTH + 1; cut++) {
     for (uint8_t garbage : {0x00, 0x5A, 0xFF}) {
       SimulatedEeprom eeprom;
-      KeyStore store(eeprom);
+      KeyStore store;
       store.begin();
       store.set(SUPO, KEY.data());
       eeprom.cutPowerAfter(cut, garbage);
@@ -108,7 +108,7 @@ TEST(KeyStore, a_power_cut_at_any_write_leaves_the_old_key_or_none_or_the_new) {
       } catch (const PowerCut &) {
       }
       eeprom.restorePower();
-      KeyStore after(eeprom);
+      KeyStore after;
       after.begin();
       EXPECT_TRUE(after.find(SUPO) == KeyStore::NO_SLOT || holds(after, SUPO, KEY) || holds(after, SUPO, OTHER_KEY))
           << cut << " " << static_cast<int>(garbage);

@@ -1,11 +1,10 @@
+#include <Arduino.h>
 #include <board/Percepts.h>
 #include <gtest/gtest.h>
 
 #include <climits>
 
 #include "support/TestBoard.h"
-
-#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
 
 using javino::Percepts;
 

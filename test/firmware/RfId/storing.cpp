@@ -12,8 +12,8 @@ namespace {
 const Address ROMA(0x44e300);
 const Address SUPO(0x4943ce);
 
-Address afterReboot(SimulatedEeprom &eeprom) {
-  RfId id(eeprom);
+Address afterReboot() {
+  RfId id;
   id.begin();
   return id.address();
 }
@@ -22,19 +22,19 @@ Address afterReboot(SimulatedEeprom &eeprom) {
 
 TEST(RfId, is_not_set_at_first) {
   SimulatedEeprom eeprom;
-  EXPECT_TRUE(afterReboot(eeprom).isSerial());
+  EXPECT_TRUE(afterReboot().isSerial());
 }
 
 TEST(RfId, is_kept_over_a_reboot) {
   SimulatedEeprom eeprom;
-  RfId id(eeprom);
+  RfId id;
   EXPECT_TRUE(id.set(ROMA));
-  EXPECT_EQ(ROMA, afterReboot(eeprom));
+  EXPECT_EQ(ROMA, afterReboot());
 }
 
 TEST(RfId, the_same_again_writes_nothing) {
   SimulatedEeprom eeprom;
-  RfId id(eeprom);
+  RfId id;
   id.set(ROMA);
   const int before = eeprom.writes();
   EXPECT_TRUE(id.set(ROMA));
@@ -43,7 +43,7 @@ TEST(RfId, the_same_again_writes_nothing) {
 
 TEST(RfId, a_worn_cell_is_told_and_leaves_none) {
   SimulatedEeprom eeprom;
-  RfId id(eeprom);
+  RfId id;
   eeprom.wearOut(javino::RF_ID_AT);
   EXPECT_FALSE(id.set(ROMA));
   EXPECT_FALSE(id.isSet());
@@ -53,7 +53,7 @@ TEST(RfId, a_power_cut_leaves_the_old_the_new_or_none) {
   for (int cut = 0; cut < 6; cut++) {
     for (int garbage = 0; garbage < 256; garbage++) {
       SimulatedEeprom eeprom;
-      RfId id(eeprom);
+      RfId id;
       id.set(ROMA);
       eeprom.cutPowerAfter(cut, static_cast<uint8_t>(garbage));
       try {
@@ -61,7 +61,7 @@ TEST(RfId, a_power_cut_leaves_the_old_the_new_or_none) {
       } catch (const PowerCut &) {
       }
       eeprom.restorePower();
-      const Address found = afterReboot(eeprom);
+      const Address found = afterReboot();
       ASSERT_TRUE(found.isSerial() || found == ROMA || found == SUPO) << cut << " " << garbage;
     }
   }

@@ -1,11 +1,10 @@
+#include <Arduino.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "support/Reference.h"
 #include "support/TestBoard.h"
-
-#define F(text) (reinterpret_cast<const javino::FlashText *>(text))
 
 using javino::Counter;
 using javino::Status;

@@ -1,6 +1,18 @@
 #include "FakePort.h"
 
+#include <board/SerialPort.h>
+
 #include <stdexcept>
+
+namespace javino {
+
+// Each UART of these tests is a FakePort.
+bool SerialPort::canRead() const { return static_cast<FakePort &>(serial_).canRead(); }
+uint8_t SerialPort::read() { return static_cast<FakePort &>(serial_).read(); }
+bool SerialPort::canWrite() const { return static_cast<FakePort &>(serial_).canWrite(); }
+void SerialPort::write(uint8_t byte) { static_cast<FakePort &>(serial_).write(byte); }
+
+}  // namespace javino
 
 uint8_t FakePort::read() {
   if (in_.empty()) throw std::logic_error("read() without canRead()");

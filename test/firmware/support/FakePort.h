@@ -1,18 +1,18 @@
 #pragma once
 
-#include <board/SerialPort.h>
+#include <Arduino.h>
 
 #include <deque>
 
 #include "Bytes.h"
 
-/// A serial line in memory: the test puts bytes in, and takes what the board wrote.
-class FakePort : public javino::SerialPort {
+/// A serial line in memory, to which the tests bind SerialPort: the test puts bytes in, and takes what the board wrote.
+class FakePort : public HardwareSerial {
  public:
-  bool canRead() const override { return !in_.empty(); }
-  uint8_t read() override;
-  bool canWrite() const override { return room_ > 0; }
-  void write(uint8_t byte) override;
+  bool canRead() const { return !in_.empty(); }
+  uint8_t read();
+  bool canWrite() const { return room_ > 0; }
+  void write(uint8_t byte);
 
   void arrive(const Bytes &bytes) { in_.insert(in_.end(), bytes.begin(), bytes.end()); }
 

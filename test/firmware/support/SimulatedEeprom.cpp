@@ -1,5 +1,25 @@
 #include "SimulatedEeprom.h"
 
+#include <storage/Eeprom.h>
+
+static SimulatedEeprom *youngest = nullptr;
+
+namespace javino {
+namespace eeprom {
+
+uint8_t read(uint16_t at) { return youngest->read(at); }
+void update(uint16_t at, uint8_t value) { youngest->update(at, value); }
+
+}  // namespace eeprom
+}  // namespace javino
+
+SimulatedEeprom::SimulatedEeprom() : before_(youngest) {
+  cells_.fill(0xFF);
+  youngest = this;
+}
+
+SimulatedEeprom::~SimulatedEeprom() { youngest = before_; }
+
 void SimulatedEeprom::update(uint16_t at, uint8_t value) {
   uint8_t &cell = cells_.at(at);
   if (cell == value) return;

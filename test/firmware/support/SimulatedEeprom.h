@@ -1,7 +1,5 @@
 #pragma once
 
-#include <storage/Eeprom.h>
-
 #include <array>
 #include <map>
 
@@ -10,13 +8,17 @@
 /// Thrown by an EEPROM whose power is cut.
 struct PowerCut {};
 
-/// 4096 cells, erased at first, that can lose power in the middle of a write, and wear out.
-class SimulatedEeprom : public javino::Eeprom {
+/// 4096 cells, erased at first, that can lose power in the middle of a write, and wear out. The youngest one alive is
+/// the chip's EEPROM.
+class SimulatedEeprom {
  public:
-  SimulatedEeprom() { cells_.fill(0xFF); }
+  SimulatedEeprom();
+  ~SimulatedEeprom();
+  SimulatedEeprom(const SimulatedEeprom &) = delete;
+  SimulatedEeprom &operator=(const SimulatedEeprom &) = delete;
 
-  uint8_t read(uint16_t at) const override { return cells_.at(at); }
-  void update(uint16_t at, uint8_t value) override;
+  uint8_t read(uint16_t at) const { return cells_.at(at); }
+  void update(uint16_t at, uint8_t value);
 
   /// Cuts the power at the write that comes after `writes` more: its cell then holds `garbage`.
   void cutPowerAfter(int writes, uint8_t garbage);
@@ -35,6 +37,7 @@ class SimulatedEeprom : public javino::Eeprom {
   Bytes content() const { return Bytes(cells_.begin(), cells_.end()); }
 
  private:
+  SimulatedEeprom *const before_;
   std::array<uint8_t, 4096> cells_;
   std::map<uint16_t, bool> worn_;
   std::map<uint16_t, int> writesOf_;

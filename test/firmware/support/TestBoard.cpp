@@ -43,7 +43,7 @@ PolledMessage::PolledMessage(const Bytes &value)
 bool TestBoard::reboot() {
   port = FakePort();
   radio = FakeRadio();
-  board.reset(new javino::Board(port, eeprom, radio, "test 1.0"));
+  board.reset(new javino::Board(javino::SerialPort(port), radio, "test 1.0"));
   return board->begin();
 }
 
