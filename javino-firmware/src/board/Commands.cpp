@@ -1,5 +1,7 @@
 #include "Commands.h"
 
+#include <string.h>
+
 #include "../support/BigEndian.h"
 
 namespace javino {
@@ -72,9 +74,8 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   id_.address().write(fixed + 1);
   writeUint24(fixed + 1 + Address::TEXT_LENGTH, epoch_.value());
   reply.add(fixed, sizeof fixed);
-  for (uint8_t i = 0; i < MAX_FIRMWARE_NAME && firmwareName_[i] != 0; i++) {
-    reply.add(static_cast<uint8_t>(firmwareName_[i]));
-  }
+  reply.add(reinterpret_cast<const uint8_t *>(firmwareName_),
+            static_cast<uint16_t>(strnlen(firmwareName_, MAX_FIRMWARE_NAME)));
   return Status::OK;
 }
 

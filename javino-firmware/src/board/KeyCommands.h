@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../storage/KeyStore.h"
+#include "../support/NoInline.h"
 #include "Receiver.h"
 #include "Reply.h"
 #include "Status.h"
@@ -19,7 +20,7 @@ class KeyCommands {
   Status list(uint16_t length, Reply &reply);
 
  private:
-  void addCheckValue(uint8_t slot, Reply &reply) const;
+  JAVINO_NOINLINE void addCheckValue(uint8_t slot, Reply &reply) const;
 
   KeyStore &keys_;
   Receiver &receiver_;

@@ -25,7 +25,7 @@ class Reply {
   uint16_t room() const { return static_cast<uint16_t>(BODY_END - length_); }
 
   /// Appends to the body; what does not fit is refused whole.
-  bool add(uint8_t byte) { return add(&byte, 1); }
+  JAVINO_NOINLINE bool add(uint8_t byte) { return add(&byte, 1); }
   JAVINO_NOINLINE bool add(const uint8_t *bytes, uint16_t length);
 
   /// A place in the body, to come back to with truncate() or replace().

@@ -31,10 +31,10 @@ class PacketDecoder {
   uint16_t frameLength() const { return static_cast<uint16_t>(length_ - 3); }
 
   /// The packet's CRC as it came.
-  uint16_t crc() const;
+  JAVINO_NOINLINE uint16_t crc() const;
 
  private:
-  void restart();
+  JAVINO_NOINLINE void restart();
   void beginBlock(uint8_t code);
   JAVINO_NOINLINE void append(uint8_t byte);
   PacketEvent finish();

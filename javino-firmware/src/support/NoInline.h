@@ -2,5 +2,6 @@
 
 /// Marks a function that link-time optimisation must not merge into its only caller. The caller's stack frame would
 /// grow beyond the 64 bytes that AVR reaches in one instruction, and be held while sketches' functions run: merged,
-/// the command dispatcher alone had a frame of 281 bytes.
+/// the command dispatcher alone had a frame of 281 bytes. Also marks small functions whose copies in their callers
+/// would take more flash than the calls.
 #define JAVINO_NOINLINE __attribute__((noinline))
