@@ -14,6 +14,9 @@ public record Address(int value) {
     /** {@code ////}: every device in range. */
     public static final Address BROADCAST = parse("////");
 
+    /** Of {@code ++++}; a number, as {@link #SERIAL} itself may still be under construction where it is needed. */
+    private static final int SERIAL_VALUE = 0xFBEFBE;
+
     /** What an address stands for. */
     public enum Kind {
         /** One device: {@code AAAA}…{@code 9///}. */
@@ -100,8 +103,7 @@ public record Address(int value) {
         if (first == slash && second == slash) {
             return (value & 0xFFF) == 0xFFF ? Kind.BROADCAST : Kind.MULTICAST;
         }
-        // In digits, as SERIAL itself may still be under construction.
-        return toString().equals("++++") ? Kind.SERIAL : Kind.RESERVED;
+        return value == SERIAL_VALUE ? Kind.SERIAL : Kind.RESERVED;
     }
 
     /** The first two digits. */
@@ -116,7 +118,9 @@ public record Address(int value) {
 
     /** The four digits as bytes. */
     public Bytes toBytes() {
-        return Bytes.ofText(toString());
+        byte[] digits = new byte[LENGTH];
+        Digits.write(digits, 0, value, LENGTH);
+        return Bytes.owning(digits);
     }
 
     /** The four digits. */

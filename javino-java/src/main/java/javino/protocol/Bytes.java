@@ -1,6 +1,5 @@
 package javino.protocol;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -32,6 +31,11 @@ public final class Bytes {
     /** @param source copied. */
     public static Bytes copyOf(byte[] source) {
         return new Bytes(source.clone());
+    }
+
+    /** @param bytes kept, not copied: who calls this must not change them any more. */
+    static Bytes owning(byte[] bytes) {
+        return new Bytes(bytes);
     }
 
     /** @param hex pairs of hexadecimal digits, of either case. */
@@ -69,11 +73,17 @@ public final class Bytes {
 
     /** All parts, one after the other. */
     public static Bytes join(Bytes... parts) {
-        ByteArrayOutputStream joined = new ByteArrayOutputStream();
+        int length = 0;
         for (Bytes part : parts) {
-            joined.writeBytes(part.value);
+            length += part.value.length;
         }
-        return new Bytes(joined.toByteArray());
+        byte[] joined = new byte[length];
+        int at = 0;
+        for (Bytes part : parts) {
+            part.copyTo(joined, at);
+            at += part.value.length;
+        }
+        return new Bytes(joined);
     }
 
     /** The number of bytes. */
@@ -124,6 +134,11 @@ public final class Bytes {
     /** A copy. */
     public byte[] toArray() {
         return value.clone();
+    }
+
+    /** Writes all of them into an array from an index on. */
+    void copyTo(byte[] into, int at) {
+        System.arraycopy(value, 0, into, at, value.length);
     }
 
     /** Pairs of lower-case hexadecimal digits. */

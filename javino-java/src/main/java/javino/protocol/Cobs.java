@@ -1,8 +1,8 @@
 package javino.protocol;
 
-import java.io.ByteArrayOutputStream;
+import java.util.Arrays;
 
-/** Consistent overhead byte stuffing (Cheshire and Baker, 1999): bytes without any zero; without the closing one. */
+/** Consistent overhead byte stuffing (Cheshire and Baker, 1999): no zero but the one that closes a packet. */
 final class Cobs {
 
     /** A code byte of a full block: 254 bytes of data and no zero after them. */
@@ -11,28 +11,25 @@ final class Cobs {
     private Cobs() {
     }
 
-    /** The shortest encoding: bytes that end in a full block get no empty one after it. */
+    /** The shortest encoding, with the closing zero: bytes that end in a full block get no empty one after it. */
     static Bytes encode(Bytes plain) {
-        ByteArrayOutputStream encoded = new ByteArrayOutputStream(plain.length() + 4);
-        int from = 0;
-        boolean open = true;
-        while (open) {
-            int to = endOfBlock(plain, from);
-            encoded.write(to - from + 1);
-            encoded.writeBytes(plain.slice(from, to).toArray());
-            boolean full = to - from == FULL_BLOCK - 1;
-            // A zero after the block is swallowed by its code byte; without one the bytes are at their end.
-            open = to < plain.length();
-            from = full ? to : to + 1;
+        byte[] encoded = new byte[plain.length() + plain.length() / (FULL_BLOCK - 1) + 2];
+        int code = 0;
+        int end = 1;
+        for (int i = 0; i < plain.length(); i++) {
+            int value = plain.at(i);
+            if (end - code == FULL_BLOCK) {
+                encoded[code] = (byte) FULL_BLOCK;
+                code = end++;
+            }
+            if (value == 0) {
+                encoded[code] = (byte) (end - code);
+                code = end++;
+            } else {
+                encoded[end++] = (byte) value;
+            }
         }
-        return Bytes.copyOf(encoded.toByteArray());
-    }
-
-    private static int endOfBlock(Bytes plain, int from) {
-        int to = from;
-        while (to < plain.length() && to - from < FULL_BLOCK - 1 && plain.at(to) != 0) {
-            to++;
-        }
-        return to;
+        encoded[code] = (byte) (end - code);
+        return Bytes.owning(end + 1 == encoded.length ? encoded : Arrays.copyOf(encoded, end + 1));
     }
 }

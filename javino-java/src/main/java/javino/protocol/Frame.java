@@ -74,11 +74,32 @@ public record Frame(Address destination, Address origin, Bytes message) {
 
     /** The ten bytes before a message of a given length in bytes. */
     static Bytes header(Address destination, Address origin, int messageLength) {
-        return Bytes.ofText(destination.toString() + origin + Digits.format(8 * messageLength, 2));
+        byte[] header = new byte[HEADER_LENGTH];
+        writeHeader(header, 0, destination, origin, messageLength);
+        return Bytes.owning(header);
     }
 
     /** The frame's bytes. */
     public Bytes encode() {
-        return Bytes.join(header(), message);
+        byte[] frame = new byte[length()];
+        write(frame, 0);
+        return Bytes.owning(frame);
+    }
+
+    /** The number of the frame's bytes. */
+    int length() {
+        return HEADER_LENGTH + message.length();
+    }
+
+    /** Writes the frame's bytes into an array from an index on. */
+    void write(byte[] into, int at) {
+        writeHeader(into, at, destination, origin, message.length());
+        message.copyTo(into, at + HEADER_LENGTH);
+    }
+
+    private static void writeHeader(byte[] into, int at, Address destination, Address origin, int messageLength) {
+        Digits.write(into, at, destination.value(), Address.LENGTH);
+        Digits.write(into, at + Address.LENGTH, origin.value(), Address.LENGTH);
+        Digits.write(into, at + SIZE_OFFSET, 8 * messageLength, HEADER_LENGTH - SIZE_OFFSET);
     }
 }

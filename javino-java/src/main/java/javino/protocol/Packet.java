@@ -22,8 +22,11 @@ public record Packet(int sequence, Frame frame) {
 
     /** The packet's bytes on the line, with the closing 0x00. */
     public Bytes encode() {
-        Bytes body = Bytes.join(Bytes.of(sequence), frame.encode());
-        return Bytes.join(Cobs.encode(Bytes.join(body, Crc16.bytesOf(body))), Bytes.of(0));
+        byte[] body = new byte[1 + frame.length()];
+        body[0] = (byte) sequence;
+        frame.write(body, 1);
+        Bytes plain = Bytes.owning(body);
+        return Cobs.encode(Bytes.join(plain, Crc16.bytesOf(plain)));
     }
 
     /**

@@ -1,7 +1,7 @@
 package javino.protocol;
 
-import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -10,7 +10,11 @@ import java.util.List;
  */
 public final class PacketDecoder {
 
-    private final ByteArrayOutputStream decoded = new ByteArrayOutputStream();
+    private static final byte[] ZERO = {0};
+
+    /** One byte more than a packet can have, so that memory is bounded and a long one is still seen. */
+    private final byte[] decoded = new byte[Packet.MAX_LENGTH + 1];
+    private int length;
     private State state = new Between();
 
     /** What became of the bytes up to one 0x00. */
@@ -44,14 +48,23 @@ public final class PacketDecoder {
     /**
      * Takes bytes from the line.
      *
-     * @param bytes  read from.
-     * @param length the first so many bytes of it count.
+     * @param bytes read from.
+     * @param count the first so many of them count.
      * @return a result for each 0x00 that closed something, in order.
      */
-    public List<Result> feed(byte[] bytes, int length) {
-        List<Result> results = new ArrayList<>();
-        for (int i = 0; i < length; i++) {
-            accept(bytes[i] & 0xFF, results);
+    public List<Result> feed(byte[] bytes, int count) {
+        List<Result> results = new ArrayList<>(1);
+        int at = 0;
+        while (at < count) {
+            if (state instanceof Block block && block.missing > 0 && bytes[at] != 0) {
+                int end = endOfData(bytes, at, Math.min(count, at + block.missing));
+                keep(bytes, at, end - at);
+                state = new Block(block.missing - (end - at), block.withZero);
+                at = end;
+            } else {
+                accept(bytes[at] & 0xFF, results);
+                at++;
+            }
         }
         return results;
     }
@@ -67,28 +80,34 @@ public final class PacketDecoder {
         return begun;
     }
 
+    /** Where a block's data ends, if nothing is damaged: at the limit, or else before a zero. */
+    private static int endOfData(byte[] bytes, int from, int limit) {
+        int end = from;
+        while (end < limit && bytes[end] != 0) {
+            end++;
+        }
+        return end;
+    }
+
+    /** Takes a byte that is no data: the end of a packet, or the code of a block. */
     private void accept(int value, List<Result> results) {
         if (value == 0) {
             if (state instanceof Block block) {
                 results.add(close(block));
             }
             restart();
-        } else if (state instanceof Block block && block.missing > 0) {
-            keep(value);
-            state = new Block(block.missing - 1, block.withZero);
         } else {
             if (state instanceof Block block && block.withZero) {
-                keep(0);
+                keep(ZERO, 0, 1);
             }
             state = new Block(value - 1, value != Cobs.FULL_BLOCK);
         }
     }
 
-    /** Keeps one byte more than a packet can have, so that memory is bounded and a long one is still seen. */
-    private void keep(int value) {
-        if (decoded.size() <= Packet.MAX_LENGTH) {
-            decoded.write(value);
-        }
+    private void keep(byte[] bytes, int from, int count) {
+        int kept = Math.min(count, decoded.length - length);
+        System.arraycopy(bytes, from, decoded, length, kept);
+        length += kept;
     }
 
     private Result close(Block block) {
@@ -97,14 +116,14 @@ public final class PacketDecoder {
                 throw new ProtocolException(ProtocolError.BAD_COBS,
                         "the packet ends " + block.missing + " bytes before its block does");
             }
-            return new Found(Packet.decode(Bytes.copyOf(decoded.toByteArray())));
+            return new Found(Packet.decode(Bytes.owning(Arrays.copyOf(decoded, length))));
         } catch (ProtocolException e) {
             return new Refused(e);
         }
     }
 
     private void restart() {
-        decoded.reset();
+        length = 0;
         state = new Between();
     }
 }
