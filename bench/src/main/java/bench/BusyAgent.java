@@ -4,7 +4,9 @@ import diffuser.Diffuser;
 import jason.infra.local.LocalAgArch;
 import java.io.File;
 import java.time.Duration;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import javino.link.LinkOpener;
 
 /** How fast an agent that always has something to do goes on reasoning, with boards of different quickness. */
@@ -12,8 +14,10 @@ public final class BusyAgent implements Subject {
 
     private static final String PROGRAM = "!work. +!work <- !!work.";
     private static final String WITH_BOARD = "!start. +!start <- .percepts(open); .port(\"memory\"). " + PROGRAM;
-    private static final int WARM_UP_SECONDS = 6;
-    private static final int SECONDS = 5;
+    private static final Duration WARM_UP = Duration.ofSeconds(6);
+    private static final Duration WINDOW = Duration.ofMillis(500);
+    private static final int WINDOWS = 8;
+    private static final int ROUNDS = 2;
 
     /** How the board behaves; plain: there is none, nor an architecture. */
     private enum Kind { PLAIN, AT_ONCE, LATE, SILENT }
@@ -42,20 +46,20 @@ public final class BusyAgent implements Subject {
     @Override
     public String method() {
         return """
-            an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a second, the median of
-            5 seconds after 6 of warming up. With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
-            never, and whose one percept changes at every poll. The reference is the same agent without the architecture, run before and
-            after the three.""";
+            an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a second, the best
+            of 2 times 8 half seconds after 6 s of warming up (the best, since whatever else the machine does only takes away). With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
+            never, and whose one percept changes at every poll. The reference is the same agent without the architecture.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
-        double before = cyclesOf(Kind.PLAIN);
-        double atOnce = cyclesOf(Kind.AT_ONCE);
-        double late = cyclesOf(Kind.LATE);
-        double silent = cyclesOf(Kind.SILENT);
-        double plain = (before + cyclesOf(Kind.PLAIN)) / 2;
-        return List.of(row("at once", atOnce, plain), row("after 50 ms", late, plain), row("never", silent, plain));
+        Map<Kind, Double> best = new EnumMap<>(Kind.class);
+        for (int round = 0; round < ROUNDS; round++) {
+            for (Kind kind : Kind.values()) best.merge(kind, cyclesOf(kind), Math::max);
+        }
+        double plain = best.get(Kind.PLAIN);
+        return List.of(row("at once", best.get(Kind.AT_ONCE), plain), row("after 50 ms", best.get(Kind.LATE), plain),
+            row("never", best.get(Kind.SILENT), plain));
     }
 
     private static Row row(String answers, double ours, double plain) {
@@ -73,17 +77,17 @@ public final class BusyAgent implements Subject {
         MemoryDiffuser.kind = Kind.valueOf(kinds[0]);
         boolean plain = MemoryDiffuser.kind == Kind.PLAIN;
         LocalAgArch agent = plain ? Agents.start("busy", PROGRAM) : Agents.start("busy", WITH_BOARD, MemoryDiffuser.class);
-        Thread.sleep(Duration.ofSeconds(WARM_UP_SECONDS).toMillis());
+        Thread.sleep(WARM_UP.toMillis());
         Samples cycles = new Samples();
-        for (int i = 0; i < SECONDS; i++) cycles.add(cyclesASecond(agent));
-        System.out.println(cycles.median());
+        for (int i = 0; i < WINDOWS; i++) cycles.add(cyclesASecond(agent));
+        System.out.println(cycles.greatest());
         System.exit(0);
     }
 
     private static double cyclesASecond(LocalAgArch agent) throws InterruptedException {
         int from = agent.getCycleNumber();
         long begun = System.nanoTime();
-        Thread.sleep(1000);
+        Thread.sleep(WINDOW.toMillis());
         return (agent.getCycleNumber() - from) / ((System.nanoTime() - begun) / 1e9);
     }
 }
