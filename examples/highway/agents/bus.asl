@@ -9,7 +9,10 @@
     .setMyRFId(ROMA);
     .getRFMessages(open);
     .print("Ready");
-    .act(drive).
+    !drive.
+
++!drive : not accident <- .act(drive).
++!drive.
 
 +proximity(Distance) : Distance < 20 & not accident <-  // plan 2
     +accident;

@@ -3,13 +3,14 @@ package highway;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /** A process that the launcher started, whose output is read line by line, and which it ends again. */
-final class Child implements AutoCloseable {
+final class Child {
 
     private static final long GRACE_SECONDS = 5;
 
@@ -39,17 +40,20 @@ final class Child implements AutoCloseable {
     }
 
     private static void pump(Process process, Consumer<String> lines) {
-        try (BufferedReader output = process.inputReader()) {
+        try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
             output.lines().forEach(lines);
         } catch (IOException | UncheckedIOException closed) {
             // The process was ended while it was printing: what it said last is lost with it.
         }
     }
 
-    /** Asks the process to end, and ends it after five seconds if it has not. */
-    @Override
-    public void close() {
+    /** Asks the process to end. (By its handle: {@link Process#destroy} would drop what it has yet to say.) */
+    void end() {
         process.toHandle().destroy();
+    }
+
+    /** Waits for the end, and brings it about after five seconds. */
+    void awaitEnd() {
         try {
             if (!process.waitFor(GRACE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
         } catch (InterruptedException interrupted) {

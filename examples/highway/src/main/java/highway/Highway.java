@@ -20,7 +20,12 @@ public final class Highway implements Callable<Integer> {
 
     /** Runs the scenario. */
     public static void main(String[] arguments) {
-        System.exit(new CommandLine(new Highway()).execute(arguments));
+        CommandLine command = new CommandLine(new Highway());
+        command.setParameterExceptionHandler((wrong, given) -> {
+            wrong.getCommandLine().getErr().println("highway: " + wrong.getMessage());
+            return CommandLine.ExitCode.USAGE;
+        });
+        System.exit(command.execute(arguments));
     }
 
     @Override
@@ -28,17 +33,15 @@ public final class Highway implements Callable<Integer> {
         PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
         Timeline timeline = new Timeline(out, options.coloured());
         Scenario scenario = new Scenario(options, timeline);
-        Thread atEnd = new Thread(scenario::close, "end everything");
-        Runtime.getRuntime().addShutdownHook(atEnd);
+        Runtime.getRuntime().addShutdownHook(new Thread(scenario::close, "end everything"));
         try (scenario) {
             run(scenario, timeline);
         } catch (IOException | Scenario.BrokenOffException reason) {
-            timeline.note("highway: broken off: " + reason.getMessage());
+            timeline.warn("highway: broken off: " + reason.getMessage());
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
-        if (options.boardsOnly()) return 0;
-        timeline.table(scenario.behaviours());
+        if (scenario.agentsStarted()) timeline.table(scenario.behaviours());
         return scenario.behaviours().stream().allMatch(Behaviour::observed) ? 0 : 1;
     }
 
@@ -47,10 +50,11 @@ public final class Highway implements Callable<Integer> {
         scenario.startBoards();
         scenario.provision();
         if (options.boardsOnly()) {
-            timeline.note("the boards run; start the agents in this folder, e.g. jacamo bus.jcm; end with Ctrl-C");
+            timeline.note("the boards run; start the agents (README, \"Agents that you start by hand\"); end with Ctrl-C");
             scenario.stay();
+        } else {
+            scenario.startAgents();
+            scenario.follow();
         }
-        scenario.startAgents();
-        scenario.follow();
     }
 }

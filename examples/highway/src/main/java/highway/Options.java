@@ -22,8 +22,11 @@ final class Options {
     private long seed;
 
     @Option(names = "--timeout", defaultValue = "45",
-        description = "Seconds to wait for what should happen, once all agents are there; default ${DEFAULT-VALUE}.")
+        description = "Seconds to wait for each step: the boards, the keys, the agents, the nine behaviours; default ${DEFAULT-VALUE}.")
     private int timeout;
+
+    @Option(names = "--plain", description = "No colours.")
+    private boolean plain;
 
     @Option(names = "--boards-only", description = "Run the boards only, until Ctrl-C.")
     private boolean boardsOnly;
@@ -37,10 +40,10 @@ final class Options {
         return boardsOnly;
     }
 
-    /** Colours are for eyes: not for a file, a CI, or whoever asks for none (no-color.org). */
+    /** Colours, unless asked for none here or by the environment (no-color.org). */
     boolean coloured() {
         String terminal = System.getenv("TERM");
-        return System.getenv("NO_COLOR") == null && System.getenv("CI") == null
+        return !plain && System.getenv("NO_COLOR") == null && System.getenv("CI") == null
             && terminal != null && !terminal.equals("dumb");
     }
 

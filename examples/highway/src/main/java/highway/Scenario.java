@@ -1,14 +1,16 @@
 package highway;
 
+import com.google.gson.JsonParseException;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -35,13 +37,15 @@ final class Scenario implements AutoCloseable {
 
     private final Options options;
     private final Timeline timeline;
-    private final Clock clock = new Clock();
+    private final Trace trace = new Trace();
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours = Behaviour.all();
     private final List<Device> ready = new ArrayList<>();
-    private final List<Child> children = new CopyOnWriteArrayList<>();
+    private final List<Child> children = new ArrayList<>();
+    private FileChannel lock;
     private String failure;
-    private volatile boolean closing;
+    private boolean agentsStarted;
+    private boolean closed;
 
     Scenario(Options options, Timeline timeline) {
         this.options = options;
@@ -52,17 +56,34 @@ final class Scenario implements AutoCloseable {
         return behaviours;
     }
 
+    /** Whether there is anything that a table could tell. */
+    boolean agentsStarted() {
+        return agentsStarted;
+    }
+
     /** Switches the boards on and waits until the emulator has made their ports. */
     void startBoards() throws IOException, InterruptedException, BrokenOffException {
+        lockFolder();
         timeline.note("five emulated boards, one radio");
-        Files.createDirectories(Path.of("build/eeprom"));
-        Trace trace = new Trace(clock);
-        start("emulator", options.emulatorCommand(), line -> {
-            if (line.startsWith("{")) trace.read(line).ifPresent(this::see);
-            else timeline.note(line);
-        });
+        Files.createDirectories(Path.of("build", "eeprom"));
+        start("emulator", options.emulatorCommand(), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
             .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
+    }
+
+    /** A second run in this folder would mix up ports, EEPROM files and keys. The lock goes with this process. */
+    private void lockFolder() throws IOException, BrokenOffException {
+        Files.createDirectories(Path.of("build"));
+        lock = FileChannel.open(Path.of("build", "lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        if (lock.tryLock() == null) throw new BrokenOffException("another run in this folder has not ended yet");
+    }
+
+    private void readTrace(String line) {
+        try {
+            trace.read(line).ifPresent(this::see);
+        } catch (JsonParseException noEvent) {
+            timeline.warn(line);
+        }
     }
 
     /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
@@ -77,6 +98,7 @@ final class Scenario implements AutoCloseable {
 
     /** Starts the agents; the bus last, when all others have said that they are ready. */
     void startAgents() throws IOException, InterruptedException, BrokenOffException {
+        agentsStarted = true;
         timeline.note("five agents, each in a Java virtual machine of its own");
         for (Device device : Device.values()) {
             if (device != Device.BUS) startAgent(device);
@@ -101,7 +123,7 @@ final class Scenario implements AutoCloseable {
 
     private Observation said(Device device, String line) {
         String tag = "[" + device.id() + "] ";
-        return new Observation.Said(clock.seconds(), device, line.startsWith(tag) ? line.substring(tag.length()) : line);
+        return new Observation.Said(trace.seconds(), device, line.startsWith(tag) ? line.substring(tag.length()) : line);
     }
 
     /** Starts a process that is to run as long as the scenario does. */
@@ -122,7 +144,8 @@ final class Scenario implements AutoCloseable {
         waitFor(name + " to end", () -> running.get() == 0);
     }
 
-    private void launch(List<String> command, Consumer<String> line, IntConsumer ended) throws IOException {
+    private synchronized void launch(List<String> command, Consumer<String> line, IntConsumer ended) throws IOException {
+        if (closed) throw new IOException("the run is being ended");
         children.add(Child.start(command,
             text -> happenings.add(() -> line.accept(text)),
             status -> happenings.add(() -> ended.accept(status))));
@@ -152,12 +175,14 @@ final class Scenario implements AutoCloseable {
     private void takeHappening(long nanos) throws InterruptedException, BrokenOffException {
         Runnable happening = happenings.poll(nanos, TimeUnit.NANOSECONDS);
         if (happening != null) happening.run();
-        if (failure != null && !closing) throw new BrokenOffException(failure);
+        if (failure != null) throw new BrokenOffException(failure);
     }
 
+    /** Ends all that runs; called at the end, and by the virtual machine where that comes first (Ctrl-C). */
     @Override
-    public void close() {
-        closing = true;
-        for (int i = children.size() - 1; i >= 0; i--) children.get(i).close();
+    public synchronized void close() {
+        closed = true;
+        children.forEach(Child::end);
+        children.forEach(Child::awaitEnd);
     }
 }

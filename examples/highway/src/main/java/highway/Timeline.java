@@ -29,6 +29,11 @@ final class Timeline {
         out.println(paint(GREY, text));
     }
 
+    /** A line about what went wrong. */
+    void warn(String text) {
+        out.println(paint(RED, text));
+    }
+
     void show(Observation seen) {
         out.println(String.format(Locale.ROOT, "%8.3f s  ", seen.seconds()) + line(seen));
     }

@@ -1,6 +1,7 @@
 package highway;
 
 import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import highway.Observation.Aired;
 import highway.Observation.Pin;
@@ -10,17 +11,22 @@ import java.util.Optional;
 /** Reads the emulator's trace, one JSON line an event (emulator/README.md). */
 final class Trace {
 
-    private final Clock clock;
+    private double seconds;
 
-    Trace(Clock clock) {
-        this.clock = clock;
+    /** Emulated time of the last event: what happens outside of the emulator is not earlier than that. */
+    double seconds() {
+        return seconds;
     }
 
-    /** What a line shows of the scenario; nothing for events that are of no interest here. */
+    /**
+     * What a line shows of the scenario; nothing for events that are of no interest here.
+     *
+     * @throws JsonParseException if it is no event: a message of the emulator, or cut off
+     */
     Optional<Observation> read(String line) {
+        if (!line.startsWith("{")) throw new JsonParseException(line);
         JsonObject event = JsonParser.parseString(line).getAsJsonObject();
-        double seconds = event.get("t").getAsDouble();
-        clock.set(seconds);
+        seconds = event.get("t").getAsDouble();
         return switch (text(event, "event")) {
             case "rf-tx" -> Optional.of(aired(seconds, event));
             case "rf-damaged" -> device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));

@@ -7,7 +7,10 @@ import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
 
-/** A real link whose bytes get lost, flipped, inserted and split on the way, both ways, from one seed. */
+/**
+ * A real link whose bytes get lost, flipped and inserted on the way, both ways, and come in small pieces. What is
+ * damaged comes from one seed; where it falls depends on how the bytes arrive.
+ */
 final class DamagedLink implements Link {
 
     private final Link link;
@@ -38,15 +41,12 @@ final class DamagedLink implements Link {
 
     @Override
     public void write(byte[] bytes) throws LinkException {
-        byte[] damaged = damage(bytes, bytes.length);
-        int split = damaged.length == 0 ? 0 : random.nextInt(damaged.length);
-        link.write(java.util.Arrays.copyOfRange(damaged, 0, split));
-        link.write(java.util.Arrays.copyOfRange(damaged, split, damaged.length));
+        link.write(damage(bytes, bytes.length));
     }
 
     @Override
     public int read(byte[] into, Duration timeout) throws LinkException {
-        byte[] whole = new byte[Math.max(1, into.length / 3)];
+        byte[] whole = new byte[1 + random.nextInt(Math.min(16, into.length / 2))];
         byte[] damaged = damage(whole, link.read(whole, timeout));
         System.arraycopy(damaged, 0, into, 0, damaged.length);
         return damaged.length;

@@ -23,7 +23,7 @@ public final class Emulator implements AutoCloseable {
     private final Path folder;
     private final Process process;
     private final List<TraceEvent> trace = new ArrayList<>();
-    private final StringBuilder complaints = new StringBuilder();
+    private final List<String> complaints = new ArrayList<>();
 
     private Emulator(Path folder, Process process) {
         this.folder = folder;
@@ -86,8 +86,8 @@ public final class Emulator implements AutoCloseable {
                 .start();
             Emulator emulator = new Emulator(folder, process);
             read(process.inputReader(), emulator::traced);
-            read(process.errorReader(), line -> emulator.complaints.append(line).append('\n'));
-            for (Map<String, Object> board : boards) emulator.awaitPort((String) board.get("name"));
+            read(process.errorReader(), emulator::complained);
+            emulator.awaitPower(boards);
             return emulator;
         }
     }
@@ -103,6 +103,11 @@ public final class Emulator implements AutoCloseable {
         reader.start();
     }
 
+    private synchronized void complained(String line) {
+        complaints.add(line);
+        notifyAll();
+    }
+
     private synchronized void traced(String line) {
         trace.add(TraceEvent.parse(line));
         notifyAll();
@@ -113,11 +118,15 @@ public final class Emulator implements AutoCloseable {
         return folder.resolve("ports").resolve(board).toString();
     }
 
-    private void awaitPort(String board) throws IOException {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (!Files.exists(Path.of(port(board)))) {
-            if (!process.isAlive() || System.nanoTime() > end) throw new IOException("no port for " + board + ": " + complaints);
-            Thread.onSpinWait();
+    /** The boards' ports are there before the boards have power. */
+    private void awaitPower(List<Map<String, Object>> boards) throws InterruptedException {
+        try {
+            for (Map<String, Object> board : boards) {
+                await("power of " + board.get("name"), event -> event.is("reset", (String) board.get("name")));
+            }
+        } catch (AssertionError lost) {
+            process.destroyForcibly();
+            throw lost;
         }
     }
 
@@ -141,7 +150,7 @@ public final class Emulator implements AutoCloseable {
                 if (wanted.test(trace.get(next)) && ++found == nth) return trace.get(next);
             }
             long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-            if (left <= 0) throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints);
+            if (left <= 0 || !process.isAlive() && next == trace.size()) throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints);
             wait(left);
         }
     }
@@ -157,9 +166,10 @@ public final class Emulator implements AutoCloseable {
         process.toHandle().destroy();
         try {
             if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
+            int status = process.waitFor();
+            if (status != 0) throw new AssertionError("the emulator ended with " + status + ": " + complaints);
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
-        if (process.exitValue() != 0) throw new AssertionError("the emulator ended with " + process.exitValue() + ": " + complaints);
     }
 }

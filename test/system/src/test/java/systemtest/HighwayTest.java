@@ -1,80 +1,157 @@
 package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
 import java.io.File;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The scenario as a user runs it: its launcher, which starts everything else. */
 class HighwayTest {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final Path HIGHWAY = ROOT.resolve("examples/highway");
+    private static final String EMULATOR = ROOT.resolve("emulator/build/javino-emulator").toString();
 
-    private record Run(int status, List<String> lines) {
+    private record Run(int status, List<String> lines, List<ProcessHandle> children, Path folder) {
+
         String last() {
             return lines.get(lines.size() - 1);
         }
+
+        boolean says(String words) {
+            return lines.stream().anyMatch(line -> line.contains(words));
+        }
+
+        void assertNothingLeft() throws IOException {
+            assertTrue(children.stream().noneMatch(ProcessHandle::isAlive), "a process was left");
+            Path ports = folder.resolve("ports");
+            try (Stream<Path> left = Files.exists(ports) ? Files.list(ports) : Stream.of()) {
+                assertEquals(List.of(), left.toList());
+            }
+        }
+
+        @Override
+        public String toString() {
+            return String.join("\n", lines);
+        }
     }
+
+    @TempDir
+    private Path folder;
 
     @Test
     void cleanRadio_showsAllNineBehaviours() throws Exception {
-        Run run = run();
+        Run run = launch(EMULATOR);
 
-        assertEquals("highway: 9 of 9 behaviours observed", run.last(), () -> String.join("\n", run.lines));
+        assertEquals("highway: 9 of 9 behaviours observed", run.last(), run::toString);
         assertEquals(0, run.status);
-        assertNothingLeft();
+        assertFalse(run.children.isEmpty());
+        run.assertNothingLeft();
     }
 
     @Test
     void badRadio_endsCleanlyAndSaysWhatWasMissing() throws Exception {
-        Run run = run("--radioBitErrorRate=0.05", "--timeout=15");
+        Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=20");
 
-        assertTrue(run.last().matches("highway: [0-8] of 9 behaviours observed"), run.last());
+        assertTrue(run.last().matches("highway: [0-8] of 9 behaviours observed"), run::toString);
         assertEquals(1, run.status);
-        assertTrue(run.lines.stream().anyMatch(line -> line.contains("the agent did not say")), () -> String.join("\n", run.lines));
-        assertNothingLeft();
+        assertTrue(run.says("the agent did not say"), run::toString);
+        run.assertNothingLeft();
     }
 
     @Test
     void missingEmulator_isSaidAndNothingIsLeft() throws Exception {
-        Run run = launch(List.of("--emulator", "no-such-emulator"));
+        Run run = launch("no-such-emulator");
 
-        assertTrue(run.lines.stream().anyMatch(line -> line.contains("no-such-emulator")), () -> String.join("\n", run.lines));
+        assertTrue(run.says("no-such-emulator"), run::toString);
         assertEquals(1, run.status);
-        assertNothingLeft();
+        run.assertNothingLeft();
     }
 
-    private static Run run(String... options) throws Exception {
-        List<String> arguments = new ArrayList<>(List.of(options));
-        arguments.addAll(List.of("--emulator", ROOT.resolve("emulator/build/javino-emulator").toString()));
-        return launch(arguments);
+    @Test
+    void impossibleRange_isSaidInTheEmulatorsWords() throws Exception {
+        Run run = launch(EMULATOR, "--radioRange=-5");
+
+        assertTrue(run.says("radio.range"), run::toString);
+        assertTrue(run.last().startsWith("highway: broken off: "), run::toString);
+        assertEquals(1, run.status);
+        run.assertNothingLeft();
     }
 
-    private static Run launch(List<String> arguments) throws Exception {
-        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        List<String> command = new ArrayList<>(List.of(java, "-cp", System.getProperty("java.class.path"), "highway.Highway"));
-        command.addAll(arguments);
-        ProcessBuilder builder = new ProcessBuilder(command).directory(HIGHWAY.toFile()).redirectErrorStream(true);
-        builder.environment().put("NO_COLOR", "1");
-        Process process = builder.start();
-        List<String> lines = process.inputReader().lines().toList();
-        return new Run(process.waitFor(), lines);
+    @Test
+    void optionThatIsNoNumber_isOneLine() throws Exception {
+        Run run = launch(EMULATOR, "--radioRange=abc");
+
+        assertEquals(1, run.lines.size(), run::toString);
+        assertTrue(run.says("--radioRange"), run::toString);
+        assertEquals(2, run.status);
     }
 
-    private static void assertNothingLeft() throws Exception {
-        try (Stream<Path> ports = Files.exists(HIGHWAY.resolve("ports")) ? Files.list(HIGHWAY.resolve("ports")) : Stream.of()) {
-            assertEquals(List.of(), ports.toList());
+    @Test
+    void launcherThatIsTerminated_endsEverything() throws Exception {
+        copyScenario();
+        Process launcher = start(EMULATOR, "--boards-only");
+        List<ProcessHandle> children = new ArrayList<>();
+        List<String> lines = new ArrayList<>();
+        try (BufferedReader output = launcher.inputReader()) {
+            for (String line = output.readLine(); line != null; line = output.readLine()) {
+                lines.add(line);
+                if (line.startsWith("the boards run")) {
+                    children.addAll(launcher.descendants().toList());
+                    launcher.toHandle().destroy();
+                }
+            }
         }
-        List<String> running = ProcessHandle.allProcesses()
-            .map(process -> process.info().commandLine().orElse(""))
-            .filter(line -> line.contains("highway.json") || line.contains("RunLocalMAS")).toList();
-        assertEquals(List.of(), running);
+        launcher.waitFor();
+
+        assertFalse(children.isEmpty(), () -> String.join("\n", lines));
+        new Run(0, lines, children, folder).assertNothingLeft();
+    }
+
+    private Run launch(String emulator, String... options) throws Exception {
+        copyScenario();
+        Process process = start(emulator, options);
+        List<String> lines = new ArrayList<>();
+        Set<ProcessHandle> children = new LinkedHashSet<>();
+        try (BufferedReader output = process.inputReader()) {
+            for (String line = output.readLine(); line != null; line = output.readLine()) {
+                lines.add(line);
+                children.addAll(process.descendants().toList());
+            }
+        }
+        return new Run(process.waitFor(), lines, List.copyOf(children), folder);
+    }
+
+    private Process start(String emulator, String... options) throws IOException {
+        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
+        List<String> command = new ArrayList<>(List.of(java, "-cp", System.getProperty("java.class.path"),
+            "highway.Highway", "--plain", "--emulator", emulator));
+        command.addAll(List.of(options));
+        return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+    }
+
+    /** The scenario in a folder of its own, so that nobody's run is disturbed; it uses the real sketches. */
+    private void copyScenario() throws IOException {
+        try (Stream<Path> files = Files.walk(HIGHWAY, 2)) {
+            for (Path file : files.filter(each -> each.toString().matches(".*\\.(asl|mas2j|properties)")).toList()) {
+                Path copy = folder.resolve(HIGHWAY.relativize(file).toString());
+                Files.createDirectories(copy.getParent());
+                Files.copy(file, copy);
+            }
+        }
+        String scenario = Files.readString(HIGHWAY.resolve("highway.json"));
+        Files.writeString(folder.resolve("highway.json"), scenario.replace("../..", ROOT.toString()));
     }
 }

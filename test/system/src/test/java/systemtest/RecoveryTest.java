@@ -12,17 +12,19 @@ import org.junit.jupiter.api.io.TempDir;
 /** An agent whose board goes and comes. */
 class RecoveryTest {
 
+    /** Long after the slowest Java virtual machine has started an agent. */
+    private static final double FAULT_SECONDS = 20;
     private static final Map<String, Object> SENSORS =
         Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
 
     @Test
     void resetBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
-        comesBack(folder, new Emulator.Scenario().fault(12, "lamp", "reset"));
+        comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "reset"));
     }
 
     @Test
     void unpluggedBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
-        comesBack(folder, new Emulator.Scenario().fault(12, "lamp", "unplug").fault(14, "lamp", "plug"));
+        comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "unplug").fault(FAULT_SECONDS + 2, "lamp", "plug"));
     }
 
     private static void comesBack(Path folder, Emulator.Scenario scenario) throws Exception {
