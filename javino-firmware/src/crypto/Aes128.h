@@ -30,8 +30,19 @@ class Aes128 {
   /// Encrypts the 16 bytes at `in` to the 16 bytes at `out`: another place, or the same.
   void encrypt(const uint8_t *in, uint8_t *out) const { javino_aes128_encrypt(roundKeys_, in, out); }
 
-  /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `onto`: the step of a chain.
-  void encryptOnto(const uint8_t *in, uint8_t *onto) const { javino_aes128_encrypt_onto(roundKeys_, in, onto); }
+  /// Encrypts the 16 bytes at `in` and adds (XOR) the result to the 16 bytes at `bytes`, then encrypts these and adds the
+  /// result to the 16 behind, and so on up to `end`.
+  /// @param end a multiple of 16 bytes behind `bytes`, at least 16
+  void chainUp(const uint8_t *in, uint8_t *bytes, const uint8_t *end) const {
+    javino_aes128_chain(roundKeys_, in, bytes, end, 0);
+  }
+
+  /// Undoes chainUp() but for the first block: encrypts the block before the last and adds the result to the last, and so
+  /// on down to the second.
+  /// @param end a multiple of 16 bytes behind `bytes`, at least 32
+  void chainDown(const uint8_t *bytes, uint8_t *end) const {
+    javino_aes128_chain(roundKeys_, end - 2 * BLOCK_LENGTH, end - BLOCK_LENGTH, bytes, 2 * BLOCK_LENGTH);
+  }
 
  private:
   static const uint8_t ROUNDS = 10;

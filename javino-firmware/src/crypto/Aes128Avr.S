@@ -89,10 +89,11 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
 
 ; ---------------------------------------------------------------------------------------------------------------------
 ; void javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out)
-; void javino_aes128_encrypt_onto(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out)
-;                            r25:r24                   r23:r22            r21:r20
+; void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back)
+;                          r25:r24                   r23:r22            r21:r20        r19:r18              r16
 ;
-; X: next byte of the round keys. Y: out. r25: pairs of rounds left. T: whether to add to what is at out.
+; X: next byte of the round keys. Y: out or onto. r25: pairs of rounds left. T: whether it is a chain; then
+; r9:r8: stop. r7: back.
 
   .macro load_byte byte
   ld \byte, Z+
@@ -232,12 +233,22 @@ doubled:                                ; times x in GF(2^8), FIPS 197 section 4
   .section .text.javino_aes128_encrypt, "ax", @progbits
   .global javino_aes128_encrypt
   .type javino_aes128_encrypt, @function
-  .global javino_aes128_encrypt_onto
-  .type javino_aes128_encrypt_onto, @function
+  .global javino_aes128_chain
+  .type javino_aes128_chain, @function
 
-javino_aes128_encrypt_onto:
+javino_aes128_chain:
+  push r7
+  push r8
+  push r9
+  mov r7, r16
+  movw r8, r18
   set
-  rjmp encrypt
+  rcall encrypt
+  pop r9
+  pop r8
+  pop r7
+  ret
+
 javino_aes128_encrypt:
   clt
 encrypt:
@@ -247,6 +258,7 @@ encrypt:
   movw XL, r24
   movw ZL, r22
   movw YL, r20
+load:
   .set scratch, 0
   place_bytes
   in_order load_byte
@@ -276,7 +288,18 @@ restore:
   ret
 add_stored:
   in_order_shifted add_stored_byte
+  sub YL, r7
+  sbc YH, r25                           ; 0 by now
+  cp YL, r8
+  cpc YH, r9
+  brne next_of_chain
   rjmp restore
+next_of_chain:
+  movw ZL, YL
+  sbiw ZL, 16
+  subi XL, 11 * 16                      ; back to the first round key
+  sbci XH, 0
+  rjmp load
 
   .subsection 0
 odd_part:

@@ -91,11 +91,14 @@ void javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t 
   encryptBlock(roundKeys, out);
 }
 
-void javino_aes128_encrypt_onto(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out) {
+void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back) {
   uint8_t block[BLOCK_LENGTH];
-  memcpy(block, in, BLOCK_LENGTH);
-  encryptBlock(roundKeys, block);
-  for (uint8_t i = 0; i < BLOCK_LENGTH; i++) out[i] ^= block[i];
+  do {
+    javino_aes128_encrypt(roundKeys, in, block);
+    for (uint8_t i = 0; i < BLOCK_LENGTH; i++) *onto++ ^= block[i];
+    onto -= back;
+    in = onto - BLOCK_LENGTH;
+  } while (onto != stop);
   wipe(block, sizeof block);
 }
 

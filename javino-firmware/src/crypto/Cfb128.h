@@ -7,33 +7,28 @@
 
 namespace javino {
 
-/// AES-128 in CFB mode with segments of 128 bits (NIST SP 800-38A section 6.3), as a stream: any number of bytes a
-/// call, the last block may be short. One object either encrypts or decrypts one message.
+/// AES-128 in CFB mode with segments of 128 bits (NIST SP 800-38A section 6.3), for one message of any length: the last
+/// block may be short.
 class Cfb128 {
  public:
   /// @param cipher outlives this object
-  /// @param iv 16 bytes, never used twice with a key
-  JAVINO_NOINLINE Cfb128(const Aes128 &cipher, const uint8_t *iv);
-  JAVINO_NOINLINE ~Cfb128();
+  /// @param iv 16 bytes that outlive this object, never used twice with a key
+  Cfb128(const Aes128 &cipher, const uint8_t *iv) : cipher_(cipher), iv_(iv) {}
 
-  /// Encrypts the next bytes in place. Fastest where all calls but the last have whole blocks of 16 bytes.
-  void encrypt(uint8_t *bytes, uint16_t length) { apply(bytes, length, false); }
+  /// Encrypts the message in place.
+  JAVINO_NOINLINE void encrypt(uint8_t *bytes, uint16_t length) const;
 
-  /// Decrypts the next bytes in place. Fastest where all calls but the last have whole blocks of 16 bytes.
-  void decrypt(uint8_t *bytes, uint16_t length) { apply(bytes, length, true); }
+  /// Decrypts the message in place.
+  JAVINO_NOINLINE void decrypt(uint8_t *bytes, uint16_t length) const;
 
  private:
   Cfb128(const Cfb128 &);
   Cfb128 &operator=(const Cfb128 &);
 
-  JAVINO_NOINLINE void apply(uint8_t *bytes, uint16_t length, bool decrypting);
-  void encryptBlocks(uint8_t *bytes, const uint8_t *end);
-  void decryptBlocks(uint8_t *bytes, uint8_t *end);
-  uint8_t *keyStreamByte();
+  JAVINO_NOINLINE void applyToRest(uint8_t *bytes, uint16_t length) const;
 
   const Aes128 &cipher_;
-  uint8_t block_[Aes128::BLOCK_LENGTH];  // key stream; behind the current byte of it, the ciphertext so far
-  uint8_t used_;                         // bytes of the block that are ciphertext by now
+  const uint8_t *const iv_;
 };
 
 }  // namespace javino

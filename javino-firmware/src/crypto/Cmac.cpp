@@ -55,7 +55,7 @@ void Cmac::compute(const uint8_t *message, uint16_t length, uint8_t *tag) const 
       xorInto(tag, message, BLOCK);
       chained = tag;
     }
-    cipher_.encryptOnto(chained, last);
+    cipher_.chainUp(chained, last, last + BLOCK);
   }
   cipher_.encrypt(last, tag);
   wipe(last, sizeof last);
