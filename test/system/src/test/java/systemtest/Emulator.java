@@ -75,7 +75,7 @@ public final class Emulator implements AutoCloseable {
         }
 
         /** Starts the emulator in a folder, where EEPROM files of earlier runs are taken up. */
-        public Emulator start(Path folder) throws IOException {
+        public Emulator start(Path folder) throws IOException, InterruptedException {
             Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
             if (!faults.isEmpty()) scenario.put("faults", faults);
             Path file = folder.resolve("scenario.json");
