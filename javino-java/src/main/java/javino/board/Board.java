@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -40,6 +41,7 @@ public final class Board implements AutoCloseable {
     private final Wishes wishes = new Wishes();
     private final Tally tally = new Tally();
     private final Session session;
+    private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private final Thread thread;
 
     private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
@@ -47,8 +49,16 @@ public final class Board implements AutoCloseable {
         queue = new RequestQueue(config.queueCapacity());
         session = new Session(opener, new Context(opener.name(), config, queue, wishes, tally,
                 new ListenerGuard(listener, tally)));
-        thread = new Thread(session, "javino " + opener.name());
+        thread = new Thread(this::run, "javino " + opener.name());
         thread.setDaemon(true);
+    }
+
+    private void run() {
+        try {
+            session.run();
+        } finally {
+            ended.complete(null);
+        }
     }
 
     /** Begins a session; the board need not be there yet. */
@@ -100,8 +110,11 @@ public final class Board implements AutoCloseable {
 
     /** Has radio messages received, or not, now and whenever the board comes online again. */
     public CompletableFuture<Void> radio(boolean open) {
-        wishes.setRadio(open);
-        return ask(new Request.Radio(open), Board::nothing);
+        // At once, so that of two threads' wishes the last to be remembered is also the last to be performed.
+        synchronized (wishes) {
+            wishes.setRadio(open);
+            return ask(new Request.Radio(open), Board::nothing);
+        }
     }
 
     /**
@@ -164,17 +177,22 @@ public final class Board implements AutoCloseable {
         return tally.snapshot();
     }
 
-    /** Ends the session; requests that wait fail. Waits for the thread's end, except on that thread itself. */
+    /**
+     * Ends the session without waiting for it; requests that wait fail.
+     *
+     * @return completes when the port is free for others, as a rule within a tenth of a second.
+     */
+    public CompletableFuture<Void> end() {
+        queue.close("the session was closed");
+        return ended.copy();
+    }
+
+    /** Ends the session, and waits until the port is free, except on the session's own thread; 2 s at most. */
     @Override
     public void close() {
-        queue.close("the session was closed");
-        if (Thread.currentThread() == thread) {
-            return;
-        }
-        try {
-            thread.join(CLOSE_TIMEOUT.toMillis());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        CompletableFuture<Void> end = end();
+        if (Thread.currentThread() != thread) {
+            end.completeOnTimeout(null, CLOSE_TIMEOUT.toMillis(), TimeUnit.MILLISECONDS).join();
         }
     }
 

@@ -3,6 +3,7 @@ package javino.board;
 import java.time.Duration;
 import javino.link.LinkException;
 import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
 import javino.protocol.PollReply;
 import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
@@ -18,6 +19,8 @@ final class Service {
     private final Inbox inbox;
     private Deadline nextPoll = Deadline.in(Duration.ZERO);
     private boolean pollsFail;
+    /** What the radio was told since the board was greeted; null if nothing yet. */
+    private Request radioTold;
 
     Service(Context context, Exchange exchange, Inbox inbox) {
         this.context = context;
@@ -38,7 +41,7 @@ final class Service {
         }
         Request request = new Request.Radio(wanted);
         try {
-            Status status = ask(request).status();
+            Status status = tell(request).status();
             if (status != Status.OK) {
                 context.listener().warning(new RequestFailedException(request.toString(), status).getMessage());
             }
@@ -64,7 +67,7 @@ final class Service {
 
     private void perform(Pending<?> pending, BoardInfo board) throws LinkException, LostException {
         try {
-            pending.answer(ask(pending.source().request(board)));
+            pending.answer(tell(pending.source().request(board)));
         } catch (RequestFailedException e) {
             pending.fail(e);
         } catch (ProtocolException e) {
@@ -74,6 +77,18 @@ final class Service {
             pending.fail(new OutcomeUnknownException(pending.description(), e.getMessage()));
             throw e;
         }
+    }
+
+    /** Asks, but for what a radio was told already: what was wished before the greeting also waits in the queue. */
+    private Reply tell(Request request) throws LinkException, LostException, ProtocolException {
+        if (request.equals(radioTold)) {
+            return new Reply(Status.OK, Bytes.EMPTY);
+        }
+        Reply reply = ask(request);
+        if (request instanceof Request.Radio) {
+            radioTold = reply.status() == Status.OK ? request : null;
+        }
+        return reply;
     }
 
     private void poll() throws LinkException, LostException {

@@ -1,6 +1,7 @@
 package javino.board;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -475,6 +476,47 @@ class BoardTest {
                 builder -> builder.setReopenInterval(Duration.ofHours(1))), listener);
         board.close();
         assertEquals(BoardState.CLOSED, board.state());
+    }
+
+    @Test
+    void end_boardSilent_returnsAtOnceAndCompletesWhenThePortIsFree() throws Exception {
+        CountDownLatch inside = new CountDownLatch(1);
+        CountDownLatch leave = new CountDownLatch(1);
+        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                inside.countDown();
+                await(leave);
+            }
+        });
+        inside.await();
+        CompletableFuture<Void> end = board.end();
+        assertFalse(end.isDone());
+        assertTrue(port.isOpen());
+        leave.countDown();
+        end.get();
+        assertFalse(port.isOpen());
+        assertEquals(BoardState.CLOSED, board.state());
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void radio_wishedBeforeThePortIsThere_isAskedForOnce() throws Exception {
+        port.unplug();
+        open();
+        CompletableFuture<Void> radio = board.radio(true);
+        port.plug();
+        radio.get();
+        board.radio(false).get();
+        board.radio(true).get();
+        assertEquals(List.of("radio 1", "radio 0", "radio 1"), fake.performed());
     }
 
     @Test

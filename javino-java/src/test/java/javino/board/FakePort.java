@@ -1,5 +1,6 @@
 package javino.board;
 
+import java.time.Duration;
 import javino.link.InMemoryLink;
 import javino.link.Link;
 import javino.link.LinkException;
@@ -11,6 +12,7 @@ public final class FakePort implements LinkOpener {
     private final FakeBoard board;
     private boolean plugged = true;
     private InMemoryLink open;
+    private int openLinks;
 
     /** @param board plugged at first. */
     public FakePort(FakeBoard board) {
@@ -25,7 +27,33 @@ public final class FakePort implements LinkOpener {
         InMemoryLink.Pair pair = InMemoryLink.pair(name());
         board.serve(pair.board());
         open = pair.board();
-        return pair.host();
+        openLinks++;
+        return new Link() {
+            @Override
+            public void write(byte[] bytes) throws LinkException {
+                pair.host().write(bytes);
+            }
+
+            @Override
+            public int read(byte[] into, Duration timeout) throws LinkException {
+                return pair.host().read(into, timeout);
+            }
+
+            @Override
+            public void close() {
+                pair.host().close();
+                closed();
+            }
+        };
+    }
+
+    private synchronized void closed() {
+        openLinks--;
+    }
+
+    /** Whether somebody has the port open. */
+    synchronized boolean isOpen() {
+        return openLinks > 0;
     }
 
     @Override
