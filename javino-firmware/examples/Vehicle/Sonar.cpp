@@ -9,6 +9,7 @@ const uint8_t TRIGGER_MICROS = 10;
 
 const uint32_t NO_ECHO = 0;
 
+volatile bool echoing = false;
 volatile uint32_t echoBegan;
 volatile uint32_t echoMicros = NO_ECHO;
 
@@ -23,12 +24,14 @@ uint32_t takeEcho() {
 }  // namespace
 
 // Pin 2 of a Mega is PE4, with interrupt INT4. Arduino's attachInterrupt() would serve any such pin, but brings the
-// code of all eight interrupts along: 880 bytes of flash.
+// code of all eight interrupts along: 880 bytes of flash. A sketch that calls it for another pin cannot have both.
 ISR(INT4_vect) {
   const uint32_t now = micros();
   if (PINE & _BV(PE4)) {
+    echoing = true;
     echoBegan = now;
-  } else {
+  } else if (echoing) {  // else it began before this sketch did: the board was reset in the middle of it
+    echoing = false;
     echoMicros = now - echoBegan;
   }
 }
@@ -36,7 +39,7 @@ ISR(INT4_vect) {
 void Sonar::begin() {
   pinMode(triggerPin_, OUTPUT);
   pinMode(ECHO_PIN, INPUT);
-  EICRB |= _BV(ISC40);  // at each change of the pin
+  EICRB = (EICRB & ~_BV(ISC41)) | _BV(ISC40);  // at each change of the pin
   EIMSK |= _BV(INT4);
 }
 
