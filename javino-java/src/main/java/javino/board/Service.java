@@ -84,9 +84,11 @@ final class Service {
         if (request.equals(radioTold)) {
             return new Reply(Status.OK, Bytes.EMPTY);
         }
+        boolean toRadio = request instanceof Request.Radio;
+        radioTold = toRadio ? null : radioTold;
         Reply reply = ask(request);
-        if (request instanceof Request.Radio) {
-            radioTold = reply.status() == Status.OK ? request : null;
+        if (toRadio && reply.status() == Status.OK) {
+            radioTold = request;
         }
         return reply;
     }
