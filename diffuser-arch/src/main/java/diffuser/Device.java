@@ -68,7 +68,7 @@ final class Device implements BoardListener {
         return device;
     }
 
-    /** Completes as soon as it is known whether a board is there; never fails. */
+    /** Completes as soon as it is known whether a board is there, or nobody cares any more; never fails. */
     CompletableFuture<Void> decided() {
         return decided;
     }
@@ -132,10 +132,15 @@ final class Device implements BoardListener {
         return bounded(session.join().transmit(to, content));
     }
 
-    /** Ends the session; nothing comes from this device any more. */
-    void close() {
+    /**
+     * Ends the session without waiting for it; nothing comes from this device any more.
+     *
+     * @return completes when the port is free for another.
+     */
+    CompletableFuture<Void> close() {
         closed = true;
-        session.join().close();
+        decided.complete(null);
+        return session.join().end();
     }
 
     private static <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
@@ -146,6 +151,9 @@ final class Device implements BoardListener {
 
     @Override
     public void online(BoardInfo info) {
+        if (closed) {
+            return;
+        }
         unknownActions.clear();
         Wishes wanted = wishes;
         boolean stranger = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
@@ -188,13 +196,18 @@ final class Device implements BoardListener {
 
     @Override
     public void message(ReceivedMessage message) {
-        surroundings.inbox().put(message, surroundings.agent());
-        tellAgent();
+        // After the end it is left to the next session, as the board was not told that it was taken.
+        if (!closed) {
+            surroundings.inbox().put(message, surroundings.agent());
+            tellAgent();
+        }
     }
 
     @Override
     public void warning(String what) {
-        surroundings.warnings().once(what);
+        if (!closed) {
+            surroundings.warnings().once(what);
+        }
     }
 
     private void tellAgent() {

@@ -86,11 +86,11 @@ public class Diffuser extends AgArch {
      * Looks for a board on a port, in place of the one before.
      *
      * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
-     * @return completes as soon as it is known whether a board is there; never fails, since it may come later.
+     * @return completes as soon as it is known whether a board is there, or another port was opened in its place; never
+     *         fails, since a board may come later.
      */
     public CompletableFuture<Void> openPort(String port) {
-        closeDevice();
-        device = Device.open(link(port), boardConfig(), wishes,
+        device = Device.open(new Handover(link(port), closeDevice()), boardConfig(), wishes,
                 new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
         return device.decided();
     }
@@ -204,9 +204,10 @@ public class Diffuser extends AgArch {
         return super.canSleep() && inbox.isEmpty() && boardPerceives() == boardPercepts;
     }
 
+    /** {@inheritDoc} Waits until the port is free, so that the agent can be started anew. */
     @Override
     public void stop() {
-        closeDevice();
+        Handover.await(closeDevice());
         super.stop();
     }
 
@@ -250,7 +251,7 @@ public class Diffuser extends AgArch {
         getTS().getAgArch().wakeUpSense();
     }
 
-    private void closeDevice() {
-        device().ifPresent(Device::close);
+    private CompletableFuture<Void> closeDevice() {
+        return device().map(Device::close).orElseGet(() -> CompletableFuture.completedFuture(null));
     }
 }

@@ -8,7 +8,9 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicInteger;
 
 import javino.link.InMemoryLink;
 import javino.link.Link;
@@ -40,6 +42,10 @@ final class FakeBoard implements LinkOpener {
     private volatile Bytes lastRequest;
     private volatile Bytes lastReply;
     private int messageCount;
+    private final AtomicInteger openLinks = new AtomicInteger();
+    private final AtomicInteger mostOpen = new AtomicInteger();
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private volatile CountDownLatch mayClose = new CountDownLatch(0);
 
     private record Message(int number, String destination, String origin, String content) {
     }
@@ -63,7 +69,44 @@ final class FakeBoard implements LinkOpener {
         Thread thread = new Thread(() -> serve(pair.board()), "fake board " + port);
         thread.setDaemon(true);
         thread.start();
-        return pair.host();
+        mostOpen.accumulateAndGet(openLinks.incrementAndGet(), Math::max);
+        return new Opened(pair.host());
+    }
+
+    /** The host's end, of which the board knows whether it is open. */
+    private final class Opened implements Link {
+
+        private final Link line;
+
+        Opened(Link line) {
+            this.line = line;
+        }
+
+        @Override
+        public void write(byte[] bytes) throws LinkException {
+            line.write(bytes);
+        }
+
+        @Override
+        public int read(byte[] into, Duration timeout) throws LinkException {
+            return line.read(into, timeout);
+        }
+
+        @Override
+        public void close() {
+            closing.countDown();
+            awaitUninterrupted(mayClose);
+            line.close();
+            openLinks.decrementAndGet();
+        }
+    }
+
+    private static void awaitUninterrupted(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     // The script
@@ -103,6 +146,22 @@ final class FakeBoard implements LinkOpener {
 
     void plug() {
         plugged = true;
+    }
+
+    /** Whether the port is not left from here on until this is taken back. */
+    void closesSlowly(boolean now) {
+        mayClose.countDown();
+        mayClose = new CountDownLatch(now ? 1 : 0);
+    }
+
+    /** Waits until somebody closes the port. */
+    void awaitClosing() {
+        awaitUninterrupted(closing);
+    }
+
+    /** How many had the port open at the same time. */
+    int mostOpenAtOnce() {
+        return mostOpen.get();
     }
 
     synchronized void receive(String destination, String origin, String content) {

@@ -67,6 +67,49 @@ class PortTest {
     }
 
     @Test
+    void port_replacedBeforeItIsDecided_itsIntentionGoesOn() {
+        FakeBoard left = new FakeBoard("left");
+        left.silent(true);
+        String program = """
+                !start. !other.
+                +!start <- .port(left); diffuser.note(replaced).
+                +!other <- .port(missing); diffuser.note(decided).
+                """;
+        try (RunningAgent agent = RunningAgent.run(program, left)) {
+            agent.notesAll("replaced", "decided");
+        }
+    }
+
+    @Test
+    void port_formerSessionHangs_agentGoesOnAndTheNextSessionWaits() {
+        FakeBoard left = new FakeBoard("left");
+        try (RunningAgent agent = RunningAgent.run(PROGRAM, left, new FakeBoard("right"))) {
+            agent.notesAll("left on", "ready");
+            left.closesSlowly(true);
+            agent.achieve("right");
+            left.awaitClosing();
+            agent.believe("count(1)");
+            agent.notesAll("no left on", "count 1");
+            left.closesSlowly(false);
+            agent.notesAll("right on", "changed");
+        }
+    }
+
+    @Test
+    void port_sameAgain_isOpenedWhenItIsFree() {
+        FakeBoard left = new FakeBoard("left");
+        String program = """
+                !start.
+                +!start <- .port(left); .port(left); .port(left); .act(stop); diffuser.note(done).
+                +port(P,off) <- diffuser.note(P,off).
+                """;
+        try (RunningAgent agent = RunningAgent.run(program, left)) {
+            agent.notes("done");
+            assertEquals(1, left.mostOpenAtOnce());
+        }
+    }
+
+    @Test
     void port_missing_beliefIsOffAndNoFailure() {
         try (RunningAgent agent = RunningAgent.run(PROGRAM, new FakeBoard("left"))) {
             agent.notesAll("left on", "ready");
