@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntPredicate;
 import javino.link.Link;
 import javino.link.LinkException;
@@ -20,12 +21,18 @@ final class Exchange {
     /** An empty packet, which ends what damage may have left open at the other side. */
     private static final Bytes SEPARATOR = Bytes.of(0);
 
+    /** What a board takes to find its answer. */
+    private static final Duration THINKING = Duration.ofMillis(1);
+    /** The longest that a reply is left to gather: one that is shorter than the last must not wait for long. */
+    private static final Duration MOST_GATHERING = Duration.ofMillis(8);
+
     private final Link link;
     private final Tally tally;
     private final PacketDecoder decoder = new PacketDecoder();
     private final Deque<PacketDecoder.Result> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[1024];
     private int sequence;
+    private int replyLength;
 
     /** @param firstSequence that of the first request, 0…255. */
     Exchange(Link link, int firstSequence, Tally tally) {
@@ -56,6 +63,7 @@ final class Exchange {
             }
             link.write(bytes);
             attempts++;
+            gather(bytes.length + replyLength);
             Optional<Packet> reply = awaitReply(Deadline.in(timeout));
             if (reply.isPresent()) {
                 return Optional.of(Reply.decode(reply.get().frame()));
@@ -64,10 +72,24 @@ final class Exchange {
         return Optional.empty();
     }
 
+    /**
+     * Waits until a reply as long as the last one is likely to be there whole. A serial line gives a few bytes at a time,
+     * and being woken for each few of fifty replies a second would be most of what an idle agent costs.
+     */
+    private void gather(int bytes) {
+        Duration line = link.timeFor(bytes);
+        if (!line.isZero()) {
+            Duration whole = line.plus(THINKING);
+            LockSupport.parkNanos(Math.min(whole.toNanos(), MOST_GATHERING.toNanos()));
+        }
+    }
+
     private Optional<Packet> awaitReply(Deadline deadline) throws LinkException {
+        int received = 0;
         while (true) {
             Optional<Packet> reply = takeArrived();
             if (reply.isPresent()) {
+                replyLength = received;
                 return reply;
             }
             if (deadline.passed()) {
@@ -77,6 +99,7 @@ final class Exchange {
                 return Optional.empty();
             }
             int count = link.read(buffer, Duration.ofNanos(Math.max(1, deadline.nanosLeft())));
+            received += count;
             arrived.addAll(decoder.feed(buffer, count));
         }
     }

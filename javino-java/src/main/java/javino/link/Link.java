@@ -22,6 +22,15 @@ public interface Link extends AutoCloseable {
      */
     int read(byte[] into, Duration timeout) throws LinkException;
 
+    /**
+     * How long bytes are under way, so that a reader can let them gather instead of being woken for each few.
+     *
+     * @return zero, unless the link is slow and knows it.
+     */
+    default Duration timeFor(int bytes) {
+        return Duration.ZERO;
+    }
+
     /** Closes the link; a second time does nothing. */
     @Override
     void close();

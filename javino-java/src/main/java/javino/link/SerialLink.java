@@ -14,16 +14,20 @@ public final class SerialLink implements Link {
     /** The rate that boards have unless they were built otherwise. */
     public static final int DEFAULT_BAUD = 115_200;
 
+    /** A start bit, eight of data, a stop bit. */
+    private static final int BITS_A_BYTE = 10;
     private static final int TIMEOUT_STEP_MILLIS = 100;
     private static final String NO_PORT = "there is no such port; is the board plugged in?";
 
     private final String name;
     private final SerialPort port;
+    private final int baud;
     private int timeoutMillis = -1;
 
-    private SerialLink(String name, SerialPort port) {
+    private SerialLink(String name, SerialPort port, int baud) {
         this.name = name;
         this.port = port;
+        this.baud = baud;
     }
 
     /** An opener at {@link #DEFAULT_BAUD}; see {@link #opener(String, int)}. */
@@ -61,7 +65,7 @@ public final class SerialLink implements Link {
             throw new LinkException(name, "cannot be opened" + cause(port)
                     + "; is another program using it, and may you read and write it?");
         }
-        return new SerialLink(name, port);
+        return new SerialLink(name, port, baud);
     }
 
     private static SerialPort find(String name) throws LinkException {
@@ -116,6 +120,11 @@ public final class SerialLink implements Link {
     /** In steps of 100 ms: POSIX counts in them, and each other value costs a system call or two. Never 0: for ever. */
     private static int roundedUp(Duration timeout) {
         return (int) (timeout.toMillis() / TIMEOUT_STEP_MILLIS + 1) * TIMEOUT_STEP_MILLIS;
+    }
+
+    @Override
+    public Duration timeFor(int bytes) {
+        return Duration.ofNanos(1_000_000_000L * BITS_A_BYTE * bytes / baud);
     }
 
     @Override
