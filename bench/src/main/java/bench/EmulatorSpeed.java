@@ -6,7 +6,7 @@ import java.util.List;
 final class EmulatorSpeed implements Subject {
 
     private static final int BIT_RATE = 2000;
-    private static final double SECONDS = 20;
+    private static final double SECONDS = 10;
     /** The most that a scenario takes. */
     private static final int MOST_BOARDS = 32;
 
@@ -18,7 +18,7 @@ final class EmulatorSpeed implements Subject {
     @Override
     public String method() {
         return """
-            20 emulated seconds at full speed, divided by the CPU seconds that the process took. Six boards: one sends packets of 77
+            10 emulated seconds at full speed, divided by the CPU seconds that the process took. Six boards: one sends packets of 77
             bytes without a pause, five receive them; the sender counts too. Quiet air: 32 boards, the most that a scenario takes,
             listen to nothing; from their speed follows how many one core would carry in real time. The reference has the same
             boards with `bench/sketches/SampledModem` in the same emulator: the interrupt for each sample is what it then spends its

@@ -15,7 +15,7 @@ final class IdleAgent implements Subject {
     private static final String PLAIN = "!start. +!start <- .print(started).";
     private static final String WITH_BOARD =
         "!start. +!start <- .port(\"ports/board\"); .percepts(open); .setMyRFId(ROMA); .getRFMessages(open); .print(started).";
-    private static final Duration WARM_UP = Duration.ofSeconds(20);
+    private static final Duration WARM_UP = Duration.ofSeconds(40);
     private static final Duration MEASURED = Duration.ofSeconds(20);
 
     @Override
@@ -27,7 +27,7 @@ final class IdleAgent implements Subject {
     public String method() {
         return """
             an agent as a user starts it, in a Java virtual machine of its own, with an emulated board (Vehicle, percepts and radio open,
-            polled every 20 ms), and the same without board and architecture, both at once: CPU time of the process over 20 s, after 20 s
+            polled every 20 ms), and the same without board and architecture, both at once: CPU time of the process over 20 s, after 40 s
             in which Java compiles. The emulator is another process and does not count.""";
     }
 
