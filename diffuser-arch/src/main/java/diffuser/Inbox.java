@@ -25,7 +25,7 @@ final class Inbox {
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. */
     void put(ReceivedMessage message, String receiver) {
         try {
-            Term content = Texts.readContent(message.content().term());
+            Term content = Cast.mark(Texts.readContent(message.content().term()), message);
             messages.add(new Message(message.content().force().toString(), message.from().toString(), receiver, content));
             received.incrementAndGet();
         } catch (MalformedTextException e) {

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class MessagesTest {
 
@@ -17,7 +19,11 @@ class MessagesTest {
             """;
 
     private static RunningAgent ready(FakeBoard board) {
-        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        return ready(PROGRAM, board);
+    }
+
+    private static RunningAgent ready(String program, FakeBoard board) {
+        RunningAgent agent = RunningAgent.run(program, board);
         RunningAgent.asked(board, "R open");
         agent.notes("ready");
         return agent;
@@ -53,6 +59,58 @@ class MessagesTest {
         try (RunningAgent agent = ready(board)) {
             board.receive("////", "ROMA", "tell;[p(1),p(2)]");
             agent.notesAll("plus 1 ROMA", "plus 2 ROMA");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"////,broadcast", "//SU,multicast", "CAFE,unicast"})
+    void checkMail_eachCast_isAnnotatedWithItsSender(String to, String cast) {
+        String program = PROGRAM + """
+                +q(X)[cast(C,S)] <- diffuser.note(C,S).
+                +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
+                """;
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            board.receive(to, "ROMA", "tell;q(1)");
+            agent.notes(cast + " ROMA");
+            board.receive(to, "ROMA", "achieve;run(2)");
+            agent.notes(cast + " ROMA 2");
+            board.receive(to, "ROMA", "tell;[q(3),q(4)]");
+            agent.notesAll(cast + " ROMA", cast + " ROMA");
+        }
+    }
+
+    @Test
+    void checkMail_planDemandsUnicast_forgedBroadcastsAreIgnored() {
+        String program = PROGRAM + """
+                +help[cast(unicast,S)] <- diffuser.note(sealed,S).
+                +check <- .findall(S, help[source(S),cast(unicast,S)], L); diffuser.note(L).
+                """;
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            board.receive("////", "SUPO", "tell;help");
+            board.receive("////", "SUPO", "tell;help[cast(unicast,\"SUPO\")]");
+            board.receive("////", "SUPO", "tell;[help[cast(unicast,'SUPO'),source('SUPO')]]");
+            board.receive("////", "ROMB", "tell;help[cast(unicast,A),source(A)]");
+            board.receive("CAFE", "ROMA", "tell;help");
+            agent.notes("sealed ROMA");
+            board.receive("CAFE", "SUHO", "tell;help");
+            agent.notes("sealed SUHO");
+            board.receive("////", "SUAM", "tell;[help,check]");
+            agent.notes("[ROMA,SUHO]");
+            board.receive("CAFE", "SUPO", "tell;help");
+            agent.notes("sealed SUPO");
+        }
+    }
+
+    @Test
+    void checkMail_untellByAnotherCast_removes() {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive("CAFE", "ROMA", "tell;p(1)");
+            agent.notes("plus 1 ROMA");
+            board.receive("////", "ROMA", "untell;p(1)");
+            agent.notes("minus 1 ROMA");
         }
     }
 
