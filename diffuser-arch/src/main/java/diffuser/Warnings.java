@@ -9,7 +9,9 @@ import java.util.logging.Logger;
 final class Warnings {
 
     /** From here on new texts are no longer logged, so that a mad board fills neither the log nor the memory. */
-    private static final int MOST_TEXTS = 500;
+    static final int MOST_TEXTS = 500;
+    private static final String NO_MORE = "no further kinds of warnings are logged, as there were " + MOST_TEXTS
+            + " different ones; the agent's status counts on";
 
     private final Set<String> told = ConcurrentHashMap.newKeySet();
     private final Supplier<Logger> logger;
@@ -21,7 +23,15 @@ final class Warnings {
 
     /** Logs the text unless it was logged before. */
     void once(String text) {
-        if (told.size() < MOST_TEXTS && told.add(text)) {
+        if (told.size() < MOST_TEXTS) {
+            tell(text);
+        } else if (!told.contains(text)) {
+            tell(NO_MORE);
+        }
+    }
+
+    private void tell(String text) {
+        if (told.add(text)) {
             always(text);
         }
     }
