@@ -6,7 +6,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import jason.JasonException;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.ConcurrentInternalAction;
-import jason.asSemantics.DefaultInternalAction;
 import jason.asSemantics.Intention;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
@@ -17,11 +16,16 @@ import jason.asSyntax.Term;
  * An internal action that waits for the board: it suspends its intention, not its agent, until the board has answered,
  * and resumes or fails it in the agent's own cycle, as {@link ConcurrentInternalAction} does.
  */
-public abstract class BoardAction extends DefaultInternalAction {
+public abstract class BoardAction extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
     private static final AtomicLong COUNT = new AtomicLong();
+
+    /** @param arity how many arguments it takes. */
+    protected BoardAction(int arity) {
+        super(arity);
+    }
 
     /**
      * Asks the board.
@@ -35,11 +39,6 @@ public abstract class BoardAction extends DefaultInternalAction {
     @Override
     public final boolean suspendIntention() {
         return true;
-    }
-
-    @Override
-    public final boolean canBeUsedInContext() {
-        return false;
     }
 
     @Override

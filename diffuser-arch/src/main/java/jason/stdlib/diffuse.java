@@ -35,14 +35,9 @@ public class diffuse extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    @Override
-    public int getMinArgs() {
-        return 3;
-    }
-
-    @Override
-    public int getMaxArgs() {
-        return 3;
+    /** Made by Jason, once for each agent. */
+    public diffuse() {
+        super(3);
     }
 
     @Override

@@ -3,13 +3,13 @@ package jason.stdlib;
 import java.time.Duration;
 
 import jason.JasonException;
-import jason.asSemantics.DefaultInternalAction;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.NumberTerm;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
+import diffuser.DiffuserAction;
 
 /**
  * <p>Internal action: <b><code>.limit(<i>Ms</i>)</code></b>.
@@ -26,25 +26,15 @@ import diffuser.Diffuser;
  * <li> <code>.limit(500)</code>: the sensors are read twice a second at most.
  * </ul>
  */
-public class limit extends DefaultInternalAction {
+public class limit extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
     private static final double LONGEST = Duration.ofHours(1).toMillis();
 
-    @Override
-    public boolean canBeUsedInContext() {
-        return false;
-    }
-
-    @Override
-    public int getMinArgs() {
-        return 1;
-    }
-
-    @Override
-    public int getMaxArgs() {
-        return 1;
+    /** Made by Jason, once for each agent. */
+    public limit() {
+        super(1);
     }
 
     @Override

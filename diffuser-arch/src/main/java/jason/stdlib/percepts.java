@@ -1,12 +1,12 @@
 package jason.stdlib;
 
-import jason.asSemantics.DefaultInternalAction;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Term;
 
 import diffuser.Arguments;
 import diffuser.Diffuser;
+import diffuser.DiffuserAction;
 
 /**
  * <p>Internal action: <b><code>.percepts(<i>S</i>)</code></b>.
@@ -22,23 +22,13 @@ import diffuser.Diffuser;
  * <li> <code>.percepts(open)</code>: from then on the agent believes, for instance, <code>proximity(17)</code>.
  * </ul>
  */
-public class percepts extends DefaultInternalAction {
+public class percepts extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
-    @Override
-    public boolean canBeUsedInContext() {
-        return false;
-    }
-
-    @Override
-    public int getMinArgs() {
-        return 1;
-    }
-
-    @Override
-    public int getMaxArgs() {
-        return 1;
+    /** Made by Jason, once for each agent. */
+    public percepts() {
+        super(1);
     }
 
     @Override

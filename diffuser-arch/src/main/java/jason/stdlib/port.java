@@ -29,14 +29,9 @@ public class port extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    @Override
-    public int getMinArgs() {
-        return 1;
-    }
-
-    @Override
-    public int getMaxArgs() {
-        return 1;
+    /** Made by Jason, once for each agent. */
+    public port() {
+        super(1);
     }
 
     @Override
