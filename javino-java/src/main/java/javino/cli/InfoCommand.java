@@ -16,7 +16,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /** {@code javino info}: shows a board. */
-@Command(name = "info", description = "Shows who a board is, which keys it has (never the keys), and its counters.")
+@Command(name = "info", description = {
+    "Shows who a board is, which keys it has (never the keys), and its counters.",
+    "The counters start at 0 with each boot, and most boards, a Mega too, boot when their port is opened: after info "
+            + "has opened it they say little. A program that keeps the port open reads them by Board.statistics()."})
 final class InfoCommand implements Callable<Integer> {
 
     @Mixin

@@ -6,7 +6,9 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Key;
 
@@ -105,6 +107,13 @@ final class Keyring {
             }
         });
         return needed;
+    }
+
+    /** All devices and groups that it has keys for, in one line. */
+    String describeMembers() {
+        String members = keys.keySet().stream().flatMap(shared -> Stream.of(shared.first, shared.second))
+                .filter(Objects::nonNull).distinct().map(Address::toString).collect(Collectors.joining(", "));
+        return members.isEmpty() ? "none at all" : members;
     }
 
     int size() {

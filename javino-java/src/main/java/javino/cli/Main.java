@@ -3,21 +3,34 @@ package javino.cli;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
+import java.util.concurrent.Callable;
 import javino.JavinoException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
 
 /** The {@code javino} command. */
 @Command(name = "javino", description = "Sets up and inspects Javino boards.",
-        subcommands = {InfoCommand.class, KeygenCommand.class, ProvisionCommand.class})
-public final class Main {
+        subcommands = {ForgetCommand.class, InfoCommand.class, KeygenCommand.class, ProvisionCommand.class})
+public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")
     private boolean help;
 
+    @Spec
+    private CommandSpec spec;
+
     private Main() {
+    }
+
+    /** Without a subcommand: says which there are. */
+    @Override
+    public Integer call() {
+        spec.commandLine().usage(spec.commandLine().getErr());
+        return CommandLine.ExitCode.USAGE;
     }
 
     /** Runs a subcommand and exits with its code. */

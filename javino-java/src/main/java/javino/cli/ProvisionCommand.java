@@ -23,37 +23,45 @@ final class ProvisionCommand implements Callable<Integer> {
     @Mixin
     private PortOption port;
 
-    @Option(names = "--id", required = true, paramLabel = "ADDRESS", description = "The board's RF id, such as SUPO.")
-    private String id;
+    @Option(names = "--id", required = true, paramLabel = "ADDRESS", converter = AddressOption.Device.class,
+            description = "The board's RF id, such as SUPO.")
+    private Address id;
 
     @Option(names = "--keyring", paramLabel = "FILE",
             description = "A file as keygen makes it; only the keys of this device are taken from it.")
     private Path keyring;
 
-    @Option(names = "--key", paramLabel = "ADDRESS=FILE",
+    @Option(names = "--key", paramLabel = "ADDRESS=FILE", converter = AddressOption.KeyHolder.class,
             description = "A device or group (//SU) and a file that holds the key as 32 hexadecimal digits.")
-    private Map<String, Path> keyFiles = Map.of();
+    private Map<Address, Path> keyFiles = Map.of();
 
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() throws IOException, JavinoException, InterruptedException {
-        Address address = Address.parse(id);
-        Map<Address, Key> keys = readKeys(address);
+        Map<Address, Key> keys = readKeys();
         try (Board board = port.open()) {
-            new Provisioning(board, spec.commandLine().getOut()).run(address, keys);
+            new Provisioning(board, spec.commandLine().getOut()).run(id, keys);
         }
         return 0;
     }
 
-    private Map<Address, Key> readKeys(Address device) throws IOException {
+    private Map<Address, Key> readKeys() throws IOException, JavinoException {
         Map<Address, Key> keys = new LinkedHashMap<>();
         if (keyring != null) {
-            keys.putAll(Keyring.read(keyring).keysOf(device));
+            keys.putAll(keysOfThis(Keyring.read(keyring)));
         }
-        for (Map.Entry<String, Path> file : keyFiles.entrySet()) {
-            keys.put(Address.parse(file.getKey()), readKey(file.getValue()));
+        for (Map.Entry<Address, Path> file : keyFiles.entrySet()) {
+            keys.put(file.getKey(), readKey(file.getValue()));
+        }
+        return keys;
+    }
+
+    private Map<Address, Key> keysOfThis(Keyring ring) throws JavinoException {
+        Map<Address, Key> keys = ring.keysOf(id);
+        if (keys.isEmpty()) {
+            throw new JavinoException(keyring + " has no key for " + id + "; it has " + ring.describeMembers());
         }
         return keys;
     }

@@ -153,7 +153,8 @@ class BoardTest {
         assertEquals(key.check(), board.setKey(Address.parse("SUPO"), key).get());
         assertEquals("SUPO", board.keys().get().get(0).address().toString());
         assertEquals(9, board.statistics().get().get(Counter.SERIAL_REQUESTS));
-        assertEquals(Status.UNKNOWN_COMMAND,
+        board.deleteKey(Address.parse("SUPO")).get();
+        assertEquals(Status.NO_KEY,
                 failure(RequestFailedException.class, board.deleteKey(Address.parse("SUPO"))).status());
     }
 

@@ -35,6 +35,7 @@ public final class FakeBoard {
     private boolean silent;
     private boolean corruptsKeys;
     private boolean badPolls;
+    private boolean hasKey = true;
     private int hellos;
     private int polls;
     private Fault fault = reply -> reply;
@@ -112,6 +113,7 @@ public final class FakeBoard {
                     : Key.of(message.from(1 + Address.LENGTH)).check()));
             case 'S' -> record("statistics", Bytes.of(0, 1, 0, 0, 0, 9));
             case 'L' -> record("list", Bytes.join(Bytes.of(0), Bytes.ofText("SUPO"), Bytes.of(1, 2, 3)));
+            case 'D' -> forget(message);
             default -> status(Status.UNKNOWN_COMMAND);
         };
     }
@@ -119,6 +121,14 @@ public final class FakeBoard {
     private Bytes act(Bytes message) {
         String action = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
         return action.equals("unknown") ? status(Status.UNKNOWN_ACTION) : record(action, ACCEPTED);
+    }
+
+    /** Has but one key, for SUPO. */
+    private Bytes forget(Bytes message) {
+        String address = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
+        boolean known = hasKey && address.equals("SUPO");
+        hasKey = hasKey && !known;
+        return known ? record("forget " + address, ACCEPTED) : status(Status.NO_KEY);
     }
 
     private Bytes poll(Bytes message) {
@@ -165,7 +175,8 @@ public final class FakeBoard {
         version = newVersion;
     }
 
-    synchronized void setSilent(boolean isSilent) {
+    /** Has the board answer nothing, or again everything. */
+    public synchronized void setSilent(boolean isSilent) {
         silent = isSilent;
     }
 

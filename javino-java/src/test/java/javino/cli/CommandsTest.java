@@ -11,19 +11,26 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.board.BoardState;
 import javino.board.FakeBoard;
 import javino.board.FakePort;
+import javino.board.RequestFailedException;
 import javino.protocol.Address;
 import javino.protocol.Key;
+import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
 @Timeout(60)
@@ -81,10 +88,97 @@ class CommandsTest {
         assertFails(2, "--pair or --group", "keygen", "--out", folder.resolve("keys").toString());
     }
 
-    @Test
-    void keygen_badAddress_fails() {
-        assertFails(1, "4 digits", "keygen", "--out", folder.resolve("keys").toString(), "--pair", "ROMA,SU");
+    @ParameterizedTest
+    @CsvSource(delimiter = ' ', value = {
+        "--pair ROMA,SU digits", "--pair ROMA,ROM digits", "--pair ROMA ROMA,SUPO", "--pair ROMA,SUPO,SUHO ROMA,SUPO",
+        "--pair ROMA,ROMA different", "--pair ROMA,//SU different", "--group S digits", "--group //SU digits",
+        "--group // digits"
+    })
+    void keygen_badAddress_isWrongUsage(String option, String value, String reason) {
+        assertFails(2, reason, "keygen", "--out", folder.resolve("keys").toString(), option, value);
         assertFalse(Files.exists(folder.resolve("keys")));
+    }
+
+    @Test
+    void keygen_samePairTwice_isWrongUsage() {
+        assertFails(2, "two keys for ROMA SUPO", "keygen", "--out", folder.resolve("keys").toString(),
+                "--pair", "ROMA,SUPO", "--pair", "SUPO,ROMA");
+    }
+
+    @Test
+    void keygen_noFolder_namesIt() {
+        Path missing = folder.resolve("missing");
+        assertFails(1, "there is no folder " + missing, "keygen", "--out", missing.resolve("keys").toString(),
+                "--group", "SU");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ' ', value = {"SUP digits", "//SU device", "++++ device", "S!PO '!'"})
+    void provision_badId_isWrongUsage(String id, String reason) {
+        assertFails(2, reason.replace("'", ""), "provision", "--port", "nowhere", "--id", id);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ROM=key", "////=key", "ROMA"})
+    void provision_badKeyOption_isWrongUsage(String key) {
+        assertFails(2, "--key", "provision", "--port", "nowhere", "--id", "SUPO", "--key", key);
+    }
+
+    @Test
+    void provision_keyringWithoutItsKey_saysWhichItHas() throws IOException {
+        Path file = Files.writeString(folder.resolve("keys"), "ROMA SUPO = " + KEY.bytes().hex() + "\n//SU = "
+                + KEY.bytes().hex() + "\n");
+        assertFails(1, file + " has no key for ROMB; it has ROMA, SUPO, //SU", "provision", "--port", "nowhere",
+                "--id", "ROMB", "--keyring", file.toString());
+    }
+
+    @Test
+    void provision_emptyKeyring_saysSo() throws IOException {
+        Path file = Files.createFile(folder.resolve("keys"));
+        assertFails(1, "it has none at all", "provision", "--port", "nowhere", "--id", "ROMB",
+                "--keyring", file.toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"SUP", "////", "++++"})
+    void forget_badAddress_isWrongUsage(String address) {
+        assertFails(2, "--key", "forget", "--port", "nowhere", "--key", address);
+    }
+
+    @Test
+    void forget_keys_areDeletedUntilOneIsMissing() throws JavinoException, InterruptedException {
+        try (Board board = open()) {
+            PrintWriter lines = new PrintWriter(out, true);
+            ForgetCommand.forget(board, List.of(SUPO), lines);
+            RequestFailedException e = assertThrows(RequestFailedException.class,
+                    () -> ForgetCommand.forget(board, List.of(SUPO), lines));
+            assertEquals(Status.NO_KEY, e.status());
+        }
+        assertEquals(List.of("key for SUPO forgotten"), out.toString().lines().toList());
+        assertEquals(List.of("forget SUPO"), fake.performed());
+    }
+
+    @Test
+    void port_boardThere_opens() throws JavinoException, InterruptedException {
+        try (Board board = PortOption.open(new FakePort(fake), BoardConfig.create())) {
+            assertEquals(BoardState.ONLINE, board.state());
+        }
+    }
+
+    @Test
+    void port_noBoardAnswers_saysSo() {
+        fake.setSilent(true);
+        BoardConfig config = BoardConfig.create(builder -> builder.setPatience(Duration.ofMillis(50)));
+        JavinoException e = assertThrows(JavinoException.class, () -> PortOption.open(new FakePort(fake), config));
+        assertTrue(e.getMessage().contains("no Javino board answers"), e.getMessage());
+    }
+
+    @Test
+    void main_alone_listsItsSubcommands() {
+        assertEquals(2, run());
+        for (String command : List.of("forget", "info", "keygen", "provision")) {
+            assertTrue(err.toString().contains(command), err.toString());
+        }
     }
 
     @Test
@@ -103,7 +197,8 @@ class CommandsTest {
 
     @Test
     void info_noPort_saysWhy() {
-        assertFails(1, "no such port", "info", "--port", folder.resolve("nowhere").toString());
+        String nowhere = folder.resolve("nowhere").toString();
+        assertFails(1, "javino: " + nowhere + ": there is no such port", "info", "--port", nowhere);
     }
 
     @Test

@@ -1,0 +1,63 @@
+package javino.cli;
+
+import java.util.EnumSet;
+import java.util.Set;
+import javino.protocol.Address;
+import javino.protocol.Address.Kind;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Reads addresses on the command line, so that a wrong one is wrong usage. */
+abstract class AddressOption implements ITypeConverter<Address> {
+
+    private final Set<Kind> kinds;
+    private final String expected;
+
+    private AddressOption(Set<Kind> kinds, String expected) {
+        this.kinds = kinds;
+        this.expected = expected;
+    }
+
+    @Override
+    public final Address convert(String text) {
+        Address address = parse(text);
+        if (!kinds.contains(address.kind())) {
+            throw new TypeConversionException(expected + " was expected, not " + address);
+        }
+        return address;
+    }
+
+    private static Address parse(String text) {
+        try {
+            return Address.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new TypeConversionException(e.getMessage());
+        }
+    }
+
+    /** A device's own address. */
+    static final class Device extends AddressOption {
+        Device() {
+            super(EnumSet.of(Kind.DEVICE), "a device such as SUPO, which begins with one of A-Z a-z 0-9,");
+        }
+    }
+
+    /** Whom a key can be shared with. */
+    static final class KeyHolder extends AddressOption {
+        KeyHolder() {
+            super(EnumSet.of(Kind.DEVICE, Kind.MULTICAST), "a device such as SUPO or a group such as //SU");
+        }
+    }
+
+    /** A group by its two digits. */
+    static final class Group implements ITypeConverter<Address> {
+        @Override
+        public Address convert(String text) {
+            try {
+                return Address.multicast(text);
+            } catch (IllegalArgumentException e) {
+                throw new TypeConversionException(e.getMessage());
+            }
+        }
+    }
+}
