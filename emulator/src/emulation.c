@@ -85,6 +85,12 @@ static void observe_pins(node *n)
     board_drive(&n->mega, n->config->rx_pin, false);
 }
 
+static int out_of_memory(emulation *e)
+{
+    snprintf(e->error, sizeof e->error, "out of memory");
+    return -1;
+}
+
 static int open_node(emulation *e, node *n)
 {
     char error[400];
@@ -95,6 +101,8 @@ static int open_node(emulation *e, node *n)
     }
     uart_init(&n->serial, n->mega.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line});
     n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
+    if (!n->sensors)
+        return out_of_memory(e);
     for (size_t i = 0; i < n->config->sensor_count; i++)
         sensor_init(&n->sensors[i], &n->mega, &n->config->sensors[i]);
     observe_pins(n);
@@ -114,8 +122,10 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
     e->out = out;
     e->next_eeprom_save = EEPROM_INTERVAL;
     e->nodes = calloc(config->board_count, sizeof *e->nodes);
+    if (!e->nodes)
+        return out_of_memory(e);
     if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
-        sniffer_init(&e->listener, config, &e->air, out) != 0 || !e->nodes) {
+        sniffer_init(&e->listener, config, &e->air, out) != 0) {
         snprintf(e->error, sizeof e->error, "boards and jam faults together must not be more than 64");
         return -1;
     }
