@@ -10,11 +10,11 @@
     .getRFMessages(open);
     .print("Ready").
 
-+someoneNeedHelp[source(Station)] : .term2string(Station, "SUPP") <-  // plan 7
++someoneNeedHelp[cast(unicast)] <-                      // plan 7
     .print("Asking for an ambulance!!!");
     .diffuse("SUAM", tell, someoneNeedAmbulance).
 
-+ambulanceIsComing <-                                   // plan 8
++ambulanceIsComing[cast(unicast)] <-                    // plan 8
     .print("Sending an Ambulance!");
     .diffuse("SUPP", tell, ambulanceIsComing).
 
