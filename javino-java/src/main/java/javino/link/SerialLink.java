@@ -17,6 +17,8 @@ public final class SerialLink implements Link {
     /** A start bit, eight of data, a stop bit. */
     private static final int BITS_A_BYTE = 10;
     private static final int TIMEOUT_STEP_MILLIS = 100;
+    /** ENOTTY of Linux, macOS and the BSDs. */
+    private static final int NOT_A_TERMINAL = 25;
     private static final String NO_PORT = "there is no such port; is the board plugged in?";
 
     private final String name;
@@ -62,8 +64,7 @@ public final class SerialLink implements Link {
         port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         // 0: jSerialComm would otherwise sleep for 200 ms before it opens.
         if (!port.openPort(0)) {
-            throw new LinkException(name, "cannot be opened" + cause(port)
-                    + "; is another program using it, and may you read and write it?");
+            throw new LinkException(name, whyNotOpened(port));
         }
         return new SerialLink(name, port, baud);
     }
@@ -84,6 +85,11 @@ public final class SerialLink implements Link {
         } catch (IOException e) {
             throw new LinkException(name, "the link cannot be followed: " + e.getMessage());
         }
+    }
+
+    private static String whyNotOpened(SerialPort port) {
+        return port.getLastErrorCode() == NOT_A_TERMINAL ? "is no serial port"
+                : "cannot be opened" + cause(port) + "; is another program using it, and may you read and write it?";
     }
 
     private static String cause(SerialPort port) {

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,9 +26,18 @@ class SerialLinkTest {
     }
 
     @Test
-    void open_noSerialPort_throws(@TempDir Path folder) throws IOException {
-        Path file = Files.createFile(folder.resolve("file"));
-        LinkException e = assertThrows(LinkException.class, () -> SerialLink.opener(file.toString()).open());
-        assertTrue(e.getMessage().contains("cannot be opened"), e.getMessage());
+    void open_file_saysThatItIsNoSerialPort(@TempDir Path folder) throws IOException {
+        assertNoSerialPort(Files.createFile(folder.resolve("file")).toString());
+    }
+
+    @Test
+    @EnabledOnOs({OS.LINUX, OS.MAC})
+    void open_otherDevice_saysThatItIsNoSerialPort() {
+        assertNoSerialPort("/dev/null");
+    }
+
+    private static void assertNoSerialPort(String name) {
+        LinkException e = assertThrows(LinkException.class, () -> SerialLink.opener(name).open());
+        assertEquals(name + ": is no serial port", e.getMessage());
     }
 }
