@@ -39,6 +39,15 @@ final class RunningAgent implements AutoCloseable {
     static {
         Config.get().setProperty(Config.START_WEB_MI, "false");
         new RunLocalMAS();
+        for (Handler console : Logger.getLogger("").getHandlers()) {
+            console.setLevel(Level.WARNING);
+            console.setFilter(RunningAgent::isUnexpected);
+        }
+    }
+
+    /** Diffusers under test warn on purpose, for tests to check; on the console others' warnings shall stand out. */
+    private static boolean isUnexpected(LogRecord line) {
+        return !Warnings.class.getName().equals(line.getSourceClassName());
     }
 
     final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
