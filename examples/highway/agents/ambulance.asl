@@ -9,7 +9,7 @@
     .getRFMessages(open);
     .print("Ready").
 
-+someoneNeedAmbulance[source(Hospital), cast(unicast)] <-  // plan 9
++someoneNeedAmbulance[cast(unicast, Hospital)] <-       // plan 9
     .print("I am going!!!");
     .act(sirenOn);
     .act(drive);
