@@ -19,8 +19,8 @@ public final class BusyAgent implements Subject {
     private static final int WINDOWS = 8;
     private static final int ROUNDS = 2;
 
-    /** How the board behaves; plain: there is none, nor an architecture. */
-    private enum Kind { PLAIN, AT_ONCE, LATE, SILENT }
+    /** How the board behaves; plain: there is none, nor an architecture; changing: as at once, with a new percept at each poll. */
+    private enum Kind { PLAIN, AT_ONCE, LATE, SILENT, CHANGING }
 
     /** The architecture under test with a board in memory, chosen by the process's argument. */
     public static final class MemoryDiffuser extends Diffuser {
@@ -33,6 +33,7 @@ public final class BusyAgent implements Subject {
             return switch (kind) {
                 case LATE -> MemoryBoard.answeringAfter(Duration.ofMillis(50));
                 case SILENT -> MemoryBoard.silent();
+                case CHANGING -> MemoryBoard.changing();
                 default -> MemoryBoard.answeringAfter(Duration.ZERO);
             };
         }
@@ -48,7 +49,7 @@ public final class BusyAgent implements Subject {
         return """
             an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a second, the best
             of 2 times 8 half seconds after 6 s of warming up (the best, since whatever else the machine does only takes away). With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
-            never, and whose one percept changes at every poll. The reference is the same agent without the architecture.""";
+            never, and that has one percept, which stays, or changes at each poll. The reference is the same agent without the architecture.""";
     }
 
     @Override
@@ -59,7 +60,7 @@ public final class BusyAgent implements Subject {
         }
         double plain = best.get(Kind.PLAIN);
         return List.of(row("at once", best.get(Kind.AT_ONCE), plain), row("after 50 ms", best.get(Kind.LATE), plain),
-            row("never", best.get(Kind.SILENT), plain));
+            row("never", best.get(Kind.SILENT), plain), row("at once, another percept at each poll", best.get(Kind.CHANGING), plain));
     }
 
     private static Row row(String answers, double ours, double plain) {

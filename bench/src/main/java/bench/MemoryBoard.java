@@ -12,26 +12,33 @@ import javino.protocol.Frame;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 
-/** A board in memory that greets, and perceives something else at every poll. */
+/** A board in memory that greets, and perceives one thing. */
 final class MemoryBoard implements LinkOpener {
 
     private static final Bytes GREETING = Bytes.join(Bytes.of(0, 1), Bytes.ofText("ROMA"), Bytes.of(0, 0, 1), Bytes.ofText("memory"));
 
     private final Duration delay;
     private final boolean silent;
+    private final int step;
     private int light;
 
-    private MemoryBoard(Duration delay, boolean silent) {
+    private MemoryBoard(Duration delay, boolean silent, int step) {
         this.delay = delay;
         this.silent = silent;
+        this.step = step;
     }
 
     static MemoryBoard answeringAfter(Duration delay) {
-        return new MemoryBoard(delay, false);
+        return new MemoryBoard(delay, false, 0);
     }
 
     static MemoryBoard silent() {
-        return new MemoryBoard(Duration.ZERO, true);
+        return new MemoryBoard(Duration.ZERO, true, 0);
+    }
+
+    /** Answers at once, each time with another percept. */
+    static MemoryBoard changing() {
+        return new MemoryBoard(Duration.ZERO, false, 1);
     }
 
     @Override
@@ -71,7 +78,7 @@ final class MemoryBoard implements LinkOpener {
     }
 
     private Bytes percepts() {
-        light = (light + 1) % 1024;
+        light = (light + step) % 1024;
         Bytes literal = Bytes.ofText("light(" + light + ")");
         return Bytes.join(Bytes.of(0, 0, 'P'), Bytes.ofNumber(literal.length(), 2), literal);
     }
