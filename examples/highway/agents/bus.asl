@@ -22,7 +22,7 @@
     .print("Asking for help!!");
     .diffuse(broadcast, tell, help).
 
-+helpComing[cast(unicast, Police)] : accident <-             // a broadcast could be forged
++helpComing[cast(unicast, Police)] : accident <-        // a broadcast could be forged
     .print("Help is coming, says ", Police).
 
 { include("device.asl") }

@@ -10,11 +10,11 @@
     .getRFMessages(open);
     .print("Ready").
 
-+someoneNeedHelp[cast(unicast, _)] <-                      // plan 7
++someoneNeedHelp[cast(unicast, _)] <-                   // plan 7
     .print("Asking for an ambulance!!!");
     .diffuse("SUAM", tell, someoneNeedAmbulance).
 
-+ambulanceIsComing[cast(unicast, _)] <-                    // plan 8
++ambulanceIsComing[cast(unicast, _)] <-                 // plan 8
     .print("Sending an Ambulance!");
     .diffuse("SUPP", tell, ambulanceIsComing).
 
