@@ -13,7 +13,7 @@
     .print("I got an accident message from ", Vehicle, ". Requesting support!");
     .diffuse("//SU", tell, someoneNeedHelp).
 
-+helpComing[cast(unicast, _)] : help[source(Vehicle)] <-// plan 4
++helpComing[cast(unicast, _)] : help[source(Vehicle)] <- // plan 4
     .print("The help is coming!");
     .diffuse(Vehicle, tell, helpComing).
 
