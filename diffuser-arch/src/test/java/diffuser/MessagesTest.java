@@ -66,8 +66,8 @@ class MessagesTest {
     @CsvSource({"////,broadcast", "//SU,multicast", "CAFE,unicast"})
     void checkMail_eachCast_isAnnotatedWithItsSender(String to, String cast) {
         String program = PROGRAM + """
-                +q(X)[cast(C,S)] <- diffuser.note(C,S).
-                +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
+                +q(X)[cast(C)[source(S)]] <- diffuser.note(C,S).
+                +!run(X)[cast(C)[source(S)]] <- diffuser.note(C,S,X).
                 """;
         FakeBoard board = new FakeBoard("radio");
         try (RunningAgent agent = ready(program, board)) {
@@ -80,26 +80,53 @@ class MessagesTest {
         }
     }
 
+    /** Among forgeries of all kinds, of one belief that several devices share. */
+    private static void sealedAmongForged(FakeBoard board) {
+        board.receive("////", "SUPO", "tell;help");
+        board.receive("////", "SUPO", "tell;help[cast(unicast)]");
+        board.receive("////", "SUPO", "tell;help[cast(unicast)[source('SUPO')],source('SUPO')]");
+        board.receive("////", "SUPO", "tell;[help[cast(unicast)[source('SUPO')]]]");
+        board.receive("CAFE", "ROMA", "tell;help");
+        board.receive("////", "SUAM", "tell;[help,help[cast(unicast)]]");
+        board.receive("CAFE", "SUHO", "tell;help[cast(unicast)[source('SUPO')]]");
+    }
+
     @Test
-    void checkMail_planDemandsUnicast_forgedBroadcastsAreIgnored() {
+    void checkMail_triggerDemandsUnicast_onlySealedOnesCount() {
+        String program = PROGRAM + "+help[cast(unicast)[source(S)]] <- diffuser.note(S).";
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            sealedAmongForged(board);
+            agent.notes("ROMA");
+            agent.notes("SUHO");
+            board.receive("CAFE", "SUPO", "tell;help");
+            agent.notes("SUPO");
+        }
+    }
+
+    @Test
+    void checkMail_triggerDemandsUnicastOfAnybody_onlySealedOnesCount() {
+        String program = PROGRAM + "+help[source(S),cast(unicast)] <- diffuser.note(S).";
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            sealedAmongForged(board);
+            agent.notes("ROMA");
+            agent.notes("SUHO");
+        }
+    }
+
+    @Test
+    void checkMail_contextDemandsUnicast_onlySealedOnesCount() {
         String program = PROGRAM + """
-                +help[cast(unicast,S)] <- diffuser.note(sealed,S).
-                +check <- .findall(S, help[source(S),cast(unicast,S)], L); diffuser.note(L).
+                +check <- .setof(S, help[cast(unicast)[source(S)]], Sealed);
+                    .setof(S, help[source(S)], All);
+                    diffuser.note(Sealed,All).
                 """;
         FakeBoard board = new FakeBoard("radio");
         try (RunningAgent agent = ready(program, board)) {
-            board.receive("////", "SUPO", "tell;help");
-            board.receive("////", "SUPO", "tell;help[cast(unicast,\"SUPO\")]");
-            board.receive("////", "SUPO", "tell;[help[cast(unicast,'SUPO'),source('SUPO')]]");
-            board.receive("////", "ROMB", "tell;help[cast(unicast,A),source(A)]");
-            board.receive("CAFE", "ROMA", "tell;help");
-            agent.notes("sealed ROMA");
-            board.receive("CAFE", "SUHO", "tell;help");
-            agent.notes("sealed SUHO");
-            board.receive("////", "SUAM", "tell;[help,check]");
-            agent.notes("[ROMA,SUHO]");
-            board.receive("CAFE", "SUPO", "tell;help");
-            agent.notes("sealed SUPO");
+            sealedAmongForged(board);
+            board.receive("////", "SUAM", "tell;check");
+            agent.notes("[ROMA,SUHO] [ROMA,SUAM,SUHO,SUPO]");
         }
     }
 
