@@ -18,7 +18,7 @@ import javino.protocol.Status;
 
 /**
  * Why a board's action or message failed, in terms that a plan can match: {@code error(Error)} and
- * {@code error_msg(Message)}. The errors are listed in the README.
+ * {@code error_msg(Message)}. The errors are listed in docs/errors.md.
  *
  * @param error   an atom's name, such as {@code no_key}.
  * @param message one line: what was wrong and, where it helps, what to do.

@@ -15,7 +15,8 @@ import diffuser.Diffuser;
  * <p>Description: listens to the radio, or not. At first it is blocked. A message that comes is a message as from any
  * agent, whose sender is the address of the device that sent it: <code>tell;help</code> from <code>ROMA</code> is
  * believed as <code>help[source(S)]</code> with <code>S</code> the atom <code>ROMA</code>, which can be answered with
- * <code>.diffuse(S,tell,helpComing)</code>. Where no board is there, this holds as soon as one comes; otherwise the
+ * <code>.diffuse(S,tell,helpComing)</code>. Its annotation <code>cast(unicast)</code>, <code>cast(multicast)</code> or
+ * <code>cast(broadcast)</code> says how it came; a broadcast can be forged by anyone. Where no board is there, this holds as soon as one comes; otherwise the
  * intention is suspended until the board has done it.
  *
  * <p>Parameters:<ul>
