@@ -138,7 +138,7 @@ public final class Board implements AutoCloseable {
         return ask(new Request.ListKeys(), Reply::storedKeys);
     }
 
-    /** The board's counters. */
+    /** The board's counters, since it booted: as a rule when this session opened its port. */
     public CompletableFuture<Map<Counter, Long>> statistics() {
         return ask(new Request.Statistics(), Reply::statistics);
     }
