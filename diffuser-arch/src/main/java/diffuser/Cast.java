@@ -10,12 +10,12 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 
 /**
- * Marks what a message says with how it came: {@code cast(unicast)}, {@code cast(multicast)} or
- * {@code cast(broadcast)}, so that a plan can demand a message that not everybody can forge.
+ * Marks what a message says with how it came: {@code cast(unicast,ROMA)}, {@code cast(multicast,ROMA)} or
+ * {@code cast(broadcast,ROMA)}, so that a plan can demand a message that not everybody can forge.
  *
- * <p>Each mark has its own source, {@code cast(unicast)[source(ROMA)]}, since Jason keeps one belief for all who say
- * the same and adds up its annotations: otherwise a belief that ROMA has unicast and somebody has broadcast in the name
- * of SUPO would seem to be unicast by both, and SUPO's own unicast would be no event.
+ * <p>Each mark names the sender, since Jason keeps one belief for all who say the same and adds up its annotations:
+ * otherwise a belief that ROMA has unicast and somebody has broadcast in the name of SUPO would seem to be unicast by
+ * both, and SUPO's own unicast would be no event.
  */
 final class Cast {
 
@@ -29,8 +29,8 @@ final class Cast {
      * removes only what has all the annotations. Marks that the sender wrote himself are taken off.
      */
     static Term mark(Term content, ReceivedMessage message) {
-        Literal mark = ASSyntax.createLiteral(FUNCTOR, ASSyntax.createAtom(kind(message.to())));
-        mark.addSource(ASSyntax.createAtom(message.from().toString()));
+        Term mark = ASSyntax.createStructure(FUNCTOR, ASSyntax.createAtom(kind(message.to())),
+                ASSyntax.createAtom(message.from().toString()));
         boolean marked = switch (message.content().force()) {
             case TELL, ACHIEVE -> true;
             case UNTELL, UNACHIEVE -> false;

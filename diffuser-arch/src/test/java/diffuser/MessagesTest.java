@@ -66,8 +66,8 @@ class MessagesTest {
     @CsvSource({"////,broadcast", "//SU,multicast", "CAFE,unicast"})
     void checkMail_eachCast_isAnnotatedWithItsSender(String to, String cast) {
         String program = PROGRAM + """
-                +q(X)[cast(C)[source(S)]] <- diffuser.note(C,S).
-                +!run(X)[cast(C)[source(S)]] <- diffuser.note(C,S,X).
+                +q(X)[cast(C,S)] <- diffuser.note(C,S).
+                +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
                 """;
         FakeBoard board = new FakeBoard("radio");
         try (RunningAgent agent = ready(program, board)) {
@@ -83,17 +83,17 @@ class MessagesTest {
     /** Among forgeries of all kinds, of one belief that several devices share. */
     private static void sealedAmongForged(FakeBoard board) {
         board.receive("////", "SUPO", "tell;help");
-        board.receive("////", "SUPO", "tell;help[cast(unicast)]");
-        board.receive("////", "SUPO", "tell;help[cast(unicast)[source('SUPO')],source('SUPO')]");
-        board.receive("////", "SUPO", "tell;[help[cast(unicast)[source('SUPO')]]]");
+        board.receive("////", "SUPO", "tell;help[cast(unicast,\"SUPO\")]");
+        board.receive("////", "SUPO", "tell;help[cast(unicast,'SUPO'),source('SUPO')]");
+        board.receive("////", "SUPO", "tell;[help[cast(unicast,'SUPO')]]");
         board.receive("CAFE", "ROMA", "tell;help");
-        board.receive("////", "SUAM", "tell;[help,help[cast(unicast)]]");
-        board.receive("CAFE", "SUHO", "tell;help[cast(unicast)[source('SUPO')]]");
+        board.receive("////", "SUAM", "tell;[help,help[cast(unicast,'SUPO')]]");
+        board.receive("CAFE", "SUHO", "tell;help[cast(unicast,'SUPO')]");
     }
 
     @Test
     void checkMail_triggerDemandsUnicast_onlySealedOnesCount() {
-        String program = PROGRAM + "+help[cast(unicast)[source(S)]] <- diffuser.note(S).";
+        String program = PROGRAM + "+help[cast(unicast,S)] <- diffuser.note(S).";
         FakeBoard board = new FakeBoard("radio");
         try (RunningAgent agent = ready(program, board)) {
             sealedAmongForged(board);
@@ -106,7 +106,7 @@ class MessagesTest {
 
     @Test
     void checkMail_triggerDemandsUnicastOfAnybody_onlySealedOnesCount() {
-        String program = PROGRAM + "+help[source(S),cast(unicast)] <- diffuser.note(S).";
+        String program = PROGRAM + "+help[source(S),cast(unicast,_)] <- diffuser.note(S).";
         FakeBoard board = new FakeBoard("radio");
         try (RunningAgent agent = ready(program, board)) {
             sealedAmongForged(board);
@@ -118,7 +118,7 @@ class MessagesTest {
     @Test
     void checkMail_contextDemandsUnicast_onlySealedOnesCount() {
         String program = PROGRAM + """
-                +check <- .setof(S, help[cast(unicast)[source(S)]], Sealed);
+                +check <- .setof(S, help[cast(unicast,S)], Sealed);
                     .setof(S, help[source(S)], All);
                     diffuser.note(Sealed,All).
                 """;

@@ -15,9 +15,9 @@ import diffuser.Diffuser;
  * <p>Description: listens to the radio, or not. At first it is blocked. A message that comes is a message as from any
  * agent, whose sender is the address of the device that sent it: <code>tell;help</code> from <code>ROMA</code> is
  * believed as <code>help[source(S)]</code> with <code>S</code> the atom <code>ROMA</code>, which can be answered with
- * <code>.diffuse(S,tell,helpComing)</code>. Its annotation <code>cast(unicast)</code>, <code>cast(multicast)</code> or
- * <code>cast(broadcast)</code> says how it came; a broadcast can be forged by anyone. Where no board is there, this holds as soon as one comes; otherwise the
- * intention is suspended until the board has done it.
+ * <code>.diffuse(S,tell,helpComing)</code>. Its annotation <code>cast(unicast,S)</code>, <code>cast(multicast,S)</code>
+ * or <code>cast(broadcast,S)</code> says how it came; a broadcast can be forged by anyone. Where no board is there,
+ * this holds as soon as one comes; otherwise the intention is suspended until the board has done it.
  *
  * <p>Parameters:<ul>
  * <li>+ S (atom): <code>open</code> or <code>block</code>.
