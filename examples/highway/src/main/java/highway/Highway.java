@@ -42,7 +42,7 @@ public final class Highway implements Callable<Integer> {
             Thread.currentThread().interrupt();
         }
         if (scenario.agentsStarted()) timeline.table(scenario.behaviours());
-        return scenario.behaviours().stream().allMatch(Behaviour::observed) ? 0 : 1;
+        return scenario.allObserved() ? 0 : 1;
     }
 
     private void run(Scenario scenario, Timeline timeline)

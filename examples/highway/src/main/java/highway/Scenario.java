@@ -56,6 +56,10 @@ final class Scenario implements AutoCloseable {
         return behaviours;
     }
 
+    boolean allObserved() {
+        return behaviours.stream().allMatch(Behaviour::observed);
+    }
+
     /** Whether there is anything that a table could tell. */
     boolean agentsStarted() {
         return agentsStarted;
@@ -109,7 +113,7 @@ final class Scenario implements AutoCloseable {
 
     /** Follows the run until all behaviours are observed, or the time is over. */
     void follow() throws InterruptedException, BrokenOffException {
-        until(() -> behaviours.stream().allMatch(Behaviour::observed));
+        until(this::allObserved);
     }
 
     /** Keeps the boards running until the launcher is ended. */
