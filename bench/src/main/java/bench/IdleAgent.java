@@ -1,5 +1,6 @@
 package bench;
 
+import harness.Emulator;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -7,7 +8,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import systemtest.Emulator;
 
 /** What an agent that has nothing to do takes of a core, with and without a board that is polled. */
 final class IdleAgent implements Subject {

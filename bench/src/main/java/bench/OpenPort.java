@@ -1,5 +1,6 @@
 package bench;
 
+import harness.Emulator;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +10,6 @@ import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.link.SerialLink;
 import javino.protocol.BoardInfo;
-import systemtest.Emulator;
 
 /** How long it takes until a board that is alive can be used. */
 final class OpenPort implements Subject {

@@ -1,6 +1,7 @@
 package bench;
 
 import com.google.gson.Gson;
+import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,7 +10,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import systemtest.TraceEvent;
 
 /** A run, as fast as it goes, of boards that send or receive all the time at one bit rate; counts their cycles. */
 final class Probe {

@@ -1,5 +1,8 @@
 package bench;
 
+import harness.Emulator;
+import harness.Host;
+import harness.TraceEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,9 +17,6 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
-import systemtest.Emulator;
-import systemtest.Host;
-import systemtest.TraceEvent;
 
 /** From host to host over two emulated boards: how long a message takes, how long its packet is, how much gets through. */
 final class Radio implements Subject {

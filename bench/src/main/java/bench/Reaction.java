@@ -1,6 +1,8 @@
 package bench;
 
 import diffuser.Diffuser;
+import harness.Emulator;
+import harness.TraceEvent;
 import jason.asSemantics.Message;
 import jason.infra.local.LocalAgArch;
 import java.nio.file.Files;
@@ -8,8 +10,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ThreadLocalRandom;
-import systemtest.Emulator;
-import systemtest.TraceEvent;
 
 /** How soon an agent knows what has changed at its board, and how soon what it says is on the air. */
 final class Reaction implements Subject {

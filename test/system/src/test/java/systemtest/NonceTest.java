@@ -3,6 +3,10 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.HexFormat;

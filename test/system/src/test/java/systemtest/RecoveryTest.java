@@ -2,6 +2,8 @@ package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import harness.Emulator;
+import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;

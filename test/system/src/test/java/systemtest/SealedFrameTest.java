@@ -2,6 +2,10 @@ package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.Transmitter;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.HexFormat;

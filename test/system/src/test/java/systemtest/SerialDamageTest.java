@@ -3,6 +3,8 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.Emulator;
+import harness.Host;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,6 +2,8 @@ package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import harness.Emulator;
+import harness.Host;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;

@@ -2,6 +2,11 @@ package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import harness.Emulator;
+import harness.Host;
+import harness.LineCode;
+import harness.TraceEvent;
+import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;

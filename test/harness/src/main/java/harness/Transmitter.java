@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import java.time.Duration;
 import javino.link.Link;
@@ -6,7 +6,7 @@ import javino.link.LinkException;
 import javino.link.SerialLink;
 
 /** The board with the sketch {@code Transmitter}, which sends any bytes as a packet. */
-final class Transmitter implements AutoCloseable {
+public final class Transmitter implements AutoCloseable {
 
     private static final int SENT = 'k';
 
@@ -16,17 +16,17 @@ final class Transmitter implements AutoCloseable {
         this.link = link;
     }
 
-    static Transmitter of(Emulator emulator, String board) throws LinkException {
+    public static Transmitter of(Emulator emulator, String board) throws LinkException {
         return new Transmitter(SerialLink.opener(emulator.port(board)).open());
     }
 
     /** Sends a payload with the right count and CRC, and waits until it has been on the air. */
-    void send(byte[] payload) throws LinkException {
+    public void send(byte[] payload) throws LinkException {
         sendPacket(LineCode.packet(payload));
     }
 
     /** Sends a packet's bytes as they are, and waits until they have been on the air. */
-    void sendPacket(byte[] packet) throws LinkException {
+    public void sendPacket(byte[] packet) throws LinkException {
         byte[] request = new byte[packet.length + 1];
         request[0] = (byte) packet.length;
         System.arraycopy(packet, 0, request, 1, packet.length);

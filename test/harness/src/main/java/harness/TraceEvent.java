@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;

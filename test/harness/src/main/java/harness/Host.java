@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import java.util.List;
 import java.util.Map;
@@ -91,12 +91,12 @@ public final class Host implements AutoCloseable {
     }
 
     /** The messages that came and were not taken; does not wait. */
-    List<ReceivedMessage> messages() {
+    public List<ReceivedMessage> messages() {
         return List.copyOf(messages);
     }
 
     /** The first percepts from now on that are as wanted. */
-    List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
+    public List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
         while (true) {
             List<String> now = percepts.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
             if (now == null) throw new AssertionError("no such percepts came");
@@ -105,16 +105,16 @@ public final class Host implements AutoCloseable {
     }
 
     /** All sets of percepts that came and were not taken; does not wait. */
-    List<List<String>> perceptsSoFar() {
+    public List<List<String>> perceptsSoFar() {
         return List.copyOf(percepts);
     }
 
-    long counter(Counter counter) {
+    public long counter(Counter counter) {
         return get(board.statistics()).get(counter);
     }
 
     /** What a request ended with; a failed one fails the test. */
-    static <T> T get(CompletableFuture<T> request) {
+    public static <T> T get(CompletableFuture<T> request) {
         try {
             return request.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
         } catch (ExecutionException | TimeoutException failed) {

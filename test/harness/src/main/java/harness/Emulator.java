@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import com.google.gson.Gson;
 import java.io.BufferedReader;
@@ -22,12 +22,15 @@ public final class Emulator implements AutoCloseable {
 
     private final Path folder;
     private final Process process;
+    private final Consumer<TraceEvent> listener;
     private final List<TraceEvent> trace = new ArrayList<>();
     private final List<String> complaints = new ArrayList<>();
+    private boolean keeping = true;
 
-    private Emulator(Path folder, Process process) {
+    private Emulator(Path folder, Process process, Consumer<TraceEvent> listener) {
         this.folder = folder;
         this.process = process;
+        this.listener = listener;
     }
 
     /** What a test says of its scenario; the words are those of emulator/README.md. */
@@ -37,6 +40,8 @@ public final class Emulator implements AutoCloseable {
         private final List<Map<String, Object>> faults = new ArrayList<>();
         private String speed = "1";
         private long seed = 1;
+        private boolean keeping = true;
+        private Consumer<TraceEvent> listener = event -> { };
 
         public Scenario radio(String key, Object value) {
             radio.put(key, value);
@@ -64,6 +69,24 @@ public final class Emulator implements AutoCloseable {
             return this;
         }
 
+        /** A fault in the words of emulator/README.md. */
+        public Scenario fault(Map<String, Object> fault) {
+            faults.add(fault);
+            return this;
+        }
+
+        /** Who is told each line of the trace, in order, on the thread that reads it. */
+        public Scenario listener(Consumer<TraceEvent> told) {
+            listener = told;
+            return this;
+        }
+
+        /** Has the trace told to the listener only, and not kept once the boards have power: for runs of hours. */
+        public Scenario forgetful() {
+            keeping = false;
+            return this;
+        }
+
         public Scenario speed(String times) {
             speed = times;
             return this;
@@ -84,15 +107,17 @@ public final class Emulator implements AutoCloseable {
             Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
                 file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed", "" + seed)
                 .start();
-            Emulator emulator = new Emulator(folder, process);
+            Emulator emulator = new Emulator(folder, process, listener);
             read(process.inputReader(), emulator::traced);
             read(process.errorReader(), emulator::complained);
             emulator.awaitPower(boards);
+            emulator.keep(keeping);
             return emulator;
         }
     }
 
-    static Path firmware(String sketch) {
+    /** Where gradle has put the program of a sketch. */
+    public static Path firmware(String sketch) {
         return ROOT.resolve("javino-firmware/build").resolve(sketch.toLowerCase(java.util.Locale.ROOT))
             .resolve(sketch + ".ino.elf");
     }
@@ -108,9 +133,30 @@ public final class Emulator implements AutoCloseable {
         notifyAll();
     }
 
-    private synchronized void traced(String line) {
-        trace.add(TraceEvent.parse(line));
+    private void traced(String line) {
+        TraceEvent event = TraceEvent.parse(line);
+        listener.accept(event);
+        keep(event);
+    }
+
+    private synchronized void keep(TraceEvent event) {
+        if (keeping) trace.add(event);
         notifyAll();
+    }
+
+    private synchronized void keep(boolean wanted) {
+        keeping = wanted;
+        if (!wanted) trace.clear();
+    }
+
+    /** The emulator's process, to see what it takes. */
+    public ProcessHandle process() {
+        return process.toHandle();
+    }
+
+    /** What it has complained of. */
+    public synchronized List<String> complaints() {
+        return List.copyOf(complaints);
     }
 
     /** The path under which a host opens a board's serial port. */

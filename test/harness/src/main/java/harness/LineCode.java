@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import java.io.ByteArrayOutputStream;
 import java.util.List;
@@ -7,7 +7,7 @@ import java.util.List;
  * VirtualWire's line code as its definition has it, written for the tests alone: it shares nothing with the
  * library, the firmware or the emulator, so that all of them are checked against it.
  */
-final class LineCode {
+public final class LineCode {
 
     private static final int[] SYMBOLS = {
         0b001101, 0b001110, 0b010011, 0b010101, 0b010110, 0b011001, 0b011010, 0b011100,
@@ -17,7 +17,7 @@ final class LineCode {
     private LineCode() { }
 
     /** Count, payload and CRC of a packet, as they go to the air. */
-    static byte[] packet(byte[] payload) {
+    public static byte[] packet(byte[] payload) {
         byte[] packet = new byte[payload.length + 3];
         packet[0] = (byte) packet.length;
         System.arraycopy(payload, 0, packet, 1, payload.length);
@@ -28,7 +28,7 @@ final class LineCode {
     }
 
     /** CRC-16/X-25, bit by bit. */
-    static int crc(byte[] bytes, int length) {
+    public static int crc(byte[] bytes, int length) {
         int crc = 0xffff;
         for (int i = 0; i < length; i++) {
             for (int bit = 0; bit < 8; bit++) {
@@ -41,7 +41,7 @@ final class LineCode {
     }
 
     /** The bits that a transmit pin showed between its first rise and its last fall, {@code bitSeconds} each. */
-    static String bits(List<TraceEvent> pinEvents, double bitSeconds) {
+    public static String bits(List<TraceEvent> pinEvents, double bitSeconds) {
         StringBuilder bits = new StringBuilder();
         for (int i = 0; i + 1 < pinEvents.size(); i++) {
             long count = Math.round((pinEvents.get(i + 1).seconds() - pinEvents.get(i).seconds()) / bitSeconds);
@@ -51,7 +51,7 @@ final class LineCode {
     }
 
     /** The payload that a packet's bits hold; fails where a bit is not as the definition says. */
-    static byte[] payload(String bits) {
+    public static byte[] payload(String bits) {
         // The carrier is off before and after: leading and trailing zeros do not show at the pin.
         String sent = "0" + bits + "0".repeat(12);
         if (!sent.startsWith(PREAMBLE)) throw new AssertionError("no preamble: " + bits);
