@@ -118,7 +118,7 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Stores a key in the board; it keeps it.
+     * Stores a key in the board, in the place of all that it has for the address; it keeps it.
      *
      * @param address the device or group that the key is shared with.
      * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
@@ -128,12 +128,28 @@ public final class Board implements AutoCloseable {
         return ask(new Request.SetKey(address, key), Reply::checkValue);
     }
 
-    /** Has the board forget a key. */
+    /**
+     * Stores a key in the board, which keeps the one so far until {@link #finishRenewal}: it seals with the new one
+     * only, but frames that come sealed with the old one are still accepted and acknowledged.
+     *
+     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
+     * @throws IllegalArgumentException if the address is neither a device's nor a group's.
+     */
+    public CompletableFuture<Bytes> renewKey(Address address, Key key) {
+        return ask(new Request.RenewKey(address, key), Reply::checkValue);
+    }
+
+    /** Has the board forget the previous key of an address; fails with NO_KEY where there is none. */
+    public CompletableFuture<Void> finishRenewal(Address address) {
+        return ask(new Request.FinishRenewal(address), Board::nothing);
+    }
+
+    /** Has the board forget the keys of an address, current and previous. */
     public CompletableFuture<Void> deleteKey(Address address) {
         return ask(new Request.DeleteKey(address), Board::nothing);
     }
 
-    /** The addresses and check values of the board's keys. */
+    /** The addresses, roles and check values of the board's keys. */
     public CompletableFuture<List<Reply.StoredKey>> keys() {
         return ask(new Request.ListKeys(), Reply::storedKeys);
     }

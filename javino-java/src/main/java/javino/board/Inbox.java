@@ -78,7 +78,7 @@ final class Inbox {
         tally.count(SessionCounter.MESSAGES);
         try {
             Content content = Content.decode(message.content());
-            listener.message(new ReceivedMessage(message.origin(), message.destination(), content));
+            listener.message(new ReceivedMessage(message.origin(), message.destination(), message.id(), content));
         } catch (ProtocolException e) {
             skip("a message from " + message.origin(), e);
         }

@@ -17,6 +17,10 @@ public record Address(int value) {
     /** Of {@code ++++}; a number, as {@link #SERIAL} itself may still be under construction where it is needed. */
     private static final int SERIAL_VALUE = 0xFBEFBE;
 
+    /** Of {@code +F}, and of {@code +K}: the first 12 bits of a piece's and of an acknowledgement's address. */
+    static final int PIECE_GROUP = 0xF85;
+    static final int ACKNOWLEDGEMENT_GROUP = 0xF8A;
+
     /** What an address stands for. */
     public enum Kind {
         /** One device: {@code AAAA}…{@code 9///}. */
@@ -27,6 +31,10 @@ public record Address(int value) {
         BROADCAST,
         /** Every device of a group: {@code //AA}…{@code ///+}. */
         MULTICAST,
+        /** A part of a longer frame (SPEC 7.1): {@code +F} and two digits. */
+        PIECE,
+        /** The answer to a frame (SPEC 7.3): {@code +K} and two digits. */
+        ACKNOWLEDGEMENT,
         /** None of the others; nothing can be sent to it. */
         RESERVED
     }
@@ -103,7 +111,11 @@ public record Address(int value) {
         if (first == slash && second == slash) {
             return (value & 0xFFF) == 0xFFF ? Kind.BROADCAST : Kind.MULTICAST;
         }
-        return value == SERIAL_VALUE ? Kind.SERIAL : Kind.RESERVED;
+        return switch (value >> 12) {
+            case PIECE_GROUP -> Kind.PIECE;
+            case ACKNOWLEDGEMENT_GROUP -> Kind.ACKNOWLEDGEMENT;
+            default -> value == SERIAL_VALUE ? Kind.SERIAL : Kind.RESERVED;
+        };
     }
 
     /** The first two digits. */

@@ -4,12 +4,12 @@ package javino.protocol;
  * What one agent says to another: {@code force;term} in UTF-8 (SPEC 3).
  *
  * @param force what the message is meant to do.
- * @param term  an AgentSpeak term, at least one byte; the whole content has at most 497 bytes.
+ * @param term  an AgentSpeak term, at least one byte; the whole content has at most 494 bytes.
  */
 public record Content(Force force, String term) {
 
-    /** The most bytes of a content. */
-    public static final int MAX_LENGTH = 497;
+    /** The most bytes of a content: sealed it fits a frame, and opened one poll reply. */
+    public static final int MAX_LENGTH = 494;
     /** The most bytes that fit one radio packet as a broadcast. */
     public static final int MAX_BROADCAST_LENGTH = RadioPacket.MAX_PAYLOAD_LENGTH - Frame.HEADER_LENGTH;
     /** The most bytes that fit one radio packet as a sealed unicast or multicast. */

@@ -16,7 +16,7 @@ public enum Counter {
     RADIO_RECEIVED("radioReceived"),
     /** Radio packets with a wrong symbol, count or CRC. */
     RADIO_DAMAGED("radioDamaged"),
-    /** Radio packets that came while no buffer was free. */
+    /** Radio packets that came while no buffer was free, or were broken off since the board began to send or to block. */
     RADIO_MISSED("radioMissed"),
     /** Right packets that hold no frame, or one from no device. */
     RADIO_BAD_FRAMES("radioBadFrames"),
@@ -39,7 +39,27 @@ public enum Counter {
     /** Packets sent. */
     RADIO_SENT("radioSent"),
     /** Percepts that did not fit a reply. */
-    PERCEPTS_LEFT_OUT("perceptsLeftOut");
+    PERCEPTS_LEFT_OUT("perceptsLeftOut"),
+    /** Messages that came again and are not delivered twice. */
+    RADIO_REPEATS("radioRepeats"),
+    /** Pieces of an impossible shape, or for which no memory was free. */
+    RADIO_PIECES_DROPPED("radioPiecesDropped"),
+    /** Half-received messages that were forgotten. */
+    RADIO_EXPIRED("radioExpired"),
+    /** Unicasts reported delivered. */
+    RADIO_ACKNOWLEDGED("radioAcknowledged"),
+    /** Unicasts reported undelivered. */
+    RADIO_UNDELIVERED("radioUndelivered"),
+    /** Acknowledgements for what is under way with a wrong proof or shape. */
+    RADIO_BAD_PROOFS("radioBadProofs"),
+    /** Packets sent again. */
+    RADIO_RESENT("radioResent"),
+    /** Packets put off since a carrier was heard. */
+    RADIO_DEFERRED("radioDeferred"),
+    /** Sealed frames refused since they are not above the floor that a reboot left (SPEC 5.1). */
+    RADIO_STALE("radioStale"),
+    /** Packets of which one symbol was mended. */
+    RADIO_MENDED("radioMended");
 
     private static final Counter[] VALUES = values();
 

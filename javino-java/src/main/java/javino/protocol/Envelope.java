@@ -27,7 +27,7 @@ public final class Envelope {
      *
      * @param key     shared with the destination.
      * @param nonce   never used before by this origin.
-     * @param content at most 497 bytes.
+     * @param content at most 494 bytes.
      * @return the frame as it goes on the air.
      */
     public static Frame seal(Key key, Address origin, Address destination, Nonce nonce, Bytes content) {

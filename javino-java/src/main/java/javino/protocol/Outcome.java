@@ -4,8 +4,12 @@ import java.util.Optional;
 
 /** What became of a transmission (SPEC 4.3, record {@code T}). The ordinal is the value on the line. */
 public enum Outcome {
-    /** The packet has been on the air. */
-    SENT;
+    /** A broadcast or multicast has been on the air; who heard it nobody knows. */
+    SENT,
+    /** The receiver's host has taken a unicast, and its board has proved it (SPEC 7.2). */
+    DELIVERED,
+    /** There is no proof that a unicast was delivered; it may have arrived all the same. */
+    UNDELIVERED;
 
     private static final Outcome[] VALUES = values();
 

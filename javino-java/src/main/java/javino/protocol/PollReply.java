@@ -15,7 +15,8 @@ public record PollReply(boolean more, boolean leftOut, List<Item> records) {
     private static final int MORE = 1;
     private static final int LEFT_OUT = 2;
     private static final int RECORD_HEADER_LENGTH = 3;
-    private static final int MESSAGE_HEADER_LENGTH = 1 + 2 * Address.LENGTH;
+    private static final int ID_OFFSET = 1 + 2 * Address.LENGTH;
+    private static final int MESSAGE_HEADER_LENGTH = ID_OFFSET + 3;
 
     /** The records are copied. */
     public PollReply {
@@ -36,9 +37,10 @@ public record PollReply(boolean more, boolean leftOut, List<Item> records) {
      * @param number      0…255 and around; to be named as taken.
      * @param destination the device, its group, or all.
      * @param origin      the device that sent it.
+     * @param id          0…0xFFFFFF; the same if the board, reset meanwhile, gives the message again. 0 for a broadcast.
      * @param content     what it said; by the sender's word a {@link Content}.
      */
-    public record Message(int number, Address destination, Address origin, Bytes content) implements Item {
+    public record Message(int number, Address destination, Address origin, int id, Bytes content) implements Item {
     }
 
     /**
@@ -75,9 +77,9 @@ public record PollReply(boolean more, boolean leftOut, List<Item> records) {
     }
 
     private static Message decodeMessage(Bytes value) throws ProtocolException {
-        Reply.expect(value.length() >= MESSAGE_HEADER_LENGTH, "a message has number, destination, origin", value);
+        Reply.expect(value.length() >= MESSAGE_HEADER_LENGTH, "a message has number, destination, origin, id", value);
         return new Message(value.at(0), Address.decode(value, 1), Address.decode(value, 1 + Address.LENGTH),
-                value.from(MESSAGE_HEADER_LENGTH));
+                (int) value.number(ID_OFFSET, MESSAGE_HEADER_LENGTH), value.from(MESSAGE_HEADER_LENGTH));
     }
 
     private static Transmission decodeTransmission(Bytes value) throws ProtocolException {

@@ -4,7 +4,7 @@ package javino.protocol;
 public enum ProtocolError {
     /** A packet is no COBS encoding (SPEC 4.1). */
     BAD_COBS,
-    /** A packet decodes to more than 524 bytes (SPEC 4.1), or a content is longer than 497 (SPEC 3). */
+    /** A packet decodes to more than 524 bytes (SPEC 4.1), or a content is longer than 494 (SPEC 3). */
     TOO_LONG,
     /** A packet decodes to fewer than 13 bytes (SPEC 4.1), or a frame has fewer than 10 (SPEC 2). */
     TOO_SHORT,

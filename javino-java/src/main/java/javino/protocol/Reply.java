@@ -15,15 +15,25 @@ import java.util.Map;
 public record Reply(Status status, Bytes body) {
 
     private static final int CHECK_LENGTH = 3;
+    private static final int KEY_LENGTH = Address.LENGTH + 1 + CHECK_LENGTH;
     private static final int COUNTER_LENGTH = 5;
 
     /**
      * A key that a board has.
      *
      * @param address whom it is shared with.
+     * @param role    whether it is in use, or on its way out.
      * @param check   its check value (SPEC 5.2), 3 bytes.
      */
-    public record StoredKey(Address address, Bytes check) {
+    public record StoredKey(Address address, Role role, Bytes check) {
+    }
+
+    /** What a board does with a key (SPEC 4.3, renew key). The ordinal is the value on the line. */
+    public enum Role {
+        /** It seals. */
+        CURRENT,
+        /** Its renewal is not finished: frames sealed with it are still accepted. */
+        PREVIOUS
     }
 
     /** @throws ProtocolException BAD_REPLY if the frame is not from board to host, or has no known status. */
@@ -46,7 +56,7 @@ public record Reply(Status status, Bytes body) {
         return PollReply.decode(body);
     }
 
-    /** The answer to set key: the key's check value, 3 bytes. */
+    /** The answer to set key and renew key: the key's check value, 3 bytes. */
     public Bytes checkValue() throws ProtocolException {
         expect(body.length() == CHECK_LENGTH, "a check value has 3 bytes", body);
         return body;
@@ -54,13 +64,18 @@ public record Reply(Status status, Bytes body) {
 
     /** The answer to list keys. */
     public List<StoredKey> storedKeys() throws ProtocolException {
-        int entry = Address.LENGTH + CHECK_LENGTH;
-        expect(body.length() % entry == 0, "listed keys have 7 bytes each", body);
+        expect(body.length() % KEY_LENGTH == 0, "listed keys have 8 bytes each", body);
         List<StoredKey> keys = new ArrayList<>();
-        for (int at = 0; at < body.length(); at += entry) {
-            keys.add(new StoredKey(Address.decode(body, at), body.slice(at + Address.LENGTH, at + entry)));
+        for (int at = 0; at < body.length(); at += KEY_LENGTH) {
+            keys.add(storedKey(body.slice(at, at + KEY_LENGTH)));
         }
         return List.copyOf(keys);
+    }
+
+    private static StoredKey storedKey(Bytes entry) throws ProtocolException {
+        int role = entry.at(Address.LENGTH);
+        expect(role < Role.values().length, "a key's role is 0 or 1", entry);
+        return new StoredKey(Address.decode(entry, 0), Role.values()[role], entry.from(Address.LENGTH + 1));
     }
 
     /** The answer to statistics, without counters that only later firmware has. */

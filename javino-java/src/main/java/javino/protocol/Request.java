@@ -116,8 +116,13 @@ public sealed interface Request {
         }
     }
 
+    private static void checkHolder(Address address) {
+        check(address.kind() == Address.Kind.DEVICE || address.kind() == Address.Kind.MULTICAST,
+                "a key is for a device such as ROMA or a group such as //SU", address);
+    }
+
     /**
-     * Stores a key.
+     * Stores a key in the place of all that there is for the address.
      *
      * @param address the device or group that the key is shared with.
      * @param key     the shared key.
@@ -126,8 +131,7 @@ public sealed interface Request {
 
         /** @throws IllegalArgumentException if the address is neither a device's nor a group's. */
         public SetKey {
-            check(address.kind() == Address.Kind.DEVICE || address.kind() == Address.Kind.MULTICAST,
-                    "a key is for a device such as ROMA or a group such as //SU", address);
+            checkHolder(address);
         }
 
         @Override
@@ -141,7 +145,44 @@ public sealed interface Request {
         }
     }
 
-    /** @param address the device or group whose key is to be forgotten. */
+    /**
+     * Stores a key and keeps the one so far as the previous one, with which frames are still accepted but not sealed.
+     *
+     * @param address the device or group that the key is shared with.
+     * @param key     the new shared key.
+     */
+    record RenewKey(Address address, Key key) implements Request {
+
+        /** @throws IllegalArgumentException if the address is neither a device's nor a group's. */
+        public RenewKey {
+            checkHolder(address);
+        }
+
+        @Override
+        public Frame frame() {
+            return command('N', Bytes.join(address.toBytes(), key.bytes()));
+        }
+
+        @Override
+        public String toString() {
+            return "renew key for " + address;
+        }
+    }
+
+    /** @param address the device or group whose previous key is to be forgotten. */
+    record FinishRenewal(Address address) implements Request {
+        @Override
+        public Frame frame() {
+            return command('F', address.toBytes());
+        }
+
+        @Override
+        public String toString() {
+            return "finish renewal of the key for " + address;
+        }
+    }
+
+    /** @param address the device or group whose keys, current and previous, are to be forgotten. */
     record DeleteKey(Address address) implements Request {
         @Override
         public Frame frame() {

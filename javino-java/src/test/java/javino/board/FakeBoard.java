@@ -112,7 +112,7 @@ public final class FakeBoard {
             case 'K' -> record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3)
                     : Key.of(message.from(1 + Address.LENGTH)).check()));
             case 'S' -> record("statistics", Bytes.of(0, 1, 0, 0, 0, 9));
-            case 'L' -> record("list", Bytes.join(Bytes.of(0), Bytes.ofText("SUPO"), Bytes.of(1, 2, 3)));
+            case 'L' -> record("list", Bytes.join(Bytes.of(0), Bytes.ofText("SUPO"), Bytes.of(0, 1, 2, 3)));
             case 'D' -> forget(message);
             default -> status(Status.UNKNOWN_COMMAND);
         };
@@ -208,7 +208,7 @@ public final class FakeBoard {
 
     /** Queues a message from ROMA to all. */
     synchronized void receive(String content) {
-        queued.add(Bytes.join(Bytes.ofText("////ROMA"), Bytes.ofText(content)));
+        queued.add(Bytes.join(Bytes.ofText("////ROMA"), Bytes.of(0, 0, 0), Bytes.ofText(content)));
     }
 
     /** Boots anew: it must be greeted, and forgets what it had queued. */

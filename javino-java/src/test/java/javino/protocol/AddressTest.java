@@ -59,7 +59,9 @@ class AddressTest {
         assertEquals(1, counts.get(Address.Kind.SERIAL));
         assertEquals(1, counts.get(Address.Kind.BROADCAST));
         assertEquals(4095, counts.get(Address.Kind.MULTICAST));
-        assertEquals(0x80000 - 4097, counts.get(Address.Kind.RESERVED));
+        assertEquals(4096, counts.get(Address.Kind.PIECE));
+        assertEquals(4096, counts.get(Address.Kind.ACKNOWLEDGEMENT));
+        assertEquals(0x80000 - 1 - 1 - 4095 - 2 * 4096, counts.get(Address.Kind.RESERVED));
     }
 
     @ParameterizedTest

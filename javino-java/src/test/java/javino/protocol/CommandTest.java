@@ -40,6 +40,9 @@ class CommandTest {
             case "radio" -> new Request.Radio(vector.get("open").getAsBoolean());
             case "setKey" -> new Request.SetKey(VectorFile.address(vector, "address"),
                     Key.ofHex(VectorFile.text(vector, "key")));
+            case "renewKey" -> new Request.RenewKey(VectorFile.address(vector, "address"),
+                    Key.ofHex(VectorFile.text(vector, "key")));
+            case "finishRenewal" -> new Request.FinishRenewal(VectorFile.address(vector, "address"));
             case "deleteKey" -> new Request.DeleteKey(VectorFile.address(vector, "address"));
             case "listKeys" -> new Request.ListKeys();
             case "statistics" -> new Request.Statistics();
@@ -76,12 +79,13 @@ class CommandTest {
                 }
                 fields.add("records", records);
             }
-            case "setKey" -> fields.addProperty("check", reply.checkValue().hex());
+            case "setKey", "renewKey" -> fields.addProperty("check", reply.checkValue().hex());
             case "listKeys" -> {
                 JsonArray keys = new JsonArray();
                 for (Reply.StoredKey key : reply.storedKeys()) {
                     JsonObject entry = new JsonObject();
                     entry.addProperty("address", key.address().toString());
+                    entry.addProperty("role", key.role().ordinal());
                     entry.addProperty("check", key.check().hex());
                     keys.add(entry);
                 }
@@ -112,6 +116,7 @@ class CommandTest {
             described.addProperty("number", message.number());
             described.addProperty("destination", message.destination().toString());
             described.addProperty("origin", message.origin().toString());
+            described.addProperty("id", message.id());
             described.addProperty("content", Content.decode(message.content()).toString());
         }
         return described;
@@ -157,14 +162,16 @@ class CommandTest {
         assertThrows(IllegalArgumentException.class, () -> new Request.Poll(false, 256));
         assertThrows(IllegalArgumentException.class, () -> new Request.SetRfId(Address.BROADCAST));
         assertThrows(IllegalArgumentException.class, () -> new Request.SetKey(Address.BROADCAST, key));
+        assertThrows(IllegalArgumentException.class, () -> new Request.RenewKey(Address.SERIAL, key));
         assertThrows(IllegalArgumentException.class,
                 () -> new Request.Transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
     }
 
     @Test
-    void toString_setKey_hidesTheKey() {
-        Request request = new Request.SetKey(Address.parse("ROMA"), Key.ofHex("ab".repeat(16)));
-        assertFalse(request.toString().contains("abab"));
-        assertFalse(Key.ofHex("ab".repeat(16)).toString().contains("abab"));
+    void toString_keyInside_hidesIt() {
+        Key key = Key.ofHex("ab".repeat(16));
+        assertFalse(new Request.SetKey(Address.parse("ROMA"), key).toString().contains("abab"));
+        assertFalse(new Request.RenewKey(Address.parse("ROMA"), key).toString().contains("abab"));
+        assertFalse(key.toString().contains("abab"));
     }
 }

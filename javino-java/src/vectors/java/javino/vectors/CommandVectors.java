@@ -12,6 +12,14 @@ import java.util.Map;
 /** SPEC 4.3 and 4.4: each command, each record of a poll, each status. */
 final class CommandVectors {
 
+    /** SPEC 4.5, from number 1 on. */
+    private static final List<String> COUNTERS = List.of("serialRequests", "serialDamaged", "serialBadFrames",
+            "serialRepeats", "radioReceived", "radioDamaged", "radioMissed", "radioBadFrames", "radioReserved",
+            "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed", "radioReplayFull",
+            "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
+            "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
+            "radioMended");
+
     private CommandVectors() {
     }
 
@@ -38,12 +46,18 @@ final class CommandVectors {
                         "message", Wire.hex(join(text("KSUPO"), key))),
                 vector("name", "setKey", "address", "//SU", "key", Wire.hex(key),
                         "message", Wire.hex(join(text("K//SU"), key))),
+                vector("name", "renewKey", "address", "SUPO", "key", Wire.hex(key),
+                        "message", Wire.hex(join(text("NSUPO"), key))),
+                vector("name", "renewKey", "address", "//SU", "key", Wire.hex(key),
+                        "message", Wire.hex(join(text("N//SU"), key))),
+                vector("name", "finishRenewal", "address", "SUPO", "message", Wire.hex(text("FSUPO"))),
                 vector("name", "deleteKey", "address", "//SU", "message", Wire.hex(text("D//SU"))),
                 vector("name", "listKeys", "message", "4c"),
                 vector("name", "statistics", "message", "53"),
                 transmit("////", "ROMA", "tell;help"),
                 transmit("//SU", "SUPO", "tell;someoneNeedHelp"),
-                transmit("SUHO", "SUPP", "achieve;goTo(12,\"km\")"));
+                transmit("SUHO", "SUPP", "achieve;goTo(12,\"km\")"),
+                transmit("////", "ROMA", "tell;" + "x".repeat(489)));
     }
 
     private static Map<String, Object> poll(boolean percepts, Integer taken) {
@@ -77,6 +91,12 @@ final class CommandVectors {
                 badRequest(text("KROMA0123456789abcdefg"), "BAD_ARGUMENT"),
                 badRequest(text("K////0123456789abcdef"), "BAD_ARGUMENT"),
                 badRequest(text("K+FAA0123456789abcdef"), "BAD_ARGUMENT"),
+                badRequest(text("NROMA0123456789abcde"), "BAD_ARGUMENT"),
+                badRequest(text("NROMA0123456789abcdefg"), "BAD_ARGUMENT"),
+                badRequest(text("N////0123456789abcdef"), "BAD_ARGUMENT"),
+                badRequest(text("N+KAA0123456789abcdef"), "BAD_ARGUMENT"),
+                badRequest(text("FROM"), "BAD_ARGUMENT"),
+                badRequest(text("FROMAA"), "BAD_ARGUMENT"),
                 badRequest(text("DROM"), "BAD_ARGUMENT"));
     }
 
@@ -91,26 +111,35 @@ final class CommandVectors {
                 ok("hello", join(bytes(2), text("ROMA"), bytes(0xFF, 0xFF, 0xFE)),
                         vector("version", 2, "rfId", "ROMA", "bootCount", 0xFFFFFE, "firmware", "")),
                 ok("poll", bytes(0), vector("more", false, "leftOut", false, "records", List.of())),
-                ok("poll", join(bytes(3), bytes('T', 0, 2, 9, 0), record('P', text("proximity(17)")),
+                ok("poll", join(bytes(3), bytes('T', 0, 2, 9, 0), bytes('T', 0, 2, 10, 1),
+                                bytes('T', 0, 2, 255, 2), record('P', text("proximity(17)")),
                                 record('P', text("dark")),
-                                record('M', join(bytes(255), text("////ROMAtell;help"))),
-                                record('M', join(bytes(0), text("SUPOROMAtell;x(\"\u00e9\")")))),
+                                record('M', join(bytes(255), text("////ROMA"), bytes(0, 0, 0), text("tell;help"))),
+                                record('M', join(bytes(0), text("SUPOROMA"), bytes(0xFF, 0, 1), text("tell;x(\"\u00e9\")")))),
                         vector("more", true, "leftOut", true, "records", List.of(
-                                vector("type", "transmission", "number", 9, "outcome", 0),
+                                transmission(9, 0), transmission(10, 1), transmission(255, 2),
                                 percept("proximity(17)"), percept("dark"),
-                                message(255, "////", "ROMA", "tell;help"),
-                                message(0, "SUPO", "ROMA", "tell;x(\"\u00e9\")")))),
+                                message(255, "////", "ROMA", 0, "tell;help"),
+                                message(0, "SUPO", "ROMA", 0xFF0001, "tell;x(\"\u00e9\")")))),
                 ok("poll", join(bytes(1), record('P', text("x".repeat(300))), record('P', new byte[0])),
                         vector("more", true, "leftOut", false, "records",
                                 List.of(percept("x".repeat(300)), percept("")))),
+                ok("poll", join(bytes(1), record('M', join(bytes(7), text("9///AAAA"), bytes(0xFF, 0xFF, 0xFF),
+                                text("tell;" + "x".repeat(489))))),
+                        vector("more", true, "leftOut", false, "records",
+                                List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
                 ok("act", new byte[0], vector()),
                 ok("setKey", bytes(0xAB, 0, 0x12), vector("check", "ab0012")),
+                ok("renewKey", bytes(0xFF, 0, 1), vector("check", "ff0001")),
+                ok("finishRenewal", new byte[0], vector()),
                 ok("listKeys", new byte[0], vector("keys", List.of())),
-                ok("listKeys", join(text("SUPO"), bytes(1, 2, 3), text("//SU"), bytes(0, 0, 0)),
-                        vector("keys", List.of(vector("address", "SUPO", "check", "010203"),
-                                vector("address", "//SU", "check", "000000")))),
+                ok("listKeys", join(text("SUPO"), bytes(0, 1, 2, 3), text("SUPO"), bytes(1, 9, 8, 7),
+                                text("//SU"), bytes(0, 0, 0, 0)),
+                        vector("keys", List.of(key("SUPO", 0, "010203"), key("SUPO", 1, "090807"),
+                                key("//SU", 0, "000000")))),
                 ok("statistics", bytes(1, 0, 0, 1, 2, 18, 0xFF, 0xFF, 0xFF, 0xFF, 200, 0, 0, 0, 1),
                         vector("counters", vector("serialRequests", 258, "perceptsLeftOut", 4294967295L))),
+                ok("statistics", allCounters(), vector("counters", countersByName())),
                 ok("transmit", bytes(255), vector("number", 255)),
                 refused(1, "NOT_GREETED"), refused(2, "UNKNOWN_COMMAND"), refused(3, "BAD_ARGUMENT"),
                 refused(4, "UNKNOWN_ACTION"), refused(5, "ACTION_FAILED"), refused(6, "NO_RF_ID"),
@@ -127,9 +156,35 @@ final class CommandVectors {
         return vector("type", "percept", "literal", literal);
     }
 
-    private static Map<String, Object> message(int number, String destination, String origin, String content) {
+    private static Map<String, Object> message(int number, String destination, String origin, int id,
+                                               String content) {
         return vector("type", "message", "number", number, "destination", destination, "origin", origin,
-                "content", content);
+                "id", id, "content", content);
+    }
+
+    private static Map<String, Object> transmission(int number, int outcome) {
+        return vector("type", "transmission", "number", number, "outcome", outcome);
+    }
+
+    private static Map<String, Object> key(String address, int role, String check) {
+        return vector("address", address, "role", role, "check", check);
+    }
+
+    /** Each counter with ten times its number. */
+    private static byte[] allCounters() {
+        byte[] all = new byte[0];
+        for (int number = 1; number <= COUNTERS.size(); number++) {
+            all = join(all, bytes(number, 0, 0, 10 * number >> 8, 10 * number));
+        }
+        return all;
+    }
+
+    private static Map<String, Object> countersByName() {
+        Map<String, Object> byName = vector();
+        for (String name : COUNTERS) {
+            byName.put(name, 10 * (byName.size() + 1));
+        }
+        return byName;
     }
 
     private static Map<String, Object> ok(String name, byte[] body, Map<String, Object> fields) {
@@ -153,11 +208,17 @@ final class CommandVectors {
                 badReply("poll", bytes(0, 0, 'P', 0, 2, 'x'), "record longer than the reply"),
                 badReply("poll", bytes(0, 0, 'Q', 0, 0), "unknown type of record"),
                 badReply("poll", bytes(0, 0, 'T', 0, 1, 1), "transmission without outcome"),
-                badReply("poll", bytes(0, 0, 'T', 0, 2, 1, 9), "unknown outcome"),
+                badReply("poll", bytes(0, 0, 'T', 0, 2, 1, 3), "unknown outcome"),
                 badReply("poll", join(bytes(0, 0, 'M', 0, 8, 1), text("////ROM")), "half a message"),
-                badReply("poll", join(bytes(0, 0, 'M', 0, 9, 1), text("////RO=A")), "message without an origin"),
+                badReply("poll", join(bytes(0, 0, 'M', 0, 11, 1), text("////ROMA"), bytes(0, 0)), "half an id"),
+                badReply("poll", join(bytes(0, 0, 'M', 0, 12, 1), text("////RO=A"), bytes(0, 0, 0)),
+                        "message without an origin"),
                 badReply("setKey", bytes(0, 1, 2), "short check value"),
-                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(1, 2)), "half a key"),
+                badReply("renewKey", bytes(0, 1, 2, 3, 4), "long check value"),
+                badReply("finishRenewal", bytes(0, 0), "something where nothing is due"),
+                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(0, 1, 2)), "half a key"),
+                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(2, 1, 2, 3)), "unknown role"),
+                badReply("listKeys", join(bytes(0), text("SU=O"), bytes(0, 1, 2, 3)), "key without an address"),
                 badReply("statistics", bytes(0, 1, 0, 0, 0), "half a counter"),
                 badReply("transmit", bytes(0), "no number"));
     }
