@@ -1,0 +1,78 @@
+package campaign;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** Runs campaigns, prints their tables and writes docs/reliability.md. Exit status 1 if what must always hold did not. */
+@Command(name = "campaign", mixinStandardHelpOptions = true, description = "Shows what the link holds, in figures.")
+public final class Campaigns implements Callable<Integer> {
+
+    private static final long DEFAULT_SEED = 1;
+    private static final long DEFAULT_MINUTES = 20;
+    private static final List<Campaign> ALL = List.of();
+
+    @Option(names = "--only", split = ",", paramLabel = "NAME", description = "run these alone")
+    private List<String> only = List.of();
+
+    @Option(names = "--seed", paramLabel = "N", description = "start of all random numbers (default 1)")
+    private long seed = DEFAULT_SEED;
+
+    @Option(names = "--minutes", paramLabel = "N", description = "wall time of soak (default 20)")
+    private long minutes = DEFAULT_MINUTES;
+
+    private Campaigns() { }
+
+    public static void main(String[] arguments) {
+        CommandLine command = new CommandLine(new Campaigns());
+        command.setParameterExceptionHandler((wrong, given) -> {
+            wrong.getCommandLine().getErr().println("campaign: " + wrong.getMessage() + " (try --help)");
+            return CommandLine.ExitCode.USAGE;
+        });
+        // Sessions run on threads that nothing else ends.
+        System.exit(command.execute(arguments));
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        List<String> known = ALL.stream().map(Campaign::name).toList();
+        for (String name : only) {
+            if (!known.contains(name)) return misused("there is no campaign '" + name + "', but " + String.join(", ", known));
+        }
+        if (minutes < 1) return misused("--minutes must be at least 1, not " + minutes);
+        return run(known);
+    }
+
+    private static int misused(String what) {
+        System.err.println("campaign: " + what);
+        return CommandLine.ExitCode.USAGE;
+    }
+
+    private int run(List<String> known) throws Exception {
+        Path root = Path.of(System.getProperty("javino.root"));
+        Settings settings = new Settings(seed, false, Duration.ofMinutes(minutes), root);
+        List<String> violations = new ArrayList<>();
+        for (Campaign campaign : ALL) {
+            if (!only.isEmpty() && !only.contains(campaign.name())) continue;
+            Report report = new Report(campaign.name(), System.err);
+            campaign.run(settings, report);
+            System.out.println("\n" + campaign.name() + "\n" + report.screen() + "\n");
+            Document document = new Document(root.resolve("docs/reliability.md"), known);
+            document.put(campaign.name(), command(campaign), report);
+            document.write();
+            violations.addAll(report.violations());
+        }
+        if (!violations.isEmpty()) System.err.println("campaign: violated: " + String.join("; ", violations));
+        return violations.isEmpty() ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
+    }
+
+    private String command(Campaign campaign) {
+        String soak = minutes == DEFAULT_MINUTES ? "" : " -Pminutes=" + minutes;
+        return "gradle campaign -Ponly=" + campaign.name() + " -Pseed=" + seed + soak;
+    }
+}

@@ -1,0 +1,73 @@
+package campaign;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What one campaign tells: its progress while it runs, then text, tables, aims and violations. */
+public final class Report {
+
+    private final String name;
+    private final PrintStream progress;
+    private final List<String> markdown = new ArrayList<>();
+    private final List<String> screen = new ArrayList<>();
+    private final List<String> aims = new ArrayList<>();
+    private final List<String> violations = new ArrayList<>();
+
+    /** @param progress where the lines of {@link #progress} go. */
+    public Report(String name, PrintStream progress) {
+        this.name = name;
+        this.progress = progress;
+    }
+
+    /** Shows at once, on one line, how far it is. */
+    public void progress(String format, Object... values) {
+        progress.println("campaign: " + name + ": " + Table.text(format, values));
+    }
+
+    /** Sentences: how it was done, what was seen, what the figures do not say. Markdown, for the document only. */
+    public void text(String sentences) {
+        markdown.add(sentences.strip());
+    }
+
+    /** A table, for document and screen. */
+    public void table(Table table) {
+        markdown.add(table.markdown());
+        screen.add(table.text());
+    }
+
+    /** Something that was to be reached, as often as not for one machine only, and whether it was. */
+    public void aim(String what, boolean reached) {
+        aims.add("- " + what + ": " + (reached ? "reached" : "**not reached**"));
+        screen.add(what + ": " + (reached ? "reached" : "NOT REACHED"));
+    }
+
+    /**
+     * Something that must hold always.
+     *
+     * @param what  what was counted, e.g. {@code "delivered twice"}.
+     * @param count how often it was seen; any fails the run.
+     */
+    public void never(String what, long count) {
+        aims.add("- never: " + what + ": " + count + (count == 0 ? "" : " (**violated**)"));
+        screen.add("never: " + what + ": " + count);
+        if (count != 0) violations.add(name + ": " + what + ": " + count);
+    }
+
+    /** What was violated; empty if all held. */
+    public List<String> violations() {
+        return List.copyOf(violations);
+    }
+
+    /** The whole, for a screen. */
+    public String screen() {
+        return String.join("\n", screen);
+    }
+
+    /** The section of the document, without its head. */
+    public String markdown() {
+        List<String> parts = new ArrayList<>(markdown);
+        if (!aims.isEmpty()) parts.add(String.join("\n", aims));
+        return String.join("\n\n", parts);
+    }
+}

@@ -1,0 +1,20 @@
+package campaign;
+
+import java.nio.file.Path;
+import java.time.Duration;
+
+/**
+ * How campaigns are run.
+ *
+ * @param seed  where all random numbers start.
+ * @param small whether to try little, for {@code gradle test}: the same paths in seconds.
+ * @param soak  wall time that the soak takes; positive.
+ * @param root  the top of the repository.
+ */
+public record Settings(long seed, boolean small, Duration soak, Path root) {
+
+    /** The one for campaigns or, if small, the other for {@code gradle test}. */
+    public <T> T choose(T campaign, T test) {
+        return small ? test : campaign;
+    }
+}
