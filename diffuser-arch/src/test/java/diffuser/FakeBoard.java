@@ -48,6 +48,12 @@ final class FakeBoard implements LinkOpener {
     private volatile CountDownLatch mayClose = new CountDownLatch(0);
 
     private record Message(int number, String destination, String origin, String content) {
+
+        Bytes value() {
+            int id = destination.equals("////") ? 0 : number + 1;
+            return Bytes.join(Bytes.of(number), Bytes.ofText(destination + origin), Bytes.ofNumber(id, 3),
+                    Bytes.ofText(content));
+        }
     }
 
     FakeBoard(String port) {
@@ -245,8 +251,7 @@ final class FakeBoard implements LinkOpener {
         if ((body.at(0) & 1) != 0) {
             percepts.forEach(literal -> parts.add(record('P', Bytes.ofText(literal))));
         }
-        messages.stream().limit(1).forEach(message -> parts.add(record('M', Bytes.join(Bytes.of(message.number()),
-                Bytes.ofText(message.destination() + message.origin() + message.content())))));
+        messages.stream().limit(1).forEach(message -> parts.add(record('M', message.value())));
         return Bytes.join(parts.toArray(Bytes[]::new));
     }
 

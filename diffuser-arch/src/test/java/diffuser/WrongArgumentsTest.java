@@ -74,7 +74,7 @@ class WrongArgumentsTest {
         try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"))) {
             agent.notes("too_long : an action has 1…510 bytes of UTF-8, not 520");
             agent.achieve("say");
-            agent.notes("too_long : a content has at most 497 bytes of UTF-8, not 525");
+            agent.notes("too_long : a content has at most 494 bytes of UTF-8, not 525");
         }
     }
 
