@@ -6,6 +6,9 @@ import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.protocol.Address;
+import javino.protocol.Reply.Role;
+import javino.protocol.Reply.StoredKey;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,17 +22,38 @@ final class ForgetCommand implements Callable<Integer> {
     @Mixin
     private PortOption port;
 
-    @Option(names = "--key", required = true, paramLabel = "ADDRESS", converter = AddressOption.KeyHolder.class,
-            description = "The device or group (//SU) that a key is shared with.")
-    private List<Address> addresses;
+    @ArgGroup(multiplicity = "1")
+    private Which which;
 
     @Spec
     private CommandSpec spec;
 
+    /** Which keys; one of them is set. */
+    private static final class Which {
+
+        @Option(names = "--key", required = true, paramLabel = "ADDRESS", converter = AddressOption.KeyHolder.class,
+                description = "The device or group (//SU) that a key is shared with.")
+        private List<Address> addresses;
+
+        @Option(names = "--previous", required = true,
+                description = "All that provision --renew has replaced; once all boards have the new keys.")
+        private boolean previous;
+
+        @Option(names = "--all", required = true, description = "All keys that the board has.")
+        private boolean all;
+    }
+
     @Override
     public Integer call() throws JavinoException, InterruptedException {
+        PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
-            forget(board, addresses, spec.commandLine().getOut());
+            if (which.previous) {
+                forgetPrevious(board, out);
+            } else if (which.all) {
+                forgetAll(board, out);
+            } else {
+                forget(board, which.addresses, out);
+            }
         }
         return 0;
     }
@@ -40,6 +64,27 @@ final class ForgetCommand implements Callable<Integer> {
         for (Address address : addresses) {
             Await.result(board.deleteKey(address));
             out.println("key for " + address + " forgotten");
+        }
+    }
+
+    static void forgetAll(Board board, PrintWriter out) throws JavinoException, InterruptedException {
+        List<Address> addresses = Await.result(board.keys()).stream().map(StoredKey::address).distinct().toList();
+        forget(board, addresses, out);
+        if (addresses.isEmpty()) {
+            out.println("the board has no key");
+        }
+    }
+
+    /** Ends all renewals. */
+    static void forgetPrevious(Board board, PrintWriter out) throws JavinoException, InterruptedException {
+        List<StoredKey> previous = Await.result(board.keys()).stream()
+                .filter(key -> key.role() == Role.PREVIOUS).toList();
+        for (StoredKey key : previous) {
+            Await.result(board.finishRenewal(key.address()));
+            out.println("previous key for " + key.address() + ", check value " + key.check() + ", forgotten");
+        }
+        if (previous.isEmpty()) {
+            out.println("the board has no previous key");
         }
     }
 }

@@ -10,6 +10,7 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
 import javino.protocol.Reply;
+import javino.protocol.Reply.Role;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -45,7 +46,8 @@ final class InfoCommand implements Callable<Integer> {
         out.println("protocol version  " + info.protocolVersion());
         out.println("RF id             " + info.rfId().map(Address::toString).orElse("none"));
         out.println("boot count        " + info.bootCount());
-        keys.forEach(key -> out.println("key               " + key.address() + ", check value " + key.check()));
+        keys.forEach(key -> out.println((key.role() == Role.CURRENT ? "key               " : "previous key      ")
+                + key.address() + ", check value " + key.check()));
         counters.forEach((counter, value) -> out.printf("%-18s%d%n", counter, value));
     }
 }

@@ -14,7 +14,8 @@ import picocli.CommandLine.Spec;
 
 /** The {@code javino} command. */
 @Command(name = "javino", description = "Sets up and inspects Javino boards.",
-        subcommands = {ForgetCommand.class, InfoCommand.class, KeygenCommand.class, ProvisionCommand.class})
+        subcommands = {ForgetCommand.class, InfoCommand.class, KeygenCommand.class, PortsCommand.class,
+            ProvisionCommand.class})
 public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")

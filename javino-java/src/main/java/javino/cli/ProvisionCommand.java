@@ -35,6 +35,11 @@ final class ProvisionCommand implements Callable<Integer> {
             description = "A device or group (//SU) and a file that holds the key as 32 hexadecimal digits.")
     private Map<Address, Path> keyFiles = Map.of();
 
+    @Option(names = "--renew", description = {
+        "Keep the keys so far for receiving, so that boards that are not provisioned yet are still heard; "
+                + "end it on each board by forget --previous."})
+    private boolean renew;
+
     @Spec
     private CommandSpec spec;
 
@@ -42,7 +47,7 @@ final class ProvisionCommand implements Callable<Integer> {
     public Integer call() throws IOException, JavinoException, InterruptedException {
         Map<Address, Key> keys = readKeys();
         try (Board board = port.open()) {
-            new Provisioning(board, spec.commandLine().getOut()).run(id, keys);
+            new Provisioning(board, renew, spec.commandLine().getOut()).run(id, keys);
         }
         return 0;
     }

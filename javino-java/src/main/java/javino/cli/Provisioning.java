@@ -12,11 +12,16 @@ import javino.protocol.Key;
 final class Provisioning {
 
     private final Board board;
+    private final boolean renews;
     private final PrintWriter out;
 
-    /** @param out told a line for each thing that was written; never a key. */
-    Provisioning(Board board, PrintWriter out) {
+    /**
+     * @param renews whether the board is to keep the keys so far, for receiving, beside the new ones.
+     * @param out    told a line for each thing that was written; never a key.
+     */
+    Provisioning(Board board, boolean renews, PrintWriter out) {
         this.board = board;
+        this.renews = renews;
         this.out = out;
     }
 
@@ -26,7 +31,8 @@ final class Provisioning {
         out.println("RF id " + id);
         for (Map.Entry<Address, Key> entry : keys.entrySet()) {
             Bytes expected = entry.getValue().check();
-            Bytes found = Await.result(board.setKey(entry.getKey(), entry.getValue()));
+            Bytes found = Await.result(renews ? board.renewKey(entry.getKey(), entry.getValue())
+                    : board.setKey(entry.getKey(), entry.getValue()));
             if (!found.equals(expected)) {
                 throw new JavinoException("the board has another key for " + entry.getKey()
                         + " than it was given: check value " + found + " instead of " + expected);

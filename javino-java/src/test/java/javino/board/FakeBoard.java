@@ -36,6 +36,7 @@ public final class FakeBoard {
     private boolean corruptsKeys;
     private boolean badPolls;
     private boolean hasKey = true;
+    private boolean hasPrevious;
     private int hellos;
     private int polls;
     private Fault fault = reply -> reply;
@@ -112,7 +113,9 @@ public final class FakeBoard {
             case 'K' -> record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3)
                     : Key.of(message.from(1 + Address.LENGTH)).check()));
             case 'S' -> record("statistics", Bytes.of(0, 1, 0, 0, 0, 9));
-            case 'L' -> record("list", Bytes.join(Bytes.of(0), Bytes.ofText("SUPO"), Bytes.of(0, 1, 2, 3)));
+            case 'N' -> renew(message);
+            case 'F' -> finishRenewal(message);
+            case 'L' -> record("list", list());
             case 'D' -> forget(message);
             default -> status(Status.UNKNOWN_COMMAND);
         };
@@ -123,12 +126,33 @@ public final class FakeBoard {
         return action.equals("unknown") ? status(Status.UNKNOWN_ACTION) : record(action, ACCEPTED);
     }
 
-    /** Has but one key, for SUPO. */
+    /** Has but one key, for SUPO, and a second one while that is renewed. */
     private Bytes forget(Bytes message) {
-        String address = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
-        boolean known = hasKey && address.equals("SUPO");
+        boolean known = hasKey && isForSupo(message);
         hasKey = hasKey && !known;
-        return known ? record("forget " + address, ACCEPTED) : status(Status.NO_KEY);
+        return known ? record("forget SUPO", ACCEPTED) : status(Status.NO_KEY);
+    }
+
+    private Bytes renew(Bytes message) {
+        hasPrevious = hasKey;
+        hasKey = true;
+        return record("renew", Bytes.join(ACCEPTED, Key.of(message.from(1 + Address.LENGTH)).check()));
+    }
+
+    private Bytes finishRenewal(Bytes message) {
+        boolean known = hasPrevious && isForSupo(message);
+        hasPrevious = hasPrevious && !known;
+        return known ? record("finish SUPO", ACCEPTED) : status(Status.NO_KEY);
+    }
+
+    private static boolean isForSupo(Bytes message) {
+        return message.slice(1, 1 + Address.LENGTH).equals(Bytes.ofText("SUPO"));
+    }
+
+    private Bytes list() {
+        Bytes supo = Bytes.ofText("SUPO");
+        return Bytes.join(Bytes.of(0), hasKey ? Bytes.join(supo, Bytes.of(0, 1, 2, 3)) : Bytes.of(),
+                hasPrevious ? Bytes.join(supo, Bytes.of(1, 4, 5, 6)) : Bytes.of());
     }
 
     private Bytes poll(Bytes message) {

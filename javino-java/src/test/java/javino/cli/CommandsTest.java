@@ -12,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import javino.JavinoException;
@@ -159,6 +161,61 @@ class CommandsTest {
     }
 
     @Test
+    void forget_all_leavesNone() throws JavinoException, InterruptedException {
+        try (Board board = open()) {
+            PrintWriter lines = new PrintWriter(out, true);
+            ForgetCommand.forgetAll(board, lines);
+            ForgetCommand.forgetAll(board, lines);
+        }
+        assertEquals(List.of("key for SUPO forgotten", "the board has no key"), out.toString().lines().toList());
+    }
+
+    @Test
+    void forget_previous_endsTheRenewal() throws JavinoException, InterruptedException {
+        try (Board board = open()) {
+            PrintWriter lines = new PrintWriter(out, true);
+            new Provisioning(board, true, lines).run(Address.parse("ROMA"), Map.of(SUPO, KEY));
+            ForgetCommand.forgetPrevious(board, lines);
+            ForgetCommand.forgetPrevious(board, lines);
+        }
+        assertEquals(List.of("RF id ROMA", "key for SUPO, check value " + KEY.check(),
+                "previous key for SUPO, check value 040506, forgotten", "the board has no previous key"),
+                out.toString().lines().toList());
+        assertEquals(List.of("id ROMA", "renew", "list", "finish SUPO", "list"), fake.performed());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "--all --previous", "--key SUPO --all"})
+    void forget_notOneKind_isWrongUsage(String options) {
+        List<String> arguments = new ArrayList<>(List.of("forget", "--port", "nowhere"));
+        arguments.addAll(Arrays.stream(options.split(" ")).filter(option -> !option.isEmpty()).toList());
+        assertFails(2, "--all", arguments.toArray(String[]::new));
+    }
+
+    @Test
+    void ports_some_areSortedAndNamedAsTheyStay() throws IOException {
+        Path device = Files.createFile(folder.resolve("ttyACM0"));
+        Path names = Files.createDirectory(folder.resolve("by-id"));
+        Path stable = Files.createSymbolicLink(names.resolve("usb-Arduino"), device);
+        PrintWriter lines = new PrintWriter(out, true);
+        PortsCommand.print(List.of(new PortsCommand.Port("/dev/ttyS0", "Physical Port"),
+                new PortsCommand.Port(device.toRealPath().toString(), "Mega")), PortsCommand.stableNames(names), lines);
+        assertEquals(List.of("/dev/ttyS0  Physical Port", device.toRealPath() + "  Mega  " + stable).stream().sorted()
+                .toList(), out.toString().lines().toList());
+    }
+
+    @Test
+    void ports_none_saysWhatToDo() throws IOException {
+        PortsCommand.print(List.of(), PortsCommand.stableNames(folder.resolve("missing")), new PrintWriter(out, true));
+        assertTrue(out.toString().startsWith("no serial port found: plug a board in"), out.toString());
+    }
+
+    @Test
+    void ports_here_endsWell() {
+        assertEquals(0, run("ports"), err.toString());
+    }
+
+    @Test
     void port_boardThere_opens() throws JavinoException, InterruptedException {
         try (Board board = PortOption.open(new FakePort(fake), BoardConfig.create())) {
             assertEquals(BoardState.ONLINE, board.state());
@@ -176,7 +233,7 @@ class CommandsTest {
     @Test
     void main_alone_listsItsSubcommands() {
         assertEquals(2, run());
-        for (String command : List.of("forget", "info", "keygen", "provision")) {
+        for (String command : List.of("forget", "info", "keygen", "ports", "provision")) {
             assertTrue(err.toString().contains(command), err.toString());
         }
     }
@@ -209,7 +266,7 @@ class CommandsTest {
     @Test
     void provisioning_board_getsIdAndKeys() throws JavinoException, InterruptedException {
         try (Board board = open()) {
-            new Provisioning(board, new PrintWriter(out, true)).run(SUPO, Map.of(Address.parse("ROMA"), KEY));
+            new Provisioning(board, false, new PrintWriter(out, true)).run(SUPO, Map.of(Address.parse("ROMA"), KEY));
         }
         assertEquals(List.of("id SUPO", "key"), fake.performed());
         assertEquals(List.of("RF id SUPO", "key for ROMA, check value " + KEY.check()), out.toString().lines().toList());
@@ -219,7 +276,7 @@ class CommandsTest {
     void provisioning_wrongCheckValue_fails() {
         fake.setCorruptsKeys(true);
         try (Board board = open()) {
-            Provisioning provisioning = new Provisioning(board, new PrintWriter(out, true));
+            Provisioning provisioning = new Provisioning(board, false, new PrintWriter(out, true));
             JavinoException e = assertThrows(JavinoException.class,
                     () -> provisioning.run(SUPO, Map.of(Address.parse("ROMA"), KEY)));
             assertTrue(e.getMessage().contains("another key for ROMA"), e.getMessage());

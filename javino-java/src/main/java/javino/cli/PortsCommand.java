@@ -1,0 +1,73 @@
+package javino.cli;
+
+import com.fazecast.jSerialComm.SerialPort;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code javino ports}: lists serial ports. */
+@Command(name = "ports", description = {
+    "Lists the serial ports of this computer, with what the system says of the device behind each.",
+    "Where the system has a name that stays when other devices come and go (/dev/serial/by-id/…), it is shown: give "
+            + "that one to your agent. No port is opened, so no board is reset."})
+final class PortsCommand implements Callable<Integer> {
+
+    private static final Path STABLE_NAMES = Path.of("/dev/serial/by-id");
+
+    @Spec
+    private CommandSpec spec;
+
+    /**
+     * A serial port.
+     *
+     * @param name        what opens it.
+     * @param description of the device, by the system's word.
+     */
+    record Port(String name, String description) {
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        List<Port> ports = Arrays.stream(SerialPort.getCommPorts())
+                .map(port -> new Port(port.getSystemPortPath(), port.getPortDescription()))
+                .toList();
+        print(ports, stableNames(STABLE_NAMES), spec.commandLine().getOut());
+        return 0;
+    }
+
+    /** @param stableNames by the name of the port that each leads to. */
+    static void print(List<Port> ports, Map<String, String> stableNames, PrintWriter out) {
+        if (ports.isEmpty()) {
+            out.println("no serial port found: plug a board in; an emulated one has the port that its scenario names");
+        }
+        ports.stream().sorted(Comparator.comparing(Port::name)).forEach(port -> {
+            String stable = stableNames.get(port.name());
+            out.println(port.name() + "  " + port.description() + (stable == null ? "" : "  " + stable));
+        });
+    }
+
+    /** The links in a folder, by what they lead to; none where there is no such folder. */
+    static Map<String, String> stableNames(Path folder) throws IOException {
+        Map<String, String> names = new HashMap<>();
+        if (!Files.isDirectory(folder)) {
+            return names;
+        }
+        try (DirectoryStream<Path> links = Files.newDirectoryStream(folder)) {
+            for (Path link : links) {
+                names.put(link.toRealPath().toString(), link.toString());
+            }
+        }
+        return names;
+    }
+}
