@@ -1,5 +1,7 @@
 #include "AskRadio.h"
 
+#include <string.h>
+
 #include "AskHardware.h"
 #include "Counting.h"
 
@@ -7,8 +9,8 @@ namespace javino {
 
 namespace {
 
-// The line code never holds a level for more than four bits. Twice five bits without an edge complete the last bits of
-// a packet, or put an impossible symbol at the end of a broken one: then there is nothing left to wait for.
+// The line code never holds a level for more than four bits: after twice five bits without an edge there is nothing
+// left to wait for.
 const uint8_t BITS_TO_ALARM = 5;
 const uint8_t SILENCE_ALARMS = 2;
 
@@ -23,6 +25,7 @@ uint16_t ticksPerBit(uint16_t bitRate) {
 AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
     : rxPin_(rxPin),
       txPin_(txPin),
+      bitRate_(bitRate),
       bitTicks_(ticksPerBit(bitRate)),
       ready_(false),
       open_(false),
@@ -34,7 +37,8 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
       heardUntil_(0),
       level_(false),
       bitClock_(bitTicks_),
-      decoder_(queue_, counters_),
+      carrier_(bitTicks_),
+      decoder_(queue_, carrier_, counters_),
       counters_() {}
 
 bool AskRadio::begin() {
@@ -48,7 +52,9 @@ void AskRadio::listen(bool open) {
   if (open && !open_ && !sending_) startReceiving();
   if (!open && open_ && !sending_) stopReceiving();
   open_ = open;
-  if (!open) queue_.clear();
+  if (!open) {
+    while (!queue_.empty()) queue_.release();
+  }
 }
 
 bool AskRadio::send(const uint8_t *payload, uint8_t length) {
@@ -63,6 +69,42 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   return true;
 }
 
+bool AskRadio::carrier() const {
+  askhardware::InterruptLock lock;
+  return carrier_.isHeard();
+}
+
+uint8_t AskRadio::receive(uint8_t *payload) {
+  uint8_t length = 0;
+  while (length == 0) {
+    RadioPacket *packet = queue_.oldest();
+    if (!packet) break;
+    if (makeWhole(*packet)) {
+      length = packet->payloadLength();
+      memcpy(payload, packet->bytes, length);
+    }
+    queue_.release();
+  }
+  return length;
+}
+
+// Checks or mends, and counts.
+bool AskRadio::makeWhole(RadioPacket &packet) {
+  const bool complete = packet.wrongNibble == RadioPacket::NO_NIBBLE;
+  if (!(complete ? packet.isIntact() : packet.mend())) {
+    count(counters_.damaged);
+    return false;
+  }
+  count(counters_.received);
+  if (!complete) count(counters_.mended);
+  return true;
+}
+
+void AskRadio::count(uint32_t &counter) {
+  askhardware::InterruptLock lock;
+  countUp(counter);
+}
+
 void AskRadio::counters(RadioCounters &into) const {
   askhardware::InterruptLock lock;
   into = counters_;
@@ -74,6 +116,7 @@ void AskRadio::onEdge(uint16_t now, bool level) {
     heardUntil_ = now;
   } else {
     hear(now);
+    if (decoder_.isHunting()) carrier_.addEdge(now);
   }
   level_ = level;
   silentAlarms_ = 0;
@@ -96,6 +139,7 @@ void AskRadio::startReceiving() {
 void AskRadio::stopReceiving() {
   askhardware::watchEdges(false);
   askhardware::clearAlarm();
+  carrier_.reset();
   decoder_.abandon();
 }
 
@@ -103,7 +147,10 @@ void AskRadio::stopReceiving() {
 void AskRadio::hear(uint16_t now) {
   uint16_t ticks = static_cast<uint16_t>(now - heardUntil_);
   bool bit;
-  while (bitClock_.advance(ticks, level_, bit)) decoder_.add(bit);
+  while (bitClock_.advance(ticks, level_, bit)) {
+    carrier_.addBit();
+    decoder_.add(bit);
+  }
   heardUntil_ = now;
 }
 
@@ -113,6 +160,8 @@ void AskRadio::onSilence() {
   silentAlarms_++;
   if (silentAlarms_ == SILENCE_ALARMS) {
     askhardware::clearAlarm();
+    carrier_.reset();
+    decoder_.endOfSignal();
   } else {
     askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
   }

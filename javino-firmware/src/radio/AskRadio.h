@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "BitClock.h"
+#include "CarrierSense.h"
 #include "Radio.h"
 #include "RadioDecoder.h"
 #include "RadioEncoder.h"
@@ -30,7 +31,9 @@ class AskRadio : public Radio {
   void listen(bool open) override;
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return sending_; }
-  uint8_t receive(uint8_t *payload) override { return queue_.take(payload); }
+  bool carrier() const override;
+  uint16_t bitRate() const override { return bitRate_; }
+  uint8_t receive(uint8_t *payload) override;
   void counters(RadioCounters &into) const override;
   void update() override {}
   bool idle() const override { return queue_.empty(); }
@@ -42,6 +45,8 @@ class AskRadio : public Radio {
   void onAlarm();
 
  private:
+  bool makeWhole(RadioPacket &packet);
+  void count(uint32_t &counter);
   void startReceiving();
   void stopReceiving();
   void hear(uint16_t now);
@@ -51,6 +56,7 @@ class AskRadio : public Radio {
 
   const uint8_t rxPin_;
   const uint8_t txPin_;
+  const uint16_t bitRate_;
   const uint16_t bitTicks_;  // 0 for a bit rate that cannot be had
 
   // The small fields first: gcc reaches the first 63 bytes of an object in one instruction (240 bytes of flash less).
@@ -65,6 +71,7 @@ class AskRadio : public Radio {
   bool level_;              // of the line since then
 
   BitClock bitClock_;
+  CarrierSense carrier_;
   RadioDecoder decoder_;
   RadioCounters counters_;
   RadioEncoder encoder_;

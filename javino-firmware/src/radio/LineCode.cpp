@@ -26,6 +26,14 @@ uint8_t nibbleOf(uint8_t symbol) {
   return NO_NIBBLE;
 }
 
+bool isOneBitOff(uint8_t symbol) {
+  if (symbol == 0 || symbol == 0x3F) return false;
+  symbol ^= symbol >> 4;
+  symbol ^= symbol >> 2;
+  symbol ^= symbol >> 1;
+  return !(symbol & 1);
+}
+
 uint8_t preambleSymbol(uint8_t index) {
   if (index < PREAMBLE_SYMBOLS - 2) return TRAINING_SYMBOL;
   return index == PREAMBLE_SYMBOLS - 2 ? FIRST_START_SYMBOL : SECOND_START_SYMBOL;

@@ -29,6 +29,10 @@ uint8_t symbolOf(uint8_t nibble);
 /// @return 0…15, or NO_NIBBLE.
 uint8_t nibbleOf(uint8_t symbol);
 
+/// @param symbol 0…63
+/// @return whether it has two or four ones, and so is one bit off the symbols beside it.
+bool isOneBitOff(uint8_t symbol);
+
 /// @param index 0…7
 /// @return that symbol of the training and the start.
 uint8_t preambleSymbol(uint8_t index);

@@ -7,12 +7,13 @@ namespace javino {
 /// The most bytes of payload that one radio packet carries (SPEC 6).
 static const uint8_t MAX_RADIO_PAYLOAD = 77;
 
-/// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17).
+/// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17, 28).
 struct RadioCounters {
-  uint32_t received;  ///< packets with a right CRC
+  uint32_t received;  ///< packets with a right CRC, mended ones among them
   uint32_t damaged;   ///< packets with a wrong symbol, count or CRC
   uint32_t missed;    ///< packets that came while no buffer was free
   uint32_t sent;      ///< packets that have been on the air whole
+  uint32_t mended;    ///< packets of which one symbol was mended
 };
 
 /// A half-duplex packet radio: payloads of 1…77 bytes, as they came from or go to the air (SPEC 6).
@@ -36,6 +37,13 @@ class Radio {
 
   /// @return whether a packet is on the air: false again after its last bit.
   virtual bool sending() const = 0;
+
+  /// @return whether another board's carrier is heard now (SPEC 6, 7.4); false while sending.
+  /// Safe to call with interrupts off.
+  virtual bool carrier() const = 0;
+
+  /// @return bits a second.
+  virtual uint16_t bitRate() const = 0;
 
   /// Copies out the oldest received payload, whose CRC was right.
   /// @param payload room for 77 bytes

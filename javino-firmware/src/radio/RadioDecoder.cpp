@@ -10,13 +10,10 @@ namespace {
 const uint8_t MIN_COUNT = 1 + linecode::PACKET_OVERHEAD;
 const uint8_t MAX_COUNT = MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD;
 
-// The CRC of anything with its own CRC behind it, low byte first (the complement of X-25's residue 0xF0B8).
-const uint16_t CRC_OF_INTACT_PACKET = 0x0F47;
-
 }  // namespace
 
-RadioDecoder::RadioDecoder(RadioQueue &queue, RadioCounters &counters)
-    : queue_(queue), counters_(counters), bits_(0), highNibble_(0), payload_(nullptr) {
+RadioDecoder::RadioDecoder(RadioQueue &queue, CarrierSense &carrier, RadioCounters &counters)
+    : queue_(queue), carrier_(carrier), counters_(counters), bits_(0), highNibble_(0), wrongSymbol_(0), packet_(nullptr) {
   hunt();
 }
 
@@ -32,6 +29,10 @@ void RadioDecoder::add(bool bit) {
   addSymbol(static_cast<uint8_t>(bits_ >> linecode::BITS_PER_SYMBOL));
 }
 
+void RadioDecoder::endOfSignal() {
+  if (!hunting_) refuse();
+}
+
 void RadioDecoder::abandon() {
   if (!hunting_) countUp(counters_.missed);
   bits_ = 0;
@@ -39,10 +40,15 @@ void RadioDecoder::abandon() {
 }
 
 void RadioDecoder::addSymbol(uint8_t symbol) {
-  const uint8_t nibble = linecode::nibbleOf(symbol);
+  uint8_t nibble = linecode::nibbleOf(symbol);
   if (nibble == linecode::NO_NIBBLE) {
-    refuse();
-    return;
+    if (!mayBeMended(symbol)) {
+      refuse();
+      return;
+    }
+    wrongNibble_ = static_cast<uint8_t>(2 * (received_ - 1) + lowNibble_);
+    wrongSymbol_ = symbol;
+    nibble = 0;
   }
   lowNibble_ = !lowNibble_;
   if (lowNibble_) {
@@ -52,14 +58,16 @@ void RadioDecoder::addSymbol(uint8_t symbol) {
   }
 }
 
+bool RadioDecoder::mayBeMended(uint8_t symbol) const {
+  return count_ != 0 && wrongNibble_ == RadioPacket::NO_NIBBLE && linecode::isOneBitOff(symbol);
+}
+
 void RadioDecoder::addByte(uint8_t byte) {
   if (count_ == 0) {
     startPacket(byte);
     return;
   }
-  crc_.add(byte);
-  const bool isPayload = received_ < count_ - 2;
-  if (isPayload && payload_) payload_[received_ - 1] = byte;
+  if (packet_) packet_->bytes[received_ - 1] = byte;
   if (++received_ == count_) endPacket();
 }
 
@@ -70,19 +78,16 @@ void RadioDecoder::startPacket(uint8_t count) {
   }
   count_ = count;
   received_ = 1;
-  crc_ = Crc16();
-  crc_.add(count);
-  payload_ = queue_.claim();
+  packet_ = queue_.claim();
+  carrier_.expect(static_cast<uint16_t>(2 * linecode::BITS_PER_SYMBOL) * static_cast<uint8_t>(count - 1));
 }
 
 void RadioDecoder::endPacket() {
-  if (crc_.value() != CRC_OF_INTACT_PACKET) {
-    refuse();
-    return;
-  }
-  if (payload_) {
-    queue_.commit(static_cast<uint8_t>(count_ - linecode::PACKET_OVERHEAD));
-    countUp(counters_.received);
+  if (packet_) {
+    packet_->count = count_;
+    packet_->wrongNibble = wrongNibble_;
+    packet_->wrongSymbol = wrongSymbol_;
+    queue_.commit();
   } else {
     countUp(counters_.missed);
   }
@@ -100,6 +105,7 @@ void RadioDecoder::hunt() {
   lowNibble_ = false;
   count_ = 0;
   received_ = 0;
+  wrongNibble_ = RadioPacket::NO_NIBBLE;
 }
 
 }  // namespace javino

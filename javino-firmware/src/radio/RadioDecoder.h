@@ -2,29 +2,37 @@
 
 #include <stdint.h>
 
-#include "../framing/Crc16.h"
+#include "CarrierSense.h"
 #include "OutOfLine.h"
-#include "RadioQueue.h"
 #include "Radio.h"
+#include "RadioQueue.h"
 
 namespace javino {
 
-/// Finds radio packets (SPEC 6) in a stream of bits and queues those with a right CRC.
+/// Finds radio packets (SPEC 6) in a stream of bits and queues them, their CRC unread.
 ///
-/// Each packet whose start symbol was found is counted once: received, damaged or missed. After a damaged one the hunt
-/// for a start symbol goes on at the very next bit.
+/// Each packet whose start symbol was found is counted as damaged or missed, or is queued. One symbol outside of the
+/// table is let pass behind the count, where it may be mended. After a damaged packet the hunt for a start symbol goes
+/// on at the very next bit.
 class RadioDecoder {
  public:
-  RadioDecoder(RadioQueue &queue, RadioCounters &counters);
+  RadioDecoder(RadioQueue &queue, CarrierSense &carrier, RadioCounters &counters);
 
   /// Takes the next bit from the air.
   JAVINO_OUT_OF_LINE void add(bool bit);
+
+  /// @return whether no packet is under way.
+  bool isHunting() const { return hunting_; }
+
+  /// The line has been silent for longer than the line code allows: a packet under way is damaged.
+  void endOfSignal();
 
   /// Forgets all bits; a packet under way counts as missed, since it is the receiver that leaves it.
   void abandon();
 
  private:
   void addSymbol(uint8_t symbol);
+  bool mayBeMended(uint8_t symbol) const;
   void addByte(uint8_t byte);
   void startPacket(uint8_t count);
   void endPacket();
@@ -32,6 +40,7 @@ class RadioDecoder {
   void hunt();
 
   RadioQueue &queue_;
+  CarrierSense &carrier_;
   RadioCounters &counters_;
   uint16_t bits_;        // the last twelve, the newest at the top
   bool hunting_;         // for a start symbol
@@ -40,8 +49,9 @@ class RadioDecoder {
   uint8_t highNibble_;
   uint8_t count_;        // bytes of the packet, itself included; 0 until it came
   uint8_t received_;     // bytes so far
-  uint8_t *payload_;     // where they go; null where no slot was free
-  Crc16 crc_;
+  uint8_t wrongNibble_;  // as in RadioPacket
+  uint8_t wrongSymbol_;
+  RadioPacket *packet_;  // where all goes; null where no slot was free
 };
 
 }  // namespace javino

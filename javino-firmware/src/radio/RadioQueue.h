@@ -2,43 +2,39 @@
 
 #include <stdint.h>
 
-#include "Radio.h"
+#include "RadioPacket.h"
 
 namespace javino {
 
-/// Received packets on their way from the interrupt, the only writer, to the loop, the only reader.
+/// Packets on their way from the interrupt, the only writer, to the loop, the only reader.
 ///
 /// Two packets wait while a third is being received. Neither side ever waits for the other: a slot belongs to the
-/// reader while its length is not 0, and to the writer otherwise, and a length is a single byte.
+/// reader while it is marked full, and to the writer otherwise.
 class RadioQueue {
  public:
   static const uint8_t CAPACITY = 3;
 
   RadioQueue();
 
-  /// Writer: @return room for 77 bytes, the same until commit(); null where no slot is free.
-  uint8_t *claim();
+  /// Writer: @return room for a packet, the same until commit(); null where no slot is free.
+  RadioPacket *claim();
 
-  /// Writer: hands the claimed slot to the reader.
-  /// @param length 1…77
-  void commit(uint8_t length);
+  /// Writer: hands the claimed packet to the reader.
+  void commit();
 
-  /// Reader: copies the oldest payload out and frees its slot.
-  /// @return its length; 0 where none is waiting.
-  uint8_t take(uint8_t *payload);
+  /// Reader: @return the oldest packet, its own until release(); null where none is waiting.
+  RadioPacket *oldest();
 
-  /// Reader: forgets all that is waiting.
-  void clear();
+  /// Reader: frees the oldest packet's slot.
+  void release();
 
-  bool empty() const { return slots_[readIndex_].length == 0; }
+  bool empty() const { return !slots_[readIndex_].full; }
 
  private:
   struct Slot {
-    volatile uint8_t length;
-    uint8_t payload[MAX_RADIO_PAYLOAD];
+    volatile bool full;
+    RadioPacket packet;
   };
-
-  void release();
 
   uint8_t writeIndex_;
   uint8_t readIndex_;

@@ -52,7 +52,7 @@ TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
 }
 
 TEST_F(BoardPolling, statistics_tell_all_18_counters_in_order) {
-  board.radio.counts = {0x01020304, 6, 7, 17};
+  board.radio.counts = {0x01020304, 6, 7, 17, 28};
   const Bytes body = board.request('S').body;
   ASSERT_EQ(18u * 5, body.size());
   for (size_t i = 0; i < 18; i++) EXPECT_EQ(i + 1, body[i * 5]);

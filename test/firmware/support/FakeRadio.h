@@ -14,6 +14,8 @@ class FakeRadio : public javino::Radio {
   void listen(bool open) override { listening = open; }
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return onAir_; }
+  bool carrier() const override { return heard; }
+  uint16_t bitRate() const override { return 2000; }
   uint8_t receive(uint8_t *payload) override;
   void counters(javino::RadioCounters &into) const override { into = counts; }
   void update() override { updates++; }
@@ -27,8 +29,9 @@ class FakeRadio : public javino::Radio {
   bool works = true;      ///< whether begin() succeeds
   bool refuses = false;   ///< whether send() does nothing
   bool listening = false;
+  bool heard = false;     ///< whether another board's carrier is on the air
   int updates = 0;
-  javino::RadioCounters counts = {0, 0, 0, 0};
+  javino::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
 
  private:

@@ -2,9 +2,24 @@
 
 #include "support/Modem.h"
 
-TEST(AskRadio, dropsAndCountsAPacketWithAWrongBit) {
+TEST(AskRadio, mendsAndCountsAPacketWithAWrongBitBehindTheCount) {
+  const Bytes payload = {'t', 'e', 'l', 'l'};
+  const Bits whole = reference::packetBits(payload);
+  for (size_t i = 60; i < whole.size(); i++) {
+    Bits bits = whole;
+    bits[i] = !bits[i];
+    Modem modem;
+    modem.hardware.play(AirLine().bits(bits, Modem::BIT).silence(12 * Modem::BIT));
+    EXPECT_EQ(modem.take(), payload) << "bit " << i;
+    EXPECT_EQ(modem.counters().received, 1u);
+    EXPECT_EQ(modem.counters().mended, 1u);
+    EXPECT_EQ(modem.counters().damaged, 0u);
+  }
+}
+
+TEST(AskRadio, dropsAndCountsAPacketWithAWrongBitInItsCount) {
   const Bits whole = reference::packetBits({'t', 'e', 'l', 'l'});
-  for (size_t i = 48; i < whole.size(); i++) {
+  for (size_t i = 48; i < 60; i++) {
     Bits bits = whole;
     bits[i] = !bits[i];
     Modem modem;
@@ -17,7 +32,7 @@ TEST(AskRadio, dropsAndCountsAPacketWithAWrongBit) {
 
 TEST(AskRadio, dropsAndCountsATruncatedPacketAndTakesTheNext) {
   const Bits whole = reference::packetBits({'t', 'e', 'l', 'l'});
-  for (size_t length = 48; length < whole.size() - 3; length++) {
+  for (size_t length = 48; length < whole.size() - 6; length++) {
     Modem modem;
     modem.hardware.play(AirLine().bits(Bits(whole.begin(), whole.begin() + length), Modem::BIT).silence(12 * Modem::BIT));
     EXPECT_EQ(modem.take(), Bytes()) << "cut after bit " << length;

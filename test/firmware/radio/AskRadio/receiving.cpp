@@ -151,7 +151,7 @@ TEST(AskRadio, endsTheAlarmUnderAConstantCarrier) {
 TEST(AskRadio, countsAsMissedTheFourthPacketThatNobodyFetched) {
   Modem modem;
   for (uint8_t i = 0; i < 4; i++) modem.hardware.play(packetLine({i}));
-  EXPECT_EQ(modem.counters().received, 3u);
   EXPECT_EQ(modem.counters().missed, 1u);
-  EXPECT_EQ(modem.take(), Bytes{0});
+  for (uint8_t i = 0; i < 3; i++) EXPECT_EQ(modem.take(), Bytes{i});
+  EXPECT_EQ(modem.counters().received, 3u);
 }

@@ -13,11 +13,17 @@ const Bytes GOOD = {'g', 'o', 'o', 'd'};
 void expectRefused(const Bits &bits, const std::string &what) {
   Decoder decoder;
   decoder.add(bits);
-  decoder.add(Bits(12, false));
-  EXPECT_EQ(decoder.counters.received, 0u) << what;
+  decoder.add(Bits(10, false));
+  decoder.endOfSignal();
+  EXPECT_EQ(decoder.take().count, 0) << what;
   EXPECT_GE(decoder.counters.damaged, 1u) << what;
   decoder.add(reference::packetBits(GOOD));
-  EXPECT_EQ(decoder.take(), GOOD) << what;
+  EXPECT_EQ(decoder.takeIntact(), GOOD) << what;
+}
+
+Bits inverted(Bits bits, std::initializer_list<size_t> places) {
+  for (size_t place : places) bits[place] = !bits[place];
+  return bits;
 }
 
 }  // namespace
@@ -26,10 +32,11 @@ TEST(RadioDecoder, refusesTheInvalidVectors) {
   for (const InvalidRadioVector &vector : invalidRadioVectors()) {
     Decoder decoder;
     decoder.add(vector.bits);
-    decoder.add(Bits(12, false));
-    EXPECT_EQ(decoder.counters.received, 0u) << vector.why;
+    decoder.add(Bits(10, false));
+    decoder.endOfSignal();
+    EXPECT_EQ(decoder.takeIntact(), Bytes()) << vector.why;
     decoder.add(reference::packetBits(GOOD));
-    EXPECT_EQ(decoder.take(), GOOD) << vector.why;
+    EXPECT_EQ(decoder.takeIntact(), GOOD) << vector.why;
   }
 }
 
@@ -42,57 +49,86 @@ TEST(RadioDecoder, refusesEachCountOutsideOfFourToEighty) {
   }
 }
 
-TEST(RadioDecoder, refusesEachChangedBitAfterTheStart) {
+TEST(RadioDecoder, refusesEachChangedBitOfTheCount) {
   const Bits whole = reference::packetBits({'R', 'O', 'M', 'A', 0, 0xFF});
-  for (size_t i = 48; i < whole.size(); i++) {
-    Bits bits = whole;
-    bits[i] = !bits[i];
-    expectRefused(bits, "bit " + std::to_string(i));
+  for (size_t i = 48; i < 60; i++) expectRefused(inverted(whole, {i}), "bit " + std::to_string(i));
+}
+
+TEST(RadioDecoder, refusesEachTwoChangedBitsOfDifferentSymbols) {
+  const Bits whole = reference::packetBits({'R', 'O', 'M', 'A', 0, 0xFF});
+  for (size_t i = 60; i < whole.size(); i++) {
+    for (size_t k = (i / 6 + 1) * 6; k < whole.size(); k++) {
+      expectRefused(inverted(whole, {i, k}), "bits " + std::to_string(i) + " and " + std::to_string(k));
+    }
   }
 }
 
-TEST(RadioDecoder, refusesEachTruncation) {
+TEST(RadioDecoder, refusesASymbolThatIsMoreThanOneBitOff) {
+  const Bits whole = reference::packetBits({'R', 'O', 'M', 'A'});
+  for (unsigned symbol : {0x00, 0x07, 0x0B, 0x31, 0x38, 0x01, 0x20, 0x1F, 0x3E, 0x3F}) {
+    Bits bits = whole;
+    for (int i = 0; i < 6; i++) bits[66 + i] = symbol >> i & 1;
+    expectRefused(bits, "symbol " + std::to_string(symbol));
+  }
+}
+
+TEST(RadioDecoder, refusesEachTruncationByMoreThanASymbol) {
   const Bits whole = reference::packetBits({'R', 'O', 'M', 'A', 0, 0xFF});
-  for (size_t length = 48; length < whole.size() - 3; length++) {
+  for (size_t length = 48; length < whole.size() - 6; length++) {
     expectRefused(Bits(whole.begin(), whole.begin() + length), "cut after bit " + std::to_string(length));
   }
 }
 
-TEST(RadioDecoder, hasRefusedATruncatedPacketAfterTenBitsOfEitherLevel) {
+TEST(RadioDecoder, hasCountedATruncatedPacketOnceAtTheEndOfTheSignal) {
   const Bits whole = reference::packetBits({'R', 'O', 'M', 'A', 0, 0xFF});
-  for (size_t length = 48; length < whole.size() - 3; length++) {
+  for (size_t length = 48; length < whole.size() - 6; length++) {
     for (bool level : {false, true}) {
       Decoder decoder;
       decoder.add(Bits(whole.begin(), whole.begin() + length));
       decoder.add(Bits(10, level));
-      EXPECT_EQ(decoder.counters.damaged + decoder.counters.received, 1u) << "cut after bit " << length;
+      decoder.endOfSignal();
+      EXPECT_EQ(decoder.counters.damaged + (decoder.take().count != 0), 1u) << "cut after bit " << length;
     }
   }
 }
 
-TEST(RadioDecoder, deliversNothingWithAWrongCrcFromRandomBytes) {
+TEST(RadioDecoder, countsNothingAtTheEndOfASignalBetweenPackets) {
+  Decoder decoder;
+  decoder.add(reference::packetBits(GOOD));
+  decoder.endOfSignal();
+  EXPECT_EQ(decoder.counters.damaged, 0u);
+  EXPECT_EQ(decoder.takeIntact(), GOOD);
+}
+
+TEST(RadioDecoder, givesRandomBytesAsTheyAre) {
   std::mt19937 random(5);
   Decoder decoder;
+  int queued = 0;
   for (int i = 0; i < 20000; i++) {
     Bytes bytes(random() % 84 + 1);
     for (uint8_t &byte : bytes) byte = static_cast<uint8_t>(random());
     bytes[0] = static_cast<uint8_t>(random() % 84);
-    const Bytes payload = bytes.size() > 3 ? Bytes(bytes.begin() + 1, bytes.end() - 2) : Bytes();
     decoder.add(reference::lineBits(bytes));
-    const Bytes received = decoder.take();
-    if (!received.empty()) {
-      EXPECT_EQ(Bytes(bytes.begin(), bytes.begin() + bytes[0]), reference::packetOf(received));
-    }
+    decoder.endOfSignal();
+    const javino::RadioPacket packet = decoder.take();
+    if (packet.count == 0) continue;
+    queued++;
+    EXPECT_EQ(packet.count, bytes[0]);
+    EXPECT_EQ(Bytes(packet.bytes, packet.bytes + packet.count - 1), Bytes(bytes.begin() + 1, bytes.begin() + packet.count));
+    EXPECT_EQ(packet.isIntact(), Bytes(bytes.begin(), bytes.begin() + bytes[0]) ==
+                                     reference::packetOf(Bytes(packet.bytes, packet.bytes + packet.payloadLength())));
   }
-  EXPECT_GT(decoder.counters.damaged, 10000u);
+  EXPECT_GT(queued, 5000);
 }
 
 TEST(RadioDecoder, survivesAMillionRandomBits) {
   std::mt19937 random(6);
   Decoder decoder;
-  for (int i = 0; i < 1000000; i++) decoder.add(Bits(1, random() & 1));
-  decoder.add(Bits(12, false));
+  for (int i = 0; i < 1000000; i++) {
+    decoder.add(Bits(1, random() & 1));
+    EXPECT_EQ(decoder.takeIntact(), Bytes());
+  }
+  decoder.endOfSignal();
   decoder.add(reference::packetBits(GOOD));
-  EXPECT_EQ(decoder.counters.received, 1u);
-  EXPECT_EQ(decoder.take(), GOOD);
+  EXPECT_EQ(decoder.takeIntact(), GOOD);
 }

@@ -4,21 +4,25 @@
 
 #include "radio/RadioQueue.h"
 
+using javino::RadioPacket;
 using javino::RadioQueue;
 
 namespace {
 
 void put(RadioQueue &queue, const char *text) {
-  uint8_t *slot = queue.claim();
-  ASSERT_NE(slot, nullptr);
-  std::memcpy(slot, text, std::strlen(text));
-  queue.commit(static_cast<uint8_t>(std::strlen(text)));
+  RadioPacket *packet = queue.claim();
+  ASSERT_NE(packet, nullptr);
+  packet->count = static_cast<uint8_t>(std::strlen(text) + 3);
+  std::memcpy(packet->bytes, text, std::strlen(text));
+  queue.commit();
 }
 
 std::string take(RadioQueue &queue) {
-  uint8_t payload[77];
-  const uint8_t length = queue.take(payload);
-  return std::string(reinterpret_cast<char *>(payload), length);
+  const RadioPacket *packet = queue.oldest();
+  if (!packet) return "";
+  const std::string text(reinterpret_cast<const char *>(packet->bytes), packet->payloadLength());
+  queue.release();
+  return text;
 }
 
 }  // namespace
@@ -48,16 +52,14 @@ TEST(RadioQueue, hasNoSlotLeftWhenThreeWait) {
   EXPECT_EQ(take(queue), "b");
 }
 
-TEST(RadioQueue, keepsAClaimedSlotThroughReadingAndClearing) {
+TEST(RadioQueue, keepsAClaimedSlotThroughReading) {
   RadioQueue queue;
   put(queue, "old");
-  uint8_t *slot = queue.claim();
-  EXPECT_EQ(queue.claim(), slot);
-  queue.clear();
+  RadioPacket *packet = queue.claim();
+  EXPECT_EQ(queue.claim(), packet);
+  EXPECT_EQ(take(queue), "old");
   EXPECT_TRUE(queue.empty());
-  std::memcpy(slot, "new", 3);
-  queue.commit(3);
-  EXPECT_EQ(take(queue), "new");
+  EXPECT_EQ(queue.claim(), packet);
 }
 
 TEST(RadioQueue, carriesTheLongestPayload) {

@@ -6,21 +6,34 @@
 // A decoder with its queue and its counters.
 class Decoder {
  public:
-  Decoder() : counters(), decoder_(queue_, counters) {}
+  Decoder() : counters(), carrier(1000), decoder_(queue_, carrier, counters) {}
 
   void add(const Bits &bits) {
     for (bool bit : bits) decoder_.add(bit);
   }
 
+  void endOfSignal() { decoder_.endOfSignal(); }
   void abandon() { decoder_.abandon(); }
 
-  Bytes take() {
-    uint8_t payload[77];
-    const uint8_t length = queue_.take(payload);
-    return Bytes(payload, payload + length);
+  // The oldest packet that waits; one without a byte (its count is 0) where none does.
+  javino::RadioPacket take() {
+    javino::RadioPacket packet = javino::RadioPacket();
+    if (!queue_.empty()) {
+      packet = *queue_.oldest();
+      queue_.release();
+    }
+    return packet;
+  }
+
+  // Its payload, where its CRC is right without mending.
+  Bytes takeIntact() {
+    const javino::RadioPacket packet = take();
+    if (packet.count == 0 || packet.wrongNibble != javino::RadioPacket::NO_NIBBLE || !packet.isIntact()) return Bytes();
+    return Bytes(packet.bytes, packet.bytes + packet.payloadLength());
   }
 
   javino::RadioCounters counters;
+  javino::CarrierSense carrier;
 
  private:
   javino::RadioQueue queue_;

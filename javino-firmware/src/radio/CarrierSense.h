@@ -1,0 +1,46 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "OutOfLine.h"
+
+namespace javino {
+
+/// Tells whether another board's carrier is on the air (SPEC 6, 7.4).
+///
+/// A cheap receiver gives noise where nobody sends, so that edges alone mean nothing. A carrier is taken for one from
+/// the twelfth bit of training on: there each edge is two bits behind the last but one, also where two boards train at
+/// once, or where the receiver makes its pulses too long. From there a packet's count tells how long it lasts. Where no
+/// count is understood after that much training as noise never holds, the carrier may last as long as the longest
+/// packet. Ten bits without an edge end it in any case.
+class CarrierSense {
+ public:
+  /// @param bitTicks the length of a bit in ticks, 16…13107
+  explicit CarrierSense(uint16_t bitTicks);
+
+  /// The line changed outside of a packet.
+  JAVINO_OUT_OF_LINE void addEdge(uint16_t now);
+
+  /// A bit has passed.
+  void addBit() {
+    if (bitsLeft_ != 0) bitsLeft_--;
+  }
+
+  /// A packet has begun, of which so many bits are still to come.
+  void expect(uint16_t bits);
+
+  /// The line has been silent, or not listened to: no carrier is heard.
+  void reset();
+
+  bool isHeard() const { return bitsLeft_ != 0; }
+
+ private:
+  const uint16_t periodTicks_;     // of training: two bits
+  const uint16_t toleranceTicks_;  // either way
+  uint16_t edge_;                  // when the line changed last
+  uint16_t edgeBefore_;            // and before that
+  uint8_t periods_;                // in training, one after the other
+  uint16_t bitsLeft_;              // for which a carrier is expected
+};
+
+}  // namespace javino
