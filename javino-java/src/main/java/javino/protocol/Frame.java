@@ -63,6 +63,18 @@ public record Frame(Address destination, Address origin, Bytes message) {
         }
     }
 
+    /**
+     * The length of the whole frame that bytes begin, by its header; -1 if they do not begin with a frame's header.
+     *
+     * @param bytes at least 10.
+     */
+    static int lengthIn(Bytes bytes) {
+        int bits = Digits.parse(bytes, SIZE_OFFSET, HEADER_LENGTH);
+        boolean digits = Digits.parse(bytes, 0, Address.LENGTH) >= 0
+                && Digits.parse(bytes, Address.LENGTH, SIZE_OFFSET) >= 0 && bits >= 0;
+        return digits && bits % 8 == 0 ? HEADER_LENGTH + bits / 8 : -1;
+    }
+
     private static boolean canBeOrigin(Address address) {
         return address.kind() == Address.Kind.DEVICE || address.equals(Address.SERIAL);
     }

@@ -1,6 +1,6 @@
 package javino.protocol;
 
-/** Why received bytes were refused (SPEC 2, 3, 4.1, 5, 6). */
+/** Why received bytes were refused (SPEC 2, 3, 4.1, 5, 6, 7). */
 public enum ProtocolError {
     /** A packet is no COBS encoding (SPEC 4.1). */
     BAD_COBS,
@@ -26,6 +26,10 @@ public enum ProtocolError {
     BAD_REPLY,
     /** A sealed frame is too short, or its tag is not that of its bytes (SPEC 5). */
     BAD_TAG,
+    /** A piece is none that a frame can have, or does not fit the others (SPEC 7.1). */
+    BAD_PIECE,
+    /** An acknowledgement has an impossible length, answers another frame, or its proof is wrong (SPEC 7.3). */
+    BAD_PROOF,
     /** A radio packet does not begin with the training and start symbols (SPEC 6). */
     BAD_START,
     /** A radio packet has a symbol outside the table (SPEC 6). */

@@ -65,11 +65,11 @@ final class EnvelopeVectors {
         return Crypto.kdf(Wire.unhex(key), "JavinoEnc");
     }
 
-    private static byte[] authenticationKey(String key) {
+    static byte[] authenticationKey(String key) {
         return Crypto.kdf(Wire.unhex(key), "JavinoMac");
     }
 
-    private static byte[] seal(String key, String origin, String destination, byte[] nonce, byte[] content) {
+    static byte[] seal(String key, String origin, String destination, byte[] nonce, byte[] content) {
         byte[] cipher = Crypto.cfb(encryptionKey(key), iv(key, origin, destination, nonce), content);
         String size = Wire.size(8 * (6 + content.length + 8));
         byte[] signed = join(text(destination + origin + size), nonce, cipher);

@@ -36,6 +36,8 @@ public final class Vectors {
         files.put("commands.json", format(CommandVectors.all()));
         files.put("radio.json", format(RadioVectors.all()));
         files.put("envelopes.json", format(EnvelopeVectors.all()));
+        files.put("pieces.json", format(PieceVectors.all()));
+        files.put("acknowledgements.json", format(AcknowledgementVectors.all()));
         files.put("keys.json", format(KeyVectors.all()));
         files.put("nist.json", format(NistVectors.all()));
         return files;
