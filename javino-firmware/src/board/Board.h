@@ -2,6 +2,7 @@
 
 #include "../radio/Radio.h"
 #include "../secure/NonceSource.h"
+#include "../secure/ReplayMemory.h"
 #include "../storage/BootEpoch.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
@@ -45,6 +46,7 @@ class Board {
   RfId id_;
   BootEpoch epoch_;
   KeyStore keys_;
+  ReplayMemory replays_;
   NonceSource nonces_;
   Transmitter transmitter_;
   Receiver receiver_;

@@ -73,6 +73,10 @@ void Receiver::acceptSealed(const Frame &frame, uint8_t *packet, uint8_t length)
     drop(Counter::RADIO_QUEUE_FULL);
     return;
   }
+  if (!replays_.reserve(slot, frame.origin, nonce)) {
+    drop(Counter::RADIO_REPLAY_FULL);
+    return;
+  }
   replays_.remember(slot, frame.origin, nonce);
   enqueue(frame, packet + Envelope::CONTENT_AT, envelope.open(packet, length));
 }

@@ -17,16 +17,13 @@ namespace javino {
 /// queues it for the host (SPEC 1, 4.5, 5).
 class Receiver {
  public:
-  Receiver(Radio &radio, const RfId &id, const KeyStore &keys, Counters &counters)
-      : radio_(radio), id_(id), keys_(keys), counters_(counters) {}
+  Receiver(Radio &radio, const RfId &id, const KeyStore &keys, ReplayMemory &replays, Counters &counters)
+      : radio_(radio), id_(id), keys_(keys), replays_(replays), counters_(counters) {}
 
   /// Takes in all that the radio holds.
   void run();
 
   ReceiveQueue &queue() { return queue_; }
-
-  /// To be called when the key at a place of the key store was replaced or deleted.
-  void keyChanged(uint8_t slot) { replays_.forget(slot); }
 
  private:
   JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length);
@@ -38,9 +35,9 @@ class Receiver {
   Radio &radio_;
   const RfId &id_;
   const KeyStore &keys_;
+  ReplayMemory &replays_;
   Counters &counters_;
   ReceiveQueue queue_;
-  ReplayMemory replays_;
 };
 
 }  // namespace javino

@@ -5,11 +5,21 @@
 namespace javino {
 
 const uint32_t NonceSource::LAST_COUNTER;
+const uint8_t NonceSource::MOST_ABOVE;
+
+static const uint8_t COUNTER_AT = 3;
 
 void NonceSource::take(uint8_t *nonce) {
   writeUint24(nonce, epoch_.value());
-  writeUint24(nonce + 3, counter_);
+  writeUint24(nonce + COUNTER_AT, counter_);
   counter_++;
+}
+
+bool NonceSource::raiseAbove(const uint8_t *floor) {
+  const uint32_t counter = readUint24(floor + COUNTER_AT);
+  if (readUint24(floor) != epoch_.value() || counter > counter_ + MOST_ABOVE) return false;
+  if (counter >= counter_) counter_ = counter + 1;
+  return true;
 }
 
 }  // namespace javino

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../storage/BootEpoch.h"
+#include "../support/NoInline.h"
 
 namespace javino {
 
@@ -21,8 +22,15 @@ class NonceSource {
   /// @param nonce room for 6 bytes
   void take(uint8_t *nonce);
 
+  /// Goes on above the floor of a receiver that lost its memory (SPEC 7.3), unless all to come are above it anyway.
+  /// @param floor 6 bytes
+  /// @return false, and nothing is changed, where it is of another epoch or more than 32 above the next nonce: no receiver
+  ///         of our frames has such a floor, and nonces are not to be used up by it.
+  JAVINO_NOINLINE bool raiseAbove(const uint8_t *floor);
+
  private:
   static const uint32_t LAST_COUNTER = 0xFFFFFF;
+  static const uint8_t MOST_ABOVE = 32;
 
   const BootEpoch &epoch_;
   uint32_t counter_;

@@ -1,45 +1,201 @@
 #include "ReplayMemory.h"
 
+#include <stddef.h>
 #include <string.h>
+
+#include "../framing/Crc16.h"
+#include "../storage/EepromLayout.h"
+#include "../support/BigEndian.h"
 
 namespace javino {
 
-const uint8_t ReplayMemory::FREE;
 const uint8_t ReplayMemory::NO_ENTRY;
+const uint8_t ReplayMemory::NO_PLACE;
 
-ReplayMemory::ReplayMemory() {
-  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) entries_[i].key = FREE;
+namespace {
+
+const uint8_t ORIGIN_AT = 1;
+const uint8_t NONCE_AT = ORIGIN_AT + Address::STORED_LENGTH;
+const uint8_t COUNTER_AT = NONCE_AT + 3;
+
+const uint8_t MORE_PER_WRITE = 31;  // how far a floor is set above the nonce that it is written for
+const uint32_t LAST_COUNTER = 0xFFFFFF;
+
+EepromRecord recordAt(uint8_t place) {
+  return EepromRecord(static_cast<uint16_t>(FLOORS_AT + place * FLOOR_RECORD_LENGTH), FLOOR_LENGTH);
+}
+
+// The record of a floor that covers a nonce and the next ones of its epoch.
+void packFloor(uint8_t key, const Address &origin, const uint8_t *nonce, uint8_t *record) {
+  record[0] = key;
+  writeUint24(record + ORIGIN_AT, origin.value());
+  memcpy(record + NONCE_AT, nonce, NONCE_LENGTH);
+  const uint32_t counter = readUint24(record + COUNTER_AT) + MORE_PER_WRITE;
+  writeUint24(record + COUNTER_AT, counter < LAST_COUNTER ? counter : LAST_COUNTER);
+}
+
+}  // namespace
+
+void ReplayMemory::begin(uint32_t epoch, const KeyStore &keys) {
+  nextPlace_ = static_cast<uint8_t>(epoch % config::FLOOR_SLOTS);
+  takeOverRam(epoch);
+  readFloors(keys);
+  forgetLostKeys(keys);
+  seal();
+}
+
+// Keeps what the boot before has left in RAM, or nothing; the floors' places are read anew in any case.
+void ReplayMemory::takeOverRam(uint32_t epoch) {
+  const bool intact = memory_.check == crc() && memory_.epoch + 1 == epoch;
+  for (TakenNonce &entry : memory_.entries) {
+    if (!intact) entry.state = FREE;
+    entry.floor = NO_PLACE;
+  }
+  memory_.epoch = epoch;
+}
+
+void ReplayMemory::readFloors(const KeyStore &keys) {
+  for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
+    uint8_t record[FLOOR_LENGTH];
+    if (!recordAt(place).read(record)) continue;
+    if (record[0] < KeyStore::SLOTS && !keys.isFree(record[0])) {
+      takeOverFloor(place, record);
+    } else {
+      recordAt(place).erase(0);
+    }
+  }
+}
+
+void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
+  const Address origin(readUint24(record + ORIGIN_AT));
+  const uint8_t known = find(record[0], origin);
+  const uint8_t index = known == NO_ENTRY ? findFree() : known;
+  if (index == NO_ENTRY) return;  // Config.h had room for more when it was written; it stays, and judge() says FULL
+  TakenNonce &entry = memory_.entries[index];
+  if (known == NO_ENTRY) {
+    entry.key = record[0];
+    entry.origin = origin;
+    entry.state = LOST;
+    memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
+  } else if (entry.floor != NO_PLACE) {  // raised when the power went, and the old one is still there
+    uint8_t other[FLOOR_LENGTH];
+    recordAt(entry.floor).read(other);
+    const bool isHigher = memcmp(record + NONCE_AT, other + NONCE_AT, NONCE_LENGTH) > 0;
+    recordAt(isHigher ? entry.floor : place).erase(0);
+    if (!isHigher) return;
+    if (entry.state == LOST) memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
+  }
+  entry.floor = place;
 }
 
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
-  const uint8_t place = placeFor(key, origin);
-  if (place == NO_ENTRY) return FULL;
-  const Entry &entry = entries_[place];
-  return entry.key == FREE || memcmp(nonce, entry.nonce, NONCE_LENGTH) > 0 ? NEWER : REPLAYED;
+  const uint8_t index = find(key, origin);
+  if (index == NO_ENTRY) return findFree() == NO_ENTRY ? FULL : NEWER;
+  const TakenNonce &entry = memory_.entries[index];
+  const int order = entry.state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry.nonce, NONCE_LENGTH);
+  if (order > 0) return NEWER;
+  if (entry.state == LOST) return STALE;
+  return order == 0 ? REPEATED : REPLAYED;
+}
+
+bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *nonce) {
+  const uint8_t known = find(key, origin);
+  const uint8_t index = known == NO_ENTRY ? findFree() : known;
+  if (index == NO_ENTRY) return false;
+  TakenNonce &entry = memory_.entries[index];
+  if (known != NO_ENTRY && isCovered(entry, nonce)) return true;
+
+  uint8_t record[FLOOR_LENGTH];
+  packFloor(key, origin, nonce, record);
+  const uint8_t place = store(record);
+  if (place == NO_PLACE) return false;
+  const uint8_t before = known == NO_ENTRY ? NO_PLACE : entry.floor;
+  if (known == NO_ENTRY) {
+    entry.key = key;
+    entry.origin = origin;
+    entry.state = NOTHING_TAKEN;
+  }
+  entry.floor = place;
+  seal();
+  if (before != NO_PLACE) recordAt(before).erase(0);  // where it cannot be erased, the higher one counts
+  return true;
 }
 
 void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *nonce) {
-  Entry &entry = entries_[placeFor(key, origin)];
-  entry.key = key;
-  entry.origin = origin;
+  if (judge(key, origin, nonce) != NEWER) return;
+  const uint8_t index = find(key, origin);
+  if (index == NO_ENTRY) return;
+  TakenNonce &entry = memory_.entries[index];
+  entry.state = EXACT;
   memcpy(entry.nonce, nonce, NONCE_LENGTH);
+  seal();
 }
 
-void ReplayMemory::forget(uint8_t key) {
-  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
-    if (entries_[i].key == key) entries_[i].key = FREE;
-  }
+void ReplayMemory::floor(uint8_t key, const Address &origin, uint8_t *into) const {
+  const uint8_t index = find(key, origin);
+  uint8_t record[FLOOR_LENGTH];
+  if (index == NO_ENTRY || !readFloor(memory_.entries[index], record)) memset(record, 0, sizeof record);
+  memcpy(into, record + NONCE_AT, NONCE_LENGTH);
 }
 
-// The place that remembers this origin, else a free one, else NO_ENTRY.
-uint8_t ReplayMemory::placeFor(uint8_t key, const Address &origin) const {
-  uint8_t place = NO_ENTRY;
-  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
-    const Entry &entry = entries_[i];
-    if (entry.key == key && entry.origin == origin) return i;
-    if (entry.key == FREE) place = i;
+bool ReplayMemory::forget(uint8_t key) {
+  bool erased = true;
+  for (TakenNonce &entry : memory_.entries) {
+    if (entry.state == FREE || entry.key != key) continue;
+    if (entry.floor != NO_PLACE && !recordAt(entry.floor).erase(0)) erased = false;
+    entry.state = FREE;
+    seal();
   }
-  return place;
+  return erased;
+}
+
+bool ReplayMemory::forgetLostKeys(const KeyStore &keys) {
+  bool erased = true;
+  for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
+    if (keys.isFree(key) && !forget(key)) erased = false;
+  }
+  return erased;
+}
+
+uint8_t ReplayMemory::find(uint8_t key, const Address &origin) const {
+  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
+    const TakenNonce &entry = memory_.entries[i];
+    if (entry.state != FREE && entry.key == key && entry.origin == origin) return i;
+  }
+  return NO_ENTRY;
+}
+
+uint8_t ReplayMemory::findFree() const {
+  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
+    if (memory_.entries[i].state == FREE) return i;
+  }
+  return NO_ENTRY;
+}
+
+// Writes a floor to the next place of the ring that holds none and keeps it; returns the place, or NO_PLACE.
+uint8_t ReplayMemory::store(const uint8_t *record) {
+  for (uint8_t tries = 0; tries < config::FLOOR_SLOTS; tries++) {
+    const uint8_t place = nextPlace_;
+    nextPlace_ = static_cast<uint8_t>((place + 1) % config::FLOOR_SLOTS);
+    uint8_t present[FLOOR_LENGTH];
+    if (!recordAt(place).read(present) && recordAt(place).write(record)) return place;
+  }
+  return NO_PLACE;
+}
+
+bool ReplayMemory::readFloor(const TakenNonce &entry, uint8_t *record) const {
+  return entry.floor != NO_PLACE && recordAt(entry.floor).read(record);
+}
+
+bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) const {
+  uint8_t record[FLOOR_LENGTH];
+  return readFloor(entry, record) && memcmp(nonce, record + NONCE_AT, NONCE_LENGTH) <= 0;
+}
+
+uint16_t ReplayMemory::crc() const {
+  Crc16 crc;
+  crc.add(reinterpret_cast<const uint8_t *>(&memory_), offsetof(TakenNonces, check));
+  return crc.value();
 }
 
 }  // namespace javino

@@ -5,46 +5,92 @@
 #include "../Config.h"
 #include "../addressing/Address.h"
 #include "../framing/Limits.h"
+#include "../storage/KeyStore.h"
+#include "../storage/Retained.h"
 #include "../support/NoInline.h"
 
 namespace javino {
 
-/// Remembers the highest nonce accepted from each origin under each key (SPEC 5.1), in RAM: until the next boot, and
-/// until the key is replaced or deleted. It never forgets an origin to make room for another, since a forger who can
-/// replay could make it forget.
+/// Remembers for each key and origin the highest nonce that the host has taken (SPEC 5.1), over reboots too. It never
+/// forgets an origin to make room for another, since whoever can replay could make it forget.
+///
+/// The exact nonce is in RAM that a reset leaves alone (Retained.h), behind a CRC and the boot epoch: it is taken over
+/// only by the very next boot, so that no old image, which another sketch has left where it was, makes the board forget.
+/// A floor, never lower than any nonce that was accepted, is in EEPROM: all that counts when the RAM is lost.
+///
+/// Wear of the floors. A write raises a floor by 32 sealed frames of its origin (those that go to others count too, as a
+/// sender has one counter), goes to the next place of a ring that is free and then erases the old floor, of which a cut
+/// of power between the two leaves both, and the higher counts. So each use writes the last byte of a place twice: of
+/// cells good for 100 000 writes, a place is good for 50 000 uses. With the defaults of Config.h at least 96 - 24 places
+/// are free: 72 * 50 000 * 32 = 115 million frames, at one a second for 3.6 years. Places that are worn out are passed
+/// over. The ring is begun at another place in each boot.
 class ReplayMemory {
  public:
   enum Verdict : uint8_t {
-    NEWER,     ///< higher than all accepted so far
-    REPLAYED,  ///< not higher
+    NEWER,     ///< higher than all that were taken
+    REPEATED,  ///< the last one taken
+    REPLAYED,  ///< lower
+    STALE,     ///< not above the floor, and what was taken is no longer known exactly
     FULL       ///< from an origin that there is no room to remember
   };
 
-  ReplayMemory();
+  ReplayMemory() : memory_(retained::takenNonces()), nextPlace_(0) {}
+
+  /// Reads the floors, takes over what RAM still holds, and forgets what came under keys that are gone. To be called once,
+  /// after a boot, when the epoch was raised and the keys were read: a few ms, and 3.4 ms for each forgotten floor.
+  /// @param epoch the boot epoch
+  JAVINO_NOINLINE void begin(uint32_t epoch, const KeyStore &keys);
 
   /// @param key the place of the key in the key store
   /// @param nonce 6 bytes
-  Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;
+  JAVINO_NOINLINE Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;
 
-  /// Takes over a nonce that was judged NEWER.
-  void remember(uint8_t key, const Address &origin, const uint8_t *nonce);
+  /// Makes sure that the floor in EEPROM is not below a nonce that was judged NEWER, before anything comes of it: some
+  /// 45 ms for the first of 32, else nothing.
+  /// @return false where there is no room for another origin or EEPROM does not keep it: then the nonce must be refused.
+  JAVINO_NOINLINE bool reserve(uint8_t key, const Address &origin, const uint8_t *nonce);
 
-  /// Forgets all that came under a key.
-  void forget(uint8_t key);
+  /// Takes note that the host has taken the message of a nonce for which reserve() was called. The highest stays; where
+  /// the key was forgotten meanwhile, nothing happens.
+  JAVINO_NOINLINE void remember(uint8_t key, const Address &origin, const uint8_t *nonce);
+
+  /// Tells the floor in EEPROM: all zeroes where there is none.
+  /// @param into room for 6 bytes
+  void floor(uint8_t key, const Address &origin, uint8_t *into) const;
+
+  /// Forgets all that came under a key, in EEPROM too: 3.4 ms for each origin.
+  /// @return false where the EEPROM did not erase a floor. That may refuse messages under a later key in the same place,
+  /// but never lets one in.
+  JAVINO_NOINLINE bool forget(uint8_t key);
+
+  /// Forgets all that came under keys that are gone.
+  /// @return false where the EEPROM did not erase a floor.
+  bool forgetLostKeys(const KeyStore &keys);
 
  private:
-  static const uint8_t FREE = 0xFF;
-  static const uint8_t NO_ENTRY = 0xFF;
-
-  struct Entry {
-    uint8_t key;  // FREE where unused
-    Address origin;
-    uint8_t nonce[NONCE_LENGTH];
+  enum State : uint8_t {
+    FREE,           // no entry
+    NOTHING_TAKEN,  // and nothing lost
+    EXACT,          // nonce is the highest taken
+    LOST            // nonce was the floor after the boot: what was taken is not above it
   };
 
-  JAVINO_NOINLINE uint8_t placeFor(uint8_t key, const Address &origin) const;
+  static const uint8_t NO_ENTRY = 0xFF;
+  static const uint8_t NO_PLACE = 0xFF;
 
-  Entry entries_[config::REPLAY_ENTRIES];
+  void takeOverRam(uint32_t epoch);
+  void readFloors(const KeyStore &keys);
+  void takeOverFloor(uint8_t place, const uint8_t *record);
+  JAVINO_NOINLINE uint8_t find(uint8_t key, const Address &origin) const;
+  uint8_t findFree() const;
+  JAVINO_NOINLINE uint8_t store(const uint8_t *record);
+  bool readFloor(const TakenNonce &entry, uint8_t *record) const;
+  bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
+  JAVINO_NOINLINE uint16_t crc() const;
+  void seal() { memory_.check = crc(); }
+
+  TakenNonces &memory_;
+  uint8_t nextPlace_;  // of the ring, where to look for a free one
 };
 
 }  // namespace javino

@@ -5,6 +5,7 @@
 #include "../Config.h"
 #include "../addressing/Address.h"
 #include "../crypto/DerivedKeys.h"
+#include "../framing/Limits.h"
 #include "EepromRecord.h"
 
 #if defined(__AVR__)
@@ -13,23 +14,35 @@
 
 namespace javino {
 
-/// Where things are in EEPROM: RF id, ring of boot epochs, keys, in this order.
+/// Where things are in EEPROM, in this order: RF id, ring of boot epochs, keys, ring of nonces' floors.
+
+/// Address and generation.
+static const uint8_t RF_ID_LENGTH = Address::STORED_LENGTH + 1;
+static const uint8_t RF_ID_RECORD_LENGTH = RF_ID_LENGTH + EepromRecord::CHECK_LENGTH;
+static const uint8_t RF_ID_PLACES = 2;
 
 static const uint8_t EPOCH_LENGTH = 3;
 static const uint8_t EPOCH_RECORD_LENGTH = EPOCH_LENGTH + EepromRecord::CHECK_LENGTH;
-static const uint8_t RF_ID_RECORD_LENGTH = Address::STORED_LENGTH + EepromRecord::CHECK_LENGTH;
-static const uint8_t KEY_LENGTH = 2 * Aes128::KEY_LENGTH + DerivedKeys::CHECK_LENGTH + Address::STORED_LENGTH;
+
+/// Kenc, Kmac, check value, address, generation, and whether it replaces older ones.
+static const uint8_t KEY_LENGTH = 2 * Aes128::KEY_LENGTH + DerivedKeys::CHECK_LENGTH + Address::STORED_LENGTH + 1 + 1;
 static const uint8_t KEY_RECORD_LENGTH = KEY_LENGTH + EepromRecord::CHECK_LENGTH;
+static const uint8_t KEY_PLACES = config::KEYS + 1;
+
+/// Place of the key, origin and nonce.
+static const uint8_t FLOOR_LENGTH = 1 + Address::STORED_LENGTH + NONCE_LENGTH;
+static const uint8_t FLOOR_RECORD_LENGTH = FLOOR_LENGTH + EepromRecord::CHECK_LENGTH;
 
 static const uint16_t RF_ID_AT = config::EEPROM_START;
-static const uint16_t EPOCHS_AT = RF_ID_AT + RF_ID_RECORD_LENGTH;
+static const uint16_t EPOCHS_AT = RF_ID_AT + RF_ID_PLACES * RF_ID_RECORD_LENGTH;
 static const uint16_t KEYS_AT = EPOCHS_AT + config::EPOCH_SLOTS * EPOCH_RECORD_LENGTH;
+static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_RECORD_LENGTH;
 
 /// The first byte that is free for the sketch.
-static const uint16_t EEPROM_END = KEYS_AT + config::KEYS * KEY_RECORD_LENGTH;
+static const uint16_t EEPROM_END = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_RECORD_LENGTH;
 
 #if defined(E2END)
-static_assert(EEPROM_END <= E2END + 1, "The keys and epochs of Config.h do not fit the EEPROM of this chip");
+static_assert(EEPROM_END <= E2END + 1, "The keys, epochs and floors of Config.h do not fit the EEPROM of this chip");
 #endif
 
 }  // namespace javino

@@ -2,23 +2,27 @@
 
 #include <storage/Eeprom.h>
 
-static SimulatedEeprom *youngest = nullptr;
+static SimulatedEeprom *current = nullptr;
 
 namespace javino {
 namespace eeprom {
 
-uint8_t read(uint16_t at) { return youngest->read(at); }
-void update(uint16_t at, uint8_t value) { youngest->update(at, value); }
+uint8_t read(uint16_t at) { return current->read(at); }
+void update(uint16_t at, uint8_t value) { current->update(at, value); }
 
 }  // namespace eeprom
 }  // namespace javino
 
-SimulatedEeprom::SimulatedEeprom() : before_(youngest) {
+SimulatedEeprom::SimulatedEeprom() : before_(current) {
   cells_.fill(0xFF);
-  youngest = this;
+  use();
 }
 
-SimulatedEeprom::~SimulatedEeprom() { youngest = before_; }
+SimulatedEeprom::~SimulatedEeprom() {
+  if (current == this) current = before_;
+}
+
+void SimulatedEeprom::use() { current = this; }
 
 void SimulatedEeprom::update(uint16_t at, uint8_t value) {
   uint8_t &cell = cells_.at(at);

@@ -8,14 +8,17 @@
 /// Thrown by an EEPROM whose power is cut.
 struct PowerCut {};
 
-/// 4096 cells, erased at first, that can lose power in the middle of a write, and wear out. The youngest one alive is
-/// the chip's EEPROM.
+/// 4096 cells, erased at first, that can lose power in the middle of a write, and wear out. The one that was made or told
+/// to be used last is the chip's EEPROM.
 class SimulatedEeprom {
  public:
   SimulatedEeprom();
   ~SimulatedEeprom();
   SimulatedEeprom(const SimulatedEeprom &) = delete;
   SimulatedEeprom &operator=(const SimulatedEeprom &) = delete;
+
+  /// Makes this the chip's: for tests with several boards.
+  void use();
 
   uint8_t read(uint16_t at) const { return cells_.at(at); }
   void update(uint16_t at, uint8_t value);

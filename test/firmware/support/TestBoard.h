@@ -9,6 +9,7 @@
 #include "FakePort.h"
 #include "FakeRadio.h"
 #include "SimulatedEeprom.h"
+#include "SimulatedRam.h"
 
 /// A record of a poll reply.
 struct PollRecord {
@@ -88,6 +89,7 @@ class TestBoard {
   FakePort port;
   FakeRadio radio;
   SimulatedEeprom eeprom;
+  SimulatedRam ram;
   std::unique_ptr<javino::Board> board;
 
  private:

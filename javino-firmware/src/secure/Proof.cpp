@@ -1,0 +1,36 @@
+#include "Proof.h"
+
+#include <string.h>
+
+#include "../framing/Limits.h"
+
+namespace javino {
+
+const uint8_t Claim::MAX_BODY_LENGTH;
+const uint8_t Proof::LENGTH;
+
+static const uint8_t NONCE_AT = 1;
+static const uint8_t SENDER_AT = NONCE_AT + NONCE_LENGTH;
+static const uint8_t ACKNOWLEDGER_AT = SENDER_AT + Address::TEXT_LENGTH;
+static const uint8_t BODY_AT = ACKNOWLEDGER_AT + Address::TEXT_LENGTH;
+
+void Proof::make(const Claim &claim, uint8_t *proof) const {
+  uint8_t covered[BODY_AT + Claim::MAX_BODY_LENGTH];
+  const uint8_t bodyLength = Claim::bodyLength(claim.type);
+  covered[0] = claim.type;
+  memcpy(covered + NONCE_AT, claim.nonce, NONCE_LENGTH);
+  claim.sender.write(covered + SENDER_AT);
+  claim.acknowledger.write(covered + ACKNOWLEDGER_AT);
+  if (bodyLength != 0) memcpy(covered + BODY_AT, claim.body, bodyLength);
+  uint8_t tag[Aes128::BLOCK_LENGTH];
+  cmac_.compute(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
+  memcpy(proof, tag, LENGTH);
+}
+
+bool Proof::isRight(const Claim &claim, const uint8_t *proof) const {
+  uint8_t expected[LENGTH];
+  make(claim, expected);
+  return equalInConstantTime(expected, proof, LENGTH);
+}
+
+}  // namespace javino

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../addressing/Address.h"
+#include "../crypto/Aes128.h"
+#include "../crypto/Cmac.h"
+#include "../crypto/DerivedKeys.h"
+#include "../support/NoInline.h"
+
+namespace javino {
+
+/// What an acknowledgement says, and what its proof covers (SPEC 7.3).
+struct Claim {
+  enum Type : uint8_t {
+    DELIVERED = 0x06,  ///< nothing comes before the proof
+    PIECES = 0x07,     ///< one byte comes before it: the pieces that are here
+    STALE = 0x08       ///< eight bytes come before it: the floor and the receiver's uptime
+  };
+
+  static const uint8_t MAX_BODY_LENGTH = 8;
+
+  /// How many bytes come before the proof.
+  static uint8_t bodyLength(Type type) { return type == STALE ? MAX_BODY_LENGTH : type == PIECES ? 1 : 0; }
+
+  Type type;
+  const uint8_t *nonce;  ///< 6 bytes, of the frame that is answered
+  Address sender;        ///< of that frame
+  Address acknowledger;
+  const uint8_t *body;   ///< what comes before the proof: bodyLength(type) bytes
+};
+
+/// Makes and checks the proofs of acknowledgements under one key (SPEC 7.3).
+class Proof {
+ public:
+  static const uint8_t LENGTH = 8;
+
+  /// Expands Kmac: 192 bytes, wiped at the end of life.
+  /// @param keys of the frame that is answered
+  JAVINO_NOINLINE explicit Proof(const DerivedKeys &keys) : authentication_(keys.authentication), cmac_(authentication_) {}
+
+  /// @param proof room for 8 bytes
+  JAVINO_NOINLINE void make(const Claim &claim, uint8_t *proof) const;
+
+  /// Compares in constant time.
+  /// @param proof 8 bytes
+  JAVINO_NOINLINE bool isRight(const Claim &claim, const uint8_t *proof) const;
+
+ private:
+  const Aes128 authentication_;
+  const Cmac cmac_;
+};
+
+}  // namespace javino
