@@ -1,0 +1,112 @@
+package campaign;
+
+import harness.Emulator;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import javino.link.LinkOpener;
+import javino.link.SerialLink;
+import javino.protocol.Address;
+
+/** Emulated boards in cells: those of one cell hear each other, and nobody else. In a folder that goes when it ends. */
+final class Field implements AutoCloseable {
+
+    /** What one emulator takes. */
+    static final int MOST_BOARDS = 32;
+    private static final double CELL_METRES = 10_000;
+
+    private final Path folder;
+    private final Emulator emulator;
+    private final List<List<Post>> cells;
+
+    /**
+     * Boards in one range.
+     *
+     * @param sketch what they all run.
+     * @param boards how many, at least 1.
+     */
+    record Cell(String sketch, int boards) { }
+
+    /**
+     * One board.
+     *
+     * @param name    what the trace calls it.
+     * @param address its RF id, once its host has set it.
+     */
+    record Post(String name, Address address) { }
+
+    private Field(Path folder, Emulator emulator, List<List<Post>> cells) {
+        this.folder = folder;
+        this.emulator = emulator;
+        this.cells = cells;
+    }
+
+    /** Names and addresses of the boards of these cells; the same each time. */
+    static List<List<Post>> posts(List<Cell> cells) {
+        List<List<Post>> all = new ArrayList<>();
+        int number = 0;
+        for (Cell cell : cells) {
+            List<Post> posts = new ArrayList<>();
+            for (int i = 0; i < cell.boards; i++, number++) {
+                posts.add(new Post("board" + number, Address.parse(Table.text("B%03d", number))));
+            }
+            all.add(List.copyOf(posts));
+        }
+        return List.copyOf(all);
+    }
+
+    /** Adds the boards to a scenario and starts it. */
+    static Field start(Emulator.Scenario scenario, List<Cell> cells) throws IOException, InterruptedException {
+        List<List<Post>> posts = posts(cells);
+        for (int cell = 0; cell < cells.size(); cell++) {
+            for (Post post : posts.get(cell)) {
+                scenario.board(post.name, cells.get(cell).sketch, Map.of("position", List.of(cell * CELL_METRES, 0)));
+            }
+        }
+        Path folder = Files.createTempDirectory("javino-campaign");
+        try {
+            return new Field(folder, scenario.start(folder), posts);
+        } catch (IOException | InterruptedException | RuntimeException | AssertionError failed) {
+            delete(folder);
+            throw failed;
+        }
+    }
+
+    /** How to open the serial port of a board. */
+    LinkOpener link(Post post) {
+        return SerialLink.opener(emulator.port(post.name));
+    }
+
+    List<Post> cell(int index) {
+        return cells.get(index);
+    }
+
+    Emulator emulator() {
+        return emulator;
+    }
+
+    /** For whatever belongs to this run. */
+    Path folder() {
+        return folder;
+    }
+
+    @Override
+    public void close() throws IOException {
+        try {
+            emulator.close();
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) Files.deleteIfExists(file);
+        }
+    }
+}

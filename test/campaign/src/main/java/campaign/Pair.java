@@ -1,0 +1,49 @@
+package campaign;
+
+import harness.TestKeys;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+
+/** Two endpoints in a cell of their own, of which one sends to the other, and what became of it. */
+final class Pair implements AutoCloseable {
+
+    private static final Duration POLL = Duration.ofMillis(20);
+
+    private final List<Field.Post> posts;
+    private final Ledger ledger;
+    private final Endpoint sender;
+    private final Endpoint receiver;
+
+    /** @param length of each content, in bytes. */
+    Pair(Field field, int cell, int length) {
+        posts = field.cell(cell);
+        ledger = new Ledger(length);
+        Field.Post from = posts.get(0);
+        Field.Post to = posts.get(1);
+        sender = new Endpoint(field.link(from), POLL, to.address(), new Ledger(length));
+        receiver = new Endpoint(field.link(to), POLL, from.address(), ledger);
+        sender.as(from.address(), Map.of(to.address(), TestKeys.PAIR));
+        receiver.as(to.address(), Map.of(from.address(), TestKeys.PAIR));
+    }
+
+    /** Begins to send, up to so many messages and until that time of {@link System#nanoTime}. */
+    Stream stream(int window, int messages, long end) {
+        return new Stream(sender, posts.get(1).address(), ledger, window,
+            () -> ledger.sum().offered() < messages && System.nanoTime() - end < 0);
+    }
+
+    List<Field.Post> posts() {
+        return posts;
+    }
+
+    Ledger ledger() {
+        return ledger;
+    }
+
+    @Override
+    public void close() {
+        sender.close();
+        receiver.close();
+    }
+}
