@@ -6,7 +6,7 @@
 
 namespace javino {
 
-const uint8_t Claim::MAX_BODY_LENGTH;
+const uint8_t Proof::MAX_BODY_LENGTH;
 const uint8_t Proof::LENGTH;
 
 static const uint8_t NONCE_AT = 1;
@@ -15,8 +15,8 @@ static const uint8_t ACKNOWLEDGER_AT = SENDER_AT + Address::TEXT_LENGTH;
 static const uint8_t BODY_AT = ACKNOWLEDGER_AT + Address::TEXT_LENGTH;
 
 void Proof::make(const Claim &claim, uint8_t *proof) const {
-  uint8_t covered[BODY_AT + Claim::MAX_BODY_LENGTH];
-  const uint8_t bodyLength = Claim::bodyLength(claim.type);
+  uint8_t covered[BODY_AT + MAX_BODY_LENGTH];
+  const uint8_t bodyLength = Proof::bodyLength(claim.type);
   covered[0] = claim.type;
   memcpy(covered + NONCE_AT, claim.nonce, NONCE_LENGTH);
   claim.sender.write(covered + SENDER_AT);

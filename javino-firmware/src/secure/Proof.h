@@ -10,8 +10,12 @@
 
 namespace javino {
 
-/// What an acknowledgement says, and what its proof covers (SPEC 7.3).
-struct Claim {
+/// Makes and checks the proofs of acknowledgements under one key (SPEC 7.3).
+class Proof {
+ public:
+  static const uint8_t LENGTH = 8;
+
+  /// What an acknowledgement says.
   enum Type : uint8_t {
     DELIVERED = 0x06,  ///< nothing comes before the proof
     PIECES = 0x07,     ///< one byte comes before it: the pieces that are here
@@ -23,17 +27,14 @@ struct Claim {
   /// How many bytes come before the proof.
   static uint8_t bodyLength(Type type) { return type == STALE ? MAX_BODY_LENGTH : type == PIECES ? 1 : 0; }
 
-  Type type;
-  const uint8_t *nonce;  ///< 6 bytes, of the frame that is answered
-  Address sender;        ///< of that frame
-  Address acknowledger;
-  const uint8_t *body;   ///< what comes before the proof: bodyLength(type) bytes
-};
-
-/// Makes and checks the proofs of acknowledgements under one key (SPEC 7.3).
-class Proof {
- public:
-  static const uint8_t LENGTH = 8;
+  /// What a proof covers.
+  struct Claim {
+    Type type;
+    const uint8_t *nonce;  ///< 6 bytes, of the frame that is answered
+    Address sender;        ///< of that frame
+    Address acknowledger;
+    const uint8_t *body;  ///< what comes before the proof: bodyLength(type) bytes
+  };
 
   /// Expands Kmac: 192 bytes, wiped at the end of life.
   /// @param keys of the frame that is answered
