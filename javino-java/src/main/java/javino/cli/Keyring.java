@@ -1,6 +1,7 @@
 package javino.cli;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -41,7 +42,7 @@ final class Keyring {
      */
     static Keyring read(Path file) throws IOException {
         Keyring keyring = new Keyring();
-        List<String> lines = Files.readAllLines(file);
+        List<String> lines = linesOf(file);
         for (int i = 0; i < lines.size(); i++) {
             String line = lines.get(i).replaceFirst("#.*", "").strip();
             try {
@@ -55,10 +56,19 @@ final class Keyring {
         return keyring;
     }
 
+    private static List<String> linesOf(Path file) throws IOException {
+        try {
+            return Files.readAllLines(file);
+        } catch (CharacterCodingException e) {
+            throw new IllegalArgumentException(file + " is no text in UTF-8; save it as such", e);
+        }
+    }
+
     private void addLine(String line) {
         String[] sides = line.split("=", -1);
         String[] names = sides[0].strip().split("\\s+");
-        if (sides.length != 2 || names.length > 2) {
+        boolean areNames = Stream.of(names).allMatch(name -> name.length() <= Address.LENGTH);
+        if (sides.length != 2 || names.length > 2 || !areNames) {
             // Without the line itself, which may hold a key.
             throw new IllegalArgumentException("expected ROMA SUPO = key, or //SU = key");
         }

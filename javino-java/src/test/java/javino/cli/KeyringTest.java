@@ -51,12 +51,19 @@ class KeyringTest {
     @ValueSource(strings = {
         "ROMA SUPO", "ROMA = " + HEX, "//// = " + HEX, "ROMA //SU = " + HEX, "ROMA ROMA = " + HEX,
         "A B C = " + HEX, "ROMA SUPO = 00", "ROMA SUPO = " + HEX + "=", "= " + HEX, "RO-A SUPO = " + HEX,
-        "SUPO ROMA = " + HEX
+        "SUPO ROMA = " + HEX, HEX + " = " + OTHER, "ROMA " + HEX + " = " + OTHER
     })
     void read_badLine_throwsWithFileAndLineButNoKey(String line) {
         String text = "ROMA SUPO = " + OTHER + "\n\n" + line;
         Exception e = assertThrows(IllegalArgumentException.class, () -> read(text));
         assertTrue(e.getMessage().contains("keys, line 3: "), e.getMessage());
         assertFalse(e.getMessage().contains(HEX), e.getMessage());
+    }
+
+    @Test
+    void read_noUtf8_throwsWithFile() throws IOException {
+        Path file = Files.write(folder.resolve("keys"), new byte[] {'#', ' ', (byte) 0xE4, '\n'});
+        Exception e = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file));
+        assertTrue(e.getMessage().startsWith(file + " is no text in UTF-8"), e.getMessage());
     }
 }
