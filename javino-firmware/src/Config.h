@@ -22,14 +22,33 @@
 #define JAVINO_FLOOR_SLOTS 96
 #endif
 
-/// Received messages that wait for the host, 1…128. 76 bytes of RAM each.
-#ifndef JAVINO_RECEIVE_QUEUE
-#define JAVINO_RECEIVE_QUEUE 4
+/// The longest message (SPEC 2) that the board sends, receives and exchanges with its host, 255…511 bytes. It sizes two
+/// packets of the serial line, each half-received message and the least that the two queues below hold.
+#ifndef JAVINO_MAX_MESSAGE
+#define JAVINO_MAX_MESSAGE 511
 #endif
 
-/// Packets that wait for the air, 1…16. 78 bytes of RAM each.
-#ifndef JAVINO_TRANSMIT_QUEUE
-#define JAVINO_TRANSMIT_QUEUE 2
+/// Bytes for received messages that wait for the host: each takes its content and 17 more. RAM as it says.
+#ifndef JAVINO_RECEIVE_BYTES
+#define JAVINO_RECEIVE_BYTES 768
+#endif
+
+/// Bytes for messages that wait for the air: each takes its content and 26 more, a broadcast 12. RAM as it says.
+#ifndef JAVINO_TRANSMIT_BYTES
+#define JAVINO_TRANSMIT_BYTES 768
+#endif
+
+/// Messages in pieces that can be received at the same time, 1…8. 537 bytes of RAM each.
+#ifndef JAVINO_REASSEMBLIES
+#define JAVINO_REASSEMBLIES 2
+#endif
+
+/// How often a multicast is sent, 1…4, and a broadcast: neither is acknowledged (SPEC 7.2). No RAM.
+#ifndef JAVINO_MULTICAST_SENDS
+#define JAVINO_MULTICAST_SENDS 2
+#endif
+#ifndef JAVINO_BROADCAST_SENDS
+#define JAVINO_BROADCAST_SENDS 1
 #endif
 
 /// Actions that a sketch can name, 1…254. 4 bytes of RAM each.
@@ -53,8 +72,12 @@ namespace config {
 static const uint8_t KEYS = JAVINO_KEYS;
 static const uint8_t REPLAY_ENTRIES = JAVINO_REPLAY_ENTRIES;
 static const uint8_t FLOOR_SLOTS = JAVINO_FLOOR_SLOTS;
-static const uint8_t RECEIVE_QUEUE = JAVINO_RECEIVE_QUEUE;
-static const uint8_t TRANSMIT_QUEUE = JAVINO_TRANSMIT_QUEUE;
+static const uint16_t MAX_MESSAGE = JAVINO_MAX_MESSAGE;
+static const uint16_t RECEIVE_BYTES = JAVINO_RECEIVE_BYTES;
+static const uint16_t TRANSMIT_BYTES = JAVINO_TRANSMIT_BYTES;
+static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
+static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
+static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
@@ -63,8 +86,14 @@ static_assert(JAVINO_KEYS >= 1 && JAVINO_KEYS <= 63, "JAVINO_KEYS must be 1…63
 static_assert(JAVINO_REPLAY_ENTRIES >= 1 && JAVINO_REPLAY_ENTRIES <= 253, "JAVINO_REPLAY_ENTRIES must be 1…253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,
               "JAVINO_FLOOR_SLOTS must be greater than JAVINO_REPLAY_ENTRIES, and at most 254");
-static_assert(JAVINO_RECEIVE_QUEUE >= 1 && JAVINO_RECEIVE_QUEUE <= 128, "JAVINO_RECEIVE_QUEUE must be 1…128");
-static_assert(JAVINO_TRANSMIT_QUEUE >= 1 && JAVINO_TRANSMIT_QUEUE <= 16, "JAVINO_TRANSMIT_QUEUE must be 1…16");
+static_assert(JAVINO_MAX_MESSAGE >= 255 && JAVINO_MAX_MESSAGE <= 511, "JAVINO_MAX_MESSAGE must be 255…511");
+static_assert(JAVINO_RECEIVE_BYTES >= JAVINO_MAX_MESSAGE + 3 && JAVINO_RECEIVE_BYTES <= 4096,
+              "JAVINO_RECEIVE_BYTES must hold the longest message and 3 bytes, and be at most 4096");
+static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 12 && JAVINO_TRANSMIT_BYTES <= 4096,
+              "JAVINO_TRANSMIT_BYTES must hold the longest frame and 2 bytes, and be at most 4096");
+static_assert(JAVINO_REASSEMBLIES >= 1 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 1…8");
+static_assert(JAVINO_MULTICAST_SENDS >= 1 && JAVINO_MULTICAST_SENDS <= 4, "JAVINO_MULTICAST_SENDS must be 1…4");
+static_assert(JAVINO_BROADCAST_SENDS >= 1 && JAVINO_BROADCAST_SENDS <= 4, "JAVINO_BROADCAST_SENDS must be 1…4");
 static_assert(JAVINO_ACTIONS >= 1 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 1…254");
 static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 4…64");
 

@@ -6,6 +6,8 @@ namespace javino {
 
 const uint8_t Address::TEXT_LENGTH;
 const uint8_t Address::STORED_LENGTH;
+const uint16_t Address::PIECES;
+const uint16_t Address::ACKNOWLEDGEMENTS;
 const uint16_t Address::PLUSES;
 const uint16_t Address::SLASHES;
 const uint16_t Address::FIRST_PLUS;
@@ -33,6 +35,8 @@ void Address::write(uint8_t *text) const {
 Address::Class Address::classOf() const {
   if (group_ < FIRST_PLUS) return DEVICE;
   if (group_ == SLASHES) return member_ == SLASHES ? BROADCAST : MULTICAST;
+  if (group_ == PIECES) return PIECE;
+  if (group_ == ACKNOWLEDGEMENTS) return ACKNOWLEDGEMENT;
   return group_ == PLUSES && member_ == PLUSES ? SERIAL_LINE : RESERVED;
 }
 

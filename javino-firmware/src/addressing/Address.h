@@ -12,7 +12,7 @@ class Address {
   static const uint8_t TEXT_LENGTH = 4;
   static const uint8_t STORED_LENGTH = 3;
 
-  enum Class : uint8_t { DEVICE, SERIAL_LINE, BROADCAST, MULTICAST, RESERVED };
+  enum Class : uint8_t { DEVICE, SERIAL_LINE, BROADCAST, MULTICAST, PIECE, ACKNOWLEDGEMENT, RESERVED };
 
   /// Any address, to be assigned before use. No constructor: those of all the addresses that a board holds would cost
   /// 228 bytes of flash.
@@ -20,6 +20,14 @@ class Address {
 
   /// The serial line's address, `++++`; as an RF id it means that none is set.
   static Address serialLine() { return Address(PLUSES, PLUSES); }
+
+  /// A piece's address: `+F` and these two digits (SPEC 7.1).
+  /// @param id 0…63
+  /// @param index 0…63
+  static Address piece(uint8_t id, uint8_t index) { return Address(PIECES, static_cast<uint16_t>(id << 6 | index)); }
+
+  /// An acknowledgement's address: `+K` and these 12 bits as two digits (SPEC 7.3).
+  static Address acknowledgement(uint16_t bits) { return Address(ACKNOWLEDGEMENTS, bits); }
 
   /// @param value 0…0xFFFFFF
   explicit Address(uint32_t value) : Address(value >> 12 & 0xFFF, value & 0xFFF) {}
@@ -50,7 +58,9 @@ class Address {
   bool operator!=(const Address &other) const { return !(*this == other); }
 
  private:
-  static const uint16_t FIRST_PLUS = 0xF80;  // the two digits `+A`, the first group that is no device's
+  static const uint16_t FIRST_PLUS = 0xF80;  // `+A`, the first group that is no device's
+  static const uint16_t PIECES = 0xF85;      // `+F`
+  static const uint16_t ACKNOWLEDGEMENTS = 0xF8A;  // `+K`
   static const uint16_t PLUSES = 0xFBE;      // `++`
   static const uint16_t SLASHES = 0xFFF;     // `//`
 

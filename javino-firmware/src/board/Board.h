@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../delivery/Delivery.h"
 #include "../radio/Radio.h"
 #include "../secure/NonceSource.h"
 #include "../secure/ReplayMemory.h"
@@ -12,16 +13,14 @@
 #include "Counters.h"
 #include "KeyCommands.h"
 #include "Poll.h"
-#include "Receiver.h"
 #include "Sender.h"
 #include "SerialPort.h"
 #include "SerialSession.h"
-#include "Transmitter.h"
 
 namespace javino {
 
-/// A whole board without its hardware: what the protocol asks of it, behind the three seams serial port, EEPROM and
-/// radio. The class Javino puts it on an Arduino.
+/// A whole board without its hardware: what the protocol asks of it, behind the seams serial port, EEPROM, radio, clock
+/// and retained RAM. The class Javino puts it on an Arduino.
 class Board {
  public:
   /// The UART, the radio and the name outlive the board.
@@ -48,8 +47,7 @@ class Board {
   KeyStore keys_;
   ReplayMemory replays_;
   NonceSource nonces_;
-  Transmitter transmitter_;
-  Receiver receiver_;
+  Delivery delivery_;
   Sender sender_;
   Actions actions_;
   Poll poll_;

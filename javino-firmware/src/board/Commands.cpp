@@ -54,9 +54,10 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'R':
       return openRadio(body, length);
     case 'K':
-      return keys_.set(body, length, reply);
+    case 'N':
+    case 'F':
     case 'D':
-      return keys_.erase(body, length);
+      return changeKeys(name, body, length, reply);
     case 'L':
       return keys_.list(length, reply);
     case 'S':
@@ -86,17 +87,29 @@ Status Commands::poll(const uint8_t *body, uint16_t length, Reply &reply) {
   return Status::OK;
 }
 
+// What was sealed with a key that is gone must not be opened, acknowledged or sealed anew with the next one in its place.
+Status Commands::changeKeys(char name, const uint8_t *body, uint16_t length, Reply &reply) {
+  const Status status = name == 'K'   ? keys_.set(body, length, reply)
+                        : name == 'N' ? keys_.renew(body, length, reply)
+                        : name == 'F' ? keys_.finish(body, length)
+                                      : keys_.erase(body, length);
+  delivery_.keysChanged();
+  return status;
+}
+
 Status Commands::setRfId(const uint8_t *body, uint16_t length) {
   Address address;
   if (length != Address::TEXT_LENGTH || !Address::parse(body, address) || !address.isDevice()) {
     return Status::BAD_ARGUMENT;
   }
-  return id_.set(address) ? Status::OK : Status::STORE_FAILED;
+  if (!id_.set(address)) return Status::STORE_FAILED;
+  delivery_.seed();
+  return Status::OK;
 }
 
 Status Commands::openRadio(const uint8_t *body, uint16_t length) {
   if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
-  radio_.listen(body[0] == 1);
+  delivery_.open(body[0] == 1);
   return Status::OK;
 }
 
@@ -108,6 +121,7 @@ Status Commands::statistics(uint16_t length, Reply &reply) {
   counters_.set(Counter::RADIO_DAMAGED, radio.damaged);
   counters_.set(Counter::RADIO_MISSED, radio.missed);
   counters_.set(Counter::RADIO_SENT, radio.sent);
+  counters_.set(Counter::RADIO_MENDED, radio.mended);
   for (uint8_t number = 1; number <= Counters::COUNT; number++) {
     uint8_t entry[1 + 4] = {number};
     writeUint32(entry + 1, counters_.value(static_cast<Counter>(number)));

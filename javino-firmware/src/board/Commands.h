@@ -2,10 +2,12 @@
 
 #include <stdint.h>
 
+#include "../delivery/Delivery.h"
 #include "../radio/Radio.h"
 #include "../storage/BootEpoch.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
+#include "../support/NoInline.h"
 #include "Actions.h"
 #include "Counters.h"
 #include "KeyCommands.h"
@@ -20,12 +22,13 @@ class Commands {
  public:
   /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
   Commands(const char *firmwareName, Radio &radio, RfId &id, const BootEpoch &epoch, KeyCommands &keys,
-           Sender &sender, Poll &poll, Actions &actions, Counters &counters)
+           Delivery &delivery, Sender &sender, Poll &poll, Actions &actions, Counters &counters)
       : firmwareName_(firmwareName),
         radio_(radio),
         id_(id),
         epoch_(epoch),
         keys_(keys),
+        delivery_(delivery),
         sender_(sender),
         poll_(poll),
         actions_(actions),
@@ -45,6 +48,7 @@ class Commands {
   Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
   Status hello(const uint8_t *body, uint16_t length, Reply &reply);
   Status poll(const uint8_t *body, uint16_t length, Reply &reply);
+  JAVINO_NOINLINE Status changeKeys(char name, const uint8_t *body, uint16_t length, Reply &reply);
   Status setRfId(const uint8_t *body, uint16_t length);
   Status openRadio(const uint8_t *body, uint16_t length);
   Status statistics(uint16_t length, Reply &reply);
@@ -54,6 +58,7 @@ class Commands {
   RfId &id_;
   const BootEpoch &epoch_;
   KeyCommands &keys_;
+  Delivery &delivery_;
   Sender &sender_;
   Poll &poll_;
   Actions &actions_;

@@ -23,13 +23,23 @@ enum class Counter : uint8_t {
   RADIO_REPLAY_FULL,
   RADIO_QUEUE_FULL,
   RADIO_SENT,
-  PERCEPTS_LEFT_OUT
+  PERCEPTS_LEFT_OUT,
+  RADIO_REPEATS,
+  RADIO_PIECES_DROPPED,
+  RADIO_EXPIRED,
+  RADIO_ACKNOWLEDGED,
+  RADIO_UNDELIVERED,
+  RADIO_BAD_PROOFS,
+  RADIO_RESENT,
+  RADIO_DEFERRED,
+  RADIO_STALE,
+  RADIO_MENDED
 };
 
 /// What was done, damaged and dropped since the boot; nothing is dropped without a count.
 class Counters {
  public:
-  static const uint8_t COUNT = static_cast<uint8_t>(Counter::PERCEPTS_LEFT_OUT);
+  static const uint8_t COUNT = static_cast<uint8_t>(Counter::RADIO_MENDED);
 
   Counters() : values_() {}
 

@@ -5,8 +5,6 @@ namespace javino {
 const uint8_t Poll::MORE_WAITING;
 const uint8_t Poll::PERCEPTS_LEFT_OUT;
 
-static const uint8_t SENT = 0;
-
 void Poll::answer(bool perceptsWanted, Reply &reply) {
   const uint16_t flagsAt = reply.mark();
   reply.add(0);
@@ -17,12 +15,13 @@ void Poll::answer(bool perceptsWanted, Reply &reply) {
   reply.replace(flagsAt, flags);
 }
 
-// All of them fit: Transmitter::MAX_UNREPORTED sees to that.
+// All of them fit: Outcomes::MAX_UNREPORTED sees to that.
 void Poll::addOutcomes(Reply &reply) {
-  while (transmitter_.hasOutcome()) {
+  while (outcomes_.isWaiting()) {
+    Outcome outcome;
     Record record(reply, 'T');
-    record.add(transmitter_.takeOutcome());
-    record.add(SENT);
+    record.add(outcomes_.take(outcome));
+    record.add(static_cast<uint8_t>(outcome));
     record.close();
   }
 }
@@ -36,20 +35,19 @@ bool Poll::addPercepts(Reply &reply) {
 
 // Returns whether all messages fitted.
 bool Poll::addMessages(Reply &reply) {
-  for (uint8_t i = 0; i < received_.count(); i++) {
-    if (!addMessage(i, reply)) return false;
+  uint8_t number = inbox_.firstNumber();
+  for (ByteQueue::Record record = inbox_.first(); record.bytes != nullptr; record = inbox_.after(record)) {
+    if (!addMessage(number++, Inbox::read(record), reply)) return false;
   }
   return true;
 }
 
-bool Poll::addMessage(uint8_t index, Reply &reply) {
-  const ReceivedMessage &message = received_.message(index);
-  uint8_t addresses[2 * Address::TEXT_LENGTH];
-  message.destination.write(addresses);
-  message.origin.write(addresses + Address::TEXT_LENGTH);
+bool Poll::addMessage(uint8_t number, const Inbox::Message &message, Reply &reply) {
+  const uint8_t id[] = {message.nonce[2], message.nonce[4], message.nonce[5]};
   Record record(reply, 'M');
-  record.add(received_.numberOf(index));
-  record.add(addresses, sizeof addresses);
+  record.add(number);
+  record.add(message.addresses, 2 * Address::TEXT_LENGTH);
+  record.add(id, sizeof id);
   record.add(message.content, message.length);
   return record.close();
 }

@@ -2,13 +2,12 @@
 
 #include <stdint.h>
 
+#include "../delivery/Inbox.h"
+#include "../delivery/Outcomes.h"
 #include "../support/NoInline.h"
-
 #include "Counters.h"
 #include "Percepts.h"
-#include "ReceiveQueue.h"
 #include "Reply.h"
-#include "Transmitter.h"
 
 namespace javino {
 
@@ -18,13 +17,13 @@ typedef void (*PerceptSource)(Percepts &percepts);
 /// Answers a poll: outcomes of transmissions, percepts, received messages, in one reply (SPEC 4.3).
 class Poll {
  public:
-  Poll(Transmitter &transmitter, ReceiveQueue &received, Counters &counters)
-      : transmitter_(transmitter), received_(received), counters_(counters), source_(nullptr) {}
+  Poll(Outcomes &outcomes, Inbox &inbox, Counters &counters)
+      : outcomes_(outcomes), inbox_(inbox), counters_(counters), source_(nullptr) {}
 
   void setSource(PerceptSource source) { source_ = source; }
 
   /// The host has taken over the message of this number and all before it.
-  void taken(uint8_t number) { received_.forgetUpTo(number); }
+  void taken(uint8_t number) { inbox_.taken(number); }
 
   /// Writes the reply's body.
   /// @param perceptsWanted bit 0 of the request's flags
@@ -37,10 +36,10 @@ class Poll {
   void addOutcomes(Reply &reply);
   bool addPercepts(Reply &reply);
   bool addMessages(Reply &reply);
-  bool addMessage(uint8_t index, Reply &reply);
+  static bool addMessage(uint8_t number, const Inbox::Message &message, Reply &reply);
 
-  Transmitter &transmitter_;
-  ReceiveQueue &received_;
+  Outcomes &outcomes_;
+  Inbox &inbox_;
   Counters &counters_;
   PerceptSource source_;
 };

@@ -1,9 +1,5 @@
 #include "Sender.h"
 
-#include <string.h>
-
-#include "../secure/Envelope.h"
-
 namespace javino {
 
 Status Sender::send(const Frame &frame, uint8_t &number) {
@@ -15,34 +11,25 @@ Status Sender::send(const Frame &frame, uint8_t &number) {
 Status Sender::checkAddresses(const Frame &frame) const {
   if (!id_.isSet()) return Status::NO_RF_ID;
   if (frame.origin != id_.address()) return Status::WRONG_ORIGIN;
-  if (frame.destination.classOf() == Address::RESERVED || frame.destination == id_.address()) {
-    return Status::BAD_DESTINATION;
-  }
-  return Status::OK;
+  const Address::Class to = frame.destination.classOf();
+  const bool canBeSentTo = to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST;
+  return canBeSentTo && frame.destination != id_.address() ? Status::OK : Status::BAD_DESTINATION;
 }
 
 Status Sender::sendPlain(const Frame &frame, uint8_t &number) {
-  if (frame.length > MAX_PLAIN_RADIO_CONTENT) return Status::TOO_LONG;
-  if (transmitter_.isFull()) return Status::QUEUE_FULL;
-  uint8_t *packet = transmitter_.next();
-  Frame::writeHeader(packet, frame.destination, frame.origin, frame.length);
-  memcpy(packet + HEADER_LENGTH, frame.message, frame.length);
-  number = transmitter_.commit(static_cast<uint8_t>(HEADER_LENGTH + frame.length));
+  if (frame.length > MAX_CONTENT_LENGTH) return Status::TOO_LONG;
+  if (!outbox_.fits(static_cast<uint16_t>(HEADER_LENGTH + frame.length))) return Status::QUEUE_FULL;
+  number = outbox_.addPlain(frame);
   return Status::OK;
 }
 
 Status Sender::sendSealed(const Frame &frame, uint8_t &number) {
-  DerivedKeys keys;
-  const uint8_t slot = keys_.find(frame.destination);
-  if (slot == KeyStore::NO_SLOT || !keys_.load(slot, keys)) return Status::NO_KEY;
-  if (frame.length > MAX_SEALED_RADIO_CONTENT) return Status::TOO_LONG;
-  if (transmitter_.isFull()) return Status::QUEUE_FULL;
+  if (keys_.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
+  if (frame.length > MAX_CONTENT_LENGTH) return Status::TOO_LONG;
+  if (!outbox_.fits(static_cast<uint16_t>(HEADER_LENGTH + SEAL_LENGTH + frame.length))) return Status::QUEUE_FULL;
   if (nonces_.isExhausted()) return Status::NONCE_EXHAUSTED;
   if (!nonces_.isStored()) return Status::STORE_FAILED;
-  uint8_t nonce[NONCE_LENGTH];
-  nonces_.take(nonce);
-  const uint16_t length = Envelope(keys).seal(frame, nonce, transmitter_.next());
-  number = transmitter_.commit(static_cast<uint8_t>(length));
+  number = outbox_.addUnsealed(frame);
   return Status::OK;
 }
 

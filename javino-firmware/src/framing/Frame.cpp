@@ -9,6 +9,12 @@ static const uint8_t SIZE_AT = 8;
 
 FrameError Frame::parse(const uint8_t *bytes, uint16_t length, Frame &into) {
   if (length < HEADER_LENGTH) return FrameError::TOO_SHORT;
+  const FrameError error = parseHeader(bytes, into);
+  if (error != FrameError::NONE && error != FrameError::BAD_ORIGIN) return error;
+  return into.length == length - HEADER_LENGTH ? error : FrameError::SIZE_MISMATCH;
+}
+
+FrameError Frame::parseHeader(const uint8_t *bytes, Frame &into) {
   const uint8_t high = base64Value(bytes[SIZE_AT]);
   const uint8_t low = base64Value(bytes[SIZE_AT + 1]);
   if (!Address::parse(bytes, into.destination) || !Address::parse(bytes + ORIGIN_AT, into.origin) ||
@@ -19,9 +25,7 @@ FrameError Frame::parse(const uint8_t *bytes, uint16_t length, Frame &into) {
   if (bits % 8 != 0) return FrameError::PARTIAL_BYTE;
   into.message = bytes + HEADER_LENGTH;
   into.length = bits / 8;
-  if (into.length != length - HEADER_LENGTH) return FrameError::SIZE_MISMATCH;
-  if (!into.origin.isDevice() && !into.origin.isSerial()) return FrameError::BAD_ORIGIN;
-  return FrameError::NONE;
+  return into.origin.isDevice() || into.origin.isSerial() ? FrameError::NONE : FrameError::BAD_ORIGIN;
 }
 
 void Frame::writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength) {

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../addressing/Address.h"
+#include "../support/NoInline.h"
 #include "Limits.h"
 
 namespace javino {
@@ -23,6 +24,10 @@ struct Frame {
   Address origin;
   const uint8_t *message;
   uint16_t length;  ///< of the message, 0…511 bytes
+
+  /// Reads the ten bytes before a message: all of a frame but the message itself.
+  /// @return BAD_DIGIT, PARTIAL_BYTE, BAD_ORIGIN or NONE; `into` has meaning only where NONE is returned.
+  JAVINO_NOINLINE static FrameError parseHeader(const uint8_t *bytes, Frame &into);
 
   /// Reads a frame that fills `bytes` exactly; `into` has meaning only where NONE is returned.
   static FrameError parse(const uint8_t *bytes, uint16_t length, Frame &into);

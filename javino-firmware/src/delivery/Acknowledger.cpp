@@ -1,0 +1,76 @@
+#include "Acknowledger.h"
+
+#include <string.h>
+
+#include "../framing/Frame.h"
+#include "../support/Clock.h"
+
+namespace javino {
+
+const uint8_t Acknowledger::CAPACITY;
+
+static const uint8_t MILLIS_A_UNIT = 100;  // of the uptime in a stale notice
+
+void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
+  for (uint8_t i = 0; i < count_; i++) {
+    if (entries_[i].slot == slot && entries_[i].sender == sender) remove(i);  // a sender awaits one answer at a time
+  }
+  if (count_ == CAPACITY) remove(0);
+  Entry &entry = entries_[count_++];
+  entry.type = type;
+  entry.slot = slot;
+  entry.have = have;
+  entry.sender = sender;
+  memcpy(entry.nonce, nonce, NONCE_LENGTH);
+}
+
+void Acknowledger::remove(uint8_t index) {
+  count_--;
+  memmove(entries_ + index, entries_ + index + 1, (count_ - index) * sizeof(Entry));
+  if (index == 0) deferred_ = false;
+}
+
+void Acknowledger::keysChanged() {
+  for (uint8_t i = count_; i != 0; i--) {
+    if (keys_.isFree(entries_[i - 1].slot)) remove(static_cast<uint8_t>(i - 1));
+  }
+}
+
+void Acknowledger::run() {
+  if (count_ == 0) return;
+  if (channel_.hearsCarrier() && !deferred_) {
+    deferred_ = true;
+    counters_.count(Counter::RADIO_DEFERRED);
+  }
+  if (channel_.quietSlots() == 0) return;
+  uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
+  const uint8_t length = build(entries_[0], frame);
+  if (length == 0 || channel_.send(frame, length)) remove(0);
+}
+
+// Returns 0 where the key can no longer be read.
+uint8_t Acknowledger::build(const Entry &entry, uint8_t *frame) const {
+  DerivedKeys keys;
+  if (!keys_.load(entry.slot, keys)) return 0;
+  const uint8_t bodyLength = Proof::bodyLength(entry.type);
+  const uint8_t messageLength = static_cast<uint8_t>(bodyLength + PROOF_LENGTH);
+  uint8_t *body = frame + HEADER_LENGTH;
+  const uint16_t bits = static_cast<uint16_t>((entry.nonce[4] << 8 | entry.nonce[5]) & 0xFFF);
+  Frame::writeHeader(frame, Address::acknowledgement(bits), id_.address(), messageLength);
+  writeBody(entry, body);
+  const Proof::Claim claim = {entry.type, entry.nonce, entry.sender, id_.address(), body};
+  Proof(keys).make(claim, body + bodyLength);
+  return static_cast<uint8_t>(HEADER_LENGTH + messageLength);
+}
+
+void Acknowledger::writeBody(const Entry &entry, uint8_t *body) const {
+  if (entry.type == Proof::PIECES) body[0] = entry.have;
+  if (entry.type != Proof::STALE) return;
+  const uint32_t uptime = clock::millis() / MILLIS_A_UNIT;
+  const uint16_t told = uptime > UINT16_MAX ? UINT16_MAX : static_cast<uint16_t>(uptime);
+  replays_.floor(entry.slot, entry.sender, body);
+  body[NONCE_LENGTH] = static_cast<uint8_t>(told >> 8);
+  body[NONCE_LENGTH + 1] = static_cast<uint8_t>(told);
+}
+
+}  // namespace javino

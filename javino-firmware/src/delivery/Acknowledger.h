@@ -1,0 +1,81 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../addressing/Address.h"
+#include "../board/Counters.h"
+#include "../framing/Limits.h"
+#include "../secure/Proof.h"
+#include "../secure/ReplayMemory.h"
+#include "../storage/KeyStore.h"
+#include "../storage/RfId.h"
+#include "../support/NoInline.h"
+#include "Channel.h"
+
+namespace javino {
+
+/// Sends acknowledgements (SPEC 7.3). They go before all else that the board has to send, even while it waits for one
+/// itself: two boards that send to each other would otherwise wait for each other.
+///
+/// A few wait at a time; when more come the oldest is dropped, as its sender will ask again.
+class Acknowledger {
+ public:
+  Acknowledger(Channel &channel, const RfId &id, const KeyStore &keys, const ReplayMemory &replays, Counters &counters)
+      : channel_(channel),
+        id_(id),
+        keys_(keys),
+        replays_(replays),
+        counters_(counters),
+        count_(0),
+        deferred_(false) {}
+
+  /// The host has a message.
+  /// @param slot the place of the key of the frame that is answered
+  /// @param sender its origin
+  /// @param nonce its nonce, 6 bytes
+  void delivered(uint8_t slot, const Address &sender, const uint8_t *nonce) {
+    add(Proof::DELIVERED, slot, sender, nonce, 0);
+  }
+
+  /// Answers a piece.
+  /// @param have bit k: piece k is here
+  void pieces(uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
+    add(Proof::PIECES, slot, sender, nonce, have);
+  }
+
+  /// A frame was refused since it is not above the floor.
+  void stale(uint8_t slot, const Address &sender, const uint8_t *nonce) { add(Proof::STALE, slot, sender, nonce, 0); }
+
+  /// To be called when keys were deleted: what was to be proved with them is dropped.
+  void keysChanged();
+
+  /// Sends what waits, as soon as the air has been quiet for one slot.
+  void run();
+
+ private:
+  static const uint8_t CAPACITY = 6;
+
+  struct Entry {
+    Proof::Type type;
+    uint8_t slot;
+    uint8_t have;
+    Address sender;
+    uint8_t nonce[NONCE_LENGTH];
+  };
+
+  JAVINO_NOINLINE void add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have);
+  JAVINO_NOINLINE void remove(uint8_t index);
+  JAVINO_NOINLINE uint8_t build(const Entry &entry, uint8_t *frame) const;
+  void writeBody(const Entry &entry, uint8_t *body) const;
+
+  Channel &channel_;
+  const RfId &id_;
+  const KeyStore &keys_;
+  const ReplayMemory &replays_;
+  Counters &counters_;
+  uint8_t count_;
+  bool deferred_;  // the first one has been counted as deferred
+  Entry entries_[CAPACITY];  // the first is the oldest
+};
+
+}  // namespace javino

@@ -1,0 +1,123 @@
+#include "Admission.h"
+
+#include "../support/Clock.h"
+
+namespace javino {
+
+bool Admission::isForUs(const Frame &frame) {
+  const Address &to = frame.destination;
+  const Address &own = id_.address();
+  switch (to.classOf()) {
+    case Address::DEVICE:
+      if (to != own) return drop(Counter::RADIO_NOT_FOR_US);
+      break;
+    case Address::MULTICAST:
+      if (!id_.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
+      break;
+    case Address::BROADCAST:
+      break;
+    default:
+      return drop(Counter::RADIO_RESERVED);
+  }
+  return frame.origin != own || drop(Counter::RADIO_OWN);
+}
+
+bool Admission::drop(Counter why) {
+  counters_.count(why);
+  return false;
+}
+
+bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun) {
+  return frame.destination.isBroadcast() ? acceptBroadcast(frame, bytes, length, begun)
+                                         : acceptSealed(frame, bytes, length);
+}
+
+bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun) {
+  if (broadcasts_.isRepeat(frame.origin, bytes, length, begun, clock::millis())) {
+    counters_.count(Counter::RADIO_REPEATS);
+    return true;
+  }
+  if (!inbox_.fits(frame.length)) return drop(Counter::RADIO_QUEUE_FULL);
+  inbox_.addPlain(frame);
+  return true;
+}
+
+// While a key is being renewed a frame may be sealed with either.
+bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length) {
+  bool hasKey = false;
+  for (uint8_t previous = 0; previous < 2; previous++) {
+    DerivedKeys keys;
+    const uint8_t slot = slotOf(frame, previous != 0);
+    if (!keys_.load(slot, keys)) continue;
+    hasKey = true;
+    const Envelope envelope(keys);
+    if (envelope.isAuthentic(bytes, length)) return acceptUnder(slot, envelope, frame, bytes, length);
+  }
+  return drop(hasKey ? Counter::RADIO_BAD_TAG : Counter::RADIO_NO_KEY);
+}
+
+uint8_t Admission::slotOf(const Frame &frame, bool previous) const {
+  const Address &other = frame.destination.isMulticast() ? frame.destination : frame.origin;
+  return previous ? keys_.previous(other) : keys_.current(other);
+}
+
+bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
+                            uint16_t length) {
+  const uint8_t *nonce = bytes + Envelope::NONCE_AT;
+  const ReplayMemory::Verdict verdict = replays_.judge(slot, frame.origin, nonce);
+  if (verdict != ReplayMemory::NEWER) return refuse(verdict, slot, frame, nonce);
+  switch (inbox_.waiting(slot, frame.origin, nonce)) {
+    case Inbox::THIS:
+      counters_.count(Counter::RADIO_REPEATS);
+      return true;
+    case Inbox::LATER:
+      return drop(Counter::RADIO_REPLAYED);
+    case Inbox::NOTHING:
+      break;
+  }
+  if (!inbox_.fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
+  if (!replays_.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
+  const uint16_t content = envelope.open(bytes, length);
+  inbox_.addSealed(slot, frame, nonce, bytes + Envelope::CONTENT_AT, content);
+  return true;
+}
+
+// Returns whether the message is here already.
+bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce) {
+  switch (verdict) {
+    case ReplayMemory::REPEATED:
+      counters_.count(Counter::RADIO_REPEATS);
+      if (frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
+      return true;
+    case ReplayMemory::STALE:
+      acknowledger_.stale(slot, frame.origin, nonce);
+      return drop(Counter::RADIO_STALE);
+    case ReplayMemory::FULL:
+      return drop(Counter::RADIO_REPLAY_FULL);
+    default:
+      return drop(Counter::RADIO_REPLAYED);
+  }
+}
+
+bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer) {
+  bool hasKey = false;
+  for (uint8_t previous = 0; previous < 2; previous++) {
+    const uint8_t slot = slotOf(frame, previous != 0);
+    if (slot == KeyStore::NO_SLOT) continue;
+    hasKey = true;
+    const bool taken = replays_.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
+    if (!taken && inbox_.waiting(slot, frame.origin, nonce) != Inbox::THIS) continue;
+    if (taken && wantsAnswer && frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
+    return drop(Counter::RADIO_REPEATS);
+  }
+  return hasKey || drop(Counter::RADIO_NO_KEY);
+}
+
+void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have) {
+  for (uint8_t previous = 0; previous < 2; previous++) {
+    const uint8_t slot = slotOf(frame, previous != 0);
+    if (slot != KeyStore::NO_SLOT) acknowledger_.pieces(slot, frame.origin, nonce, have);
+  }
+}
+
+}  // namespace javino

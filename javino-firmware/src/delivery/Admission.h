@@ -1,0 +1,63 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../board/Counters.h"
+#include "../framing/Frame.h"
+#include "../secure/Envelope.h"
+#include "../secure/ReplayMemory.h"
+#include "../storage/KeyStore.h"
+#include "../storage/RfId.h"
+#include "../support/NoInline.h"
+#include "Acknowledger.h"
+#include "BroadcastMemory.h"
+#include "Inbox.h"
+
+namespace javino {
+
+/// Decides about whole frames, however they came: drops and counts what is not for this board or not genuine, opens the
+/// rest, puts it into the inbox, and answers repeats (SPEC 1, 5, 7).
+class Admission {
+ public:
+  Admission(const RfId &id, const KeyStore &keys, ReplayMemory &replays, Inbox &inbox, Acknowledger &acknowledger,
+            Counters &counters)
+      : id_(id), keys_(keys), replays_(replays), inbox_(inbox), acknowledger_(acknowledger), counters_(counters) {}
+
+  /// Whether a board of our address accepts the frame; where not, it is counted.
+  JAVINO_NOINLINE bool isForUs(const Frame &frame);
+
+  /// Takes in a frame that is for us.
+  /// @param bytes all of it; a sealed one is opened there
+  /// @param begun when its first packet began, in ms
+  /// @return whether it is of no use if it comes again: it is in the inbox, or was before
+  JAVINO_NOINLINE bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun);
+
+  /// Looks at the first piece of a sealed frame for us: without a key, or where its nonce is that of a message that we
+  /// have, no other piece is needed. That is counted, and a repeat of what the host has taken acknowledged again.
+  /// @param nonce in the first piece, 6 bytes
+  /// @param wantsAnswer whether the sender awaits one now
+  JAVINO_NOINLINE bool needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer);
+
+  /// Tells the sender of a unicast which of its pieces are here. While its key is being renewed it may have used either:
+  /// then each is answered.
+  void answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have);
+
+ private:
+  bool drop(Counter why);
+  uint8_t slotOf(const Frame &frame, bool previous) const;
+  bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun);
+  bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
+                                   uint16_t length);
+  bool refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce);
+
+  const RfId &id_;
+  const KeyStore &keys_;
+  ReplayMemory &replays_;
+  Inbox &inbox_;
+  Acknowledger &acknowledger_;
+  Counters &counters_;
+  BroadcastMemory broadcasts_;
+};
+
+}  // namespace javino

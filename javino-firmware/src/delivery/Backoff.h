@@ -1,0 +1,29 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../support/Random.h"
+
+namespace javino {
+
+/// How long a sender waits before it begins, counted in quiet slots (SPEC 7.4).
+class Backoff {
+ public:
+  Backoff() : left_(0), counted_(0) {}
+
+  /// Begins a wait: 4 quiet slots and a random number of further ones; none where what is to be sent is new and the
+  /// air has been quiet for long.
+  /// @param attempt 0 for what is new
+  /// @param quietSlots how long the air has been quiet by now
+  void begin(uint8_t attempt, uint8_t quietSlots, Random &random);
+
+  /// Counts on; to be asked each time the channel was looked at.
+  /// @return whether the wait is over
+  bool isOver(uint8_t quietSlots);
+
+ private:
+  uint8_t left_;     // slots to wait beyond the first ones
+  uint8_t counted_;  // quiet slots of the present quiet that were counted, or lay before
+};
+
+}  // namespace javino

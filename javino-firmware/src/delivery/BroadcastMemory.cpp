@@ -1,0 +1,38 @@
+#include "BroadcastMemory.h"
+
+#include "../framing/Crc16.h"
+
+namespace javino {
+
+const uint8_t BroadcastMemory::CAPACITY;
+
+static const uint16_t REPEAT_MILLIS = 400;
+
+BroadcastMemory::BroadcastMemory() : oldest_(0) {
+  for (uint8_t i = 0; i < CAPACITY; i++) entries_[i].origin = Address::serialLine();
+}
+
+bool BroadcastMemory::isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t begun,
+                               uint32_t now) {
+  Crc16 crc;
+  crc.add(frame, length);
+  Entry &entry = entries_[placeFor(origin)];
+  // What began before the other ended, as pieces may, is within 400 ms too.
+  const bool soon = static_cast<int32_t>(begun - entry.ended) <= REPEAT_MILLIS;
+  const bool repeat = soon && entry.origin == origin && entry.crc == crc.value();
+  entry.origin = origin;
+  entry.crc = crc.value();
+  entry.ended = now;
+  return repeat;
+}
+
+uint8_t BroadcastMemory::placeFor(const Address &origin) {
+  for (uint8_t i = 0; i < CAPACITY; i++) {
+    if (entries_[i].origin == origin) return i;
+  }
+  const uint8_t place = oldest_;
+  oldest_ = static_cast<uint8_t>((oldest_ + 1) % CAPACITY);
+  return place;
+}
+
+}  // namespace javino

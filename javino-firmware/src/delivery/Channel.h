@@ -1,0 +1,60 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../radio/Radio.h"
+#include "../support/NoInline.h"
+
+namespace javino {
+
+/// The air as a sender sees it: whether it is busy, and for how many slots of 12 bits it has been quiet (SPEC 7.4).
+class Channel {
+ public:
+  explicit Channel(Radio &radio)
+      : radio_(radio),
+        slotMillis_(1),
+        busy_(true),
+        carrier_(false),
+        quietSlots_(0),
+        quietMillis_(0),
+        slotSince_(0),
+        lookedAt_(0) {}
+
+  /// To be called once, after a boot.
+  void begin();
+
+  /// Looks at air and clock; to be called once before each look at what to send.
+  void update();
+
+  /// Quiet slots since the last carrier, another's or our own, 0…255. To be read after update().
+  uint8_t quietSlots() const { return quietSlots_; }
+
+  /// Whether another board's carrier is heard.
+  bool hearsCarrier() const { return carrier_; }
+
+  /// Whether a packet of ours is on the air.
+  bool isSending() const { return radio_.sending(); }
+
+  /// Milliseconds of quiet air since the update() before.
+  uint8_t quietMillis() const { return quietMillis_; }
+
+  /// Starts to send a packet; the air counts as busy from now on.
+  /// @return false where the radio did not take it
+  bool send(const uint8_t *payload, uint8_t length);
+
+  /// How long a packet is on the air.
+  /// @param length of its payload, in bytes
+  uint16_t airtimeMillis(uint8_t length) const;
+
+ private:
+  Radio &radio_;
+  uint8_t slotMillis_;
+  bool busy_;
+  bool carrier_;
+  uint8_t quietSlots_;
+  uint8_t quietMillis_;
+  uint16_t slotSince_;  // when the current quiet slot began
+  uint16_t lookedAt_;
+};
+
+}  // namespace javino

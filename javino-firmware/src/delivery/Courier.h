@@ -1,0 +1,105 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../board/Counters.h"
+#include "../framing/Frame.h"
+#include "../secure/Envelope.h"
+#include "../secure/NonceSource.h"
+#include "../secure/Proof.h"
+#include "../storage/KeyStore.h"
+#include "../support/NoInline.h"
+#include "../support/Random.h"
+#include "Backoff.h"
+#include "Channel.h"
+#include "Outbox.h"
+
+namespace javino {
+
+/// Sends the messages of the outbox, one at a time: seals and cuts each, waits for the air, sends, waits for the
+/// acknowledgement of a unicast and tries again, until its outcome is known (SPEC 7).
+class Courier {
+ public:
+  Courier(Channel &channel, const KeyStore &keys, NonceSource &nonces, Random &random, Counters &counters)
+      : channel_(channel),
+        keys_(keys),
+        nonces_(nonces),
+        random_(random),
+        counters_(counters),
+        phase_(IDLE),
+        deferred_(false),
+        slot_(KeyStore::NO_SLOT),
+        nextId_(0) {}
+
+  /// To be called once, after a boot, when the random numbers are seeded.
+  void begin() { nextId_ = static_cast<uint8_t>(random_.next(0x3F)); }
+
+  Outbox &outbox() { return outbox_; }
+
+  /// Does what air and clock allow now.
+  void run();
+
+  /// Takes in a frame to an acknowledgement's address.
+  /// @return false where it is not about what is under way
+  bool acknowledged(const Frame &frame);
+
+  /// To be called when keys were deleted: what was sealed with one of them can no longer be acknowledged.
+  void keysChanged();
+
+ private:
+  enum Phase : uint8_t {
+    IDLE,        // nothing is under way
+    CONTENDING,  // an attempt waits for its turn
+    PAUSING,     // the next piece of an attempt waits for a quiet slot
+    ON_AIR,      // a packet is being sent
+    AWAITING     // an answer is awaited
+  };
+
+  void takeUpNext();
+  JAVINO_NOINLINE bool seal(bool again);
+  void restart();
+  JAVINO_NOINLINE void contend(uint8_t pending);
+  void noteCarrier();
+  JAVINO_NOINLINE void send();
+  void packetSent();
+  void attemptFailed();
+  JAVINO_NOINLINE void finish(Outcome outcome);
+  bool isUnicast() const { return destination_.isDevice(); }
+  bool concerns(const Frame &acknowledgement) const;
+  bool onAnswer(Proof::Type type, const uint8_t *body);
+  bool onPieces(uint8_t have);
+  bool onStale(const uint8_t *floor, uint16_t uptime);
+  bool cannotHaveHadIt(uint16_t uptime) const;
+
+  Channel &channel_;
+  const KeyStore &keys_;
+  NonceSource &nonces_;
+  Random &random_;
+  Counters &counters_;
+  Backoff backoff_;
+
+  Phase phase_;
+  uint8_t attempt_;    // attempts in a row that came to nothing
+  uint8_t sendsLeft_;  // of a broadcast or multicast
+  uint8_t count_;      // pieces of this message; 1: it travels whole
+  uint8_t id_;         // of this message, where it is in pieces
+  uint8_t pending_;    // pieces that this attempt still has to send
+  uint8_t onAir_;      // the one of them that is being sent
+  uint8_t sent_;       // pieces that have been sent at least once
+  uint8_t arrived_;    // pieces that the receiver has ever had
+  uint8_t patience_;   // quiet milliseconds that are left until the next attempt
+  bool resealed_;
+  bool deferred_;      // this packet has been counted as put off
+  uint32_t sentAt_;    // when this message was first sent, in ms
+
+  // What is under way, or was last: a stale notice for a multicast may come when all is sent.
+  uint8_t slot_;  // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
+  Address destination_;
+  Address sender_;
+  uint8_t nonce_[NONCE_LENGTH];
+
+  uint8_t nextId_;
+  Outbox outbox_;
+};
+
+}  // namespace javino

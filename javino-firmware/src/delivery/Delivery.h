@@ -1,0 +1,70 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../radio/Radio.h"
+#include "../secure/NonceSource.h"
+#include "../secure/ReplayMemory.h"
+#include "../storage/BootEpoch.h"
+#include "../storage/KeyStore.h"
+#include "../storage/RfId.h"
+#include "../support/Random.h"
+#include "Acknowledger.h"
+#include "Admission.h"
+#include "Channel.h"
+#include "Courier.h"
+#include "Inbox.h"
+#include "Receiver.h"
+
+namespace javino {
+
+/// Everything between the air and the host's requests: what is to be sent and what was received (SPEC 7).
+///
+/// Nothing waits: run() does what air and clock allow at the moment, and is to be called whenever the CPU has woken up.
+/// While only time has to pass there is nothing to do; the interrupt of the core's timer, once a millisecond, ends the
+/// CPU's sleep soon enough.
+class Delivery {
+ public:
+  Delivery(Radio &radio, const RfId &id, const BootEpoch &epoch, const KeyStore &keys, ReplayMemory &replays,
+           NonceSource &nonces, Counters &counters)
+      : id_(id),
+        epoch_(epoch),
+        keys_(keys),
+        channel_(radio),
+        acknowledger_(channel_, id, keys, replays, counters),
+        inbox_(replays, acknowledger_),
+        admission_(id, keys, replays, inbox_, acknowledger_, counters),
+        courier_(channel_, keys, nonces, random_, counters),
+        receiver_(radio, channel_, id, admission_, courier_, counters) {}
+
+  /// To be called once, after a boot, when id and epoch are known and the radio has begun.
+  void begin();
+
+  void run();
+
+  /// To be called when the RF id has changed: random numbers begin from it.
+  void seed() { random_.seed(id_.address().value(), epoch_.value()); }
+
+  /// To be called when keys may have been deleted.
+  void keysChanged();
+
+  /// Opens or blocks the radio for messages (SPEC 4.3).
+  void open(bool open) { receiver_.open(open); }
+
+  Outbox &outbox() { return courier_.outbox(); }
+  Inbox &inbox() { return inbox_; }
+
+ private:
+  const RfId &id_;
+  const BootEpoch &epoch_;
+  const KeyStore &keys_;
+  Random random_;
+  Channel channel_;
+  Acknowledger acknowledger_;
+  Inbox inbox_;
+  Admission admission_;
+  Courier courier_;
+  Receiver receiver_;
+};
+
+}  // namespace javino

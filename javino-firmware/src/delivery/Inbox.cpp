@@ -1,0 +1,71 @@
+#include "Inbox.h"
+
+#include <string.h>
+
+namespace javino {
+
+const uint8_t Inbox::DESTINATION_AT;
+const uint8_t Inbox::ORIGIN_AT;
+const uint8_t Inbox::NONCE_AT;
+const uint8_t Inbox::HEAD_LENGTH;
+
+void Inbox::add(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content, uint16_t length) {
+  uint8_t *record = records_.append(static_cast<uint16_t>(HEAD_LENGTH + length));
+  record[0] = slot;
+  frame.destination.write(record + DESTINATION_AT);
+  frame.origin.write(record + ORIGIN_AT);
+  if (nonce == nullptr) {
+    memset(record + NONCE_AT, 0, NONCE_LENGTH);
+  } else {
+    memcpy(record + NONCE_AT, nonce, NONCE_LENGTH);
+  }
+  memcpy(record + HEAD_LENGTH, content, length);
+}
+
+Inbox::Waiting Inbox::waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const {
+  Waiting waiting = NOTHING;
+  uint8_t text[Address::TEXT_LENGTH];
+  origin.write(text);
+  for (ByteQueue::Record record = first(); record.bytes != nullptr; record = after(record)) {
+    if (record.bytes[0] != slot || memcmp(record.bytes + ORIGIN_AT, text, sizeof text) != 0) continue;
+    const int order = memcmp(record.bytes + NONCE_AT, nonce, NONCE_LENGTH);
+    if (order == 0) return THIS;
+    if (order > 0) waiting = LATER;
+  }
+  return waiting;
+}
+
+void Inbox::taken(uint8_t number) {
+  const uint8_t index = static_cast<uint8_t>(number - firstNumber_);
+  if (index >= records_.count()) return;
+  firstNumber_ = static_cast<uint8_t>(number + 1);
+  for (uint8_t left = static_cast<uint8_t>(index + 1); left != 0; left--) {
+    settle(records_.first().bytes);
+    records_.removeFirst();
+  }
+}
+
+void Inbox::settle(const uint8_t *record) {
+  const uint8_t slot = record[0];
+  if (slot == KeyStore::NO_SLOT) return;
+  Address destination, origin;
+  Address::parse(record + DESTINATION_AT, destination);
+  Address::parse(record + ORIGIN_AT, origin);
+  replays_.remember(slot, origin, record + NONCE_AT);
+  if (destination.isDevice()) acknowledger_.delivered(slot, origin, record + NONCE_AT);
+}
+
+void Inbox::keysChanged(const KeyStore &keys) {
+  for (ByteQueue::Record record = first(); record.bytes != nullptr; record = after(record)) {
+    uint8_t &slot = record.bytes[0];
+    if (slot != KeyStore::NO_SLOT && keys.isFree(slot)) slot = KeyStore::NO_SLOT;
+  }
+}
+
+Inbox::Message Inbox::read(const ByteQueue::Record &record) {
+  const Message message = {record.bytes + DESTINATION_AT, record.bytes + NONCE_AT, record.bytes + HEAD_LENGTH,
+                           static_cast<uint16_t>(record.length - HEAD_LENGTH)};
+  return message;
+}
+
+}  // namespace javino

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../Config.h"
+#include "../framing/Frame.h"
+#include "../secure/ReplayMemory.h"
+#include "../storage/KeyStore.h"
+#include "../support/NoInline.h"
+#include "Acknowledger.h"
+#include "ByteQueue.h"
+
+namespace javino {
+
+/// Received messages in the order in which they came, each with a number, until the host says that it has taken them
+/// over (SPEC 4.3, poll). Then a sealed one's nonce is remembered, and a unicast acknowledged (SPEC 7.2).
+class Inbox {
+ public:
+  /// A message in place, as the host is to get it.
+  struct Message {
+    const uint8_t *addresses;  ///< destination(4) origin(4)
+    const uint8_t *nonce;      ///< 6 bytes, all 0 for a broadcast
+    const uint8_t *content;
+    uint16_t length;  ///< of the content
+  };
+
+  /// What of a sealed frame waits here.
+  enum Waiting : uint8_t {
+    NOTHING,  ///< neither it nor what was sealed later by the same origin
+    THIS,     ///< the very frame
+    LATER     ///< one that was sealed later
+  };
+
+  Inbox(ReplayMemory &replays, Acknowledger &acknowledger)
+      : replays_(replays), acknowledger_(acknowledger), records_(block_, sizeof block_), firstNumber_(0) {}
+
+  /// Whether there is room for a content of this length.
+  bool fits(uint16_t contentLength) const { return records_.fits(static_cast<uint16_t>(HEAD_LENGTH + contentLength)); }
+
+  /// Takes in a broadcast. Only while it fits.
+  void addPlain(const Frame &frame) { add(KeyStore::NO_SLOT, frame, nullptr, frame.message, frame.length); }
+
+  /// Takes in an opened message. Only while it fits.
+  /// @param slot the place of its key
+  /// @param nonce 6 bytes
+  void addSealed(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content, uint16_t length) {
+    add(slot, frame, nonce, content, length);
+  }
+
+  Waiting waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const;
+
+  /// The host has taken over the message of this number and all before it; nothing is done where it is not here.
+  void taken(uint8_t number);
+
+  /// To be called when keys were deleted: what came under them is neither remembered nor acknowledged.
+  void keysChanged(const KeyStore &keys);
+
+  /// Goes through the messages: no bytes stand for the end.
+  ByteQueue::Record first() const { return records_.first(); }
+  ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
+  static Message read(const ByteQueue::Record &record);
+
+  /// The number of the first message: 0 for the first since the boot, …, 255, 0, …
+  uint8_t firstNumber() const { return firstNumber_; }
+
+ private:
+  // A record: slot(1), destination(4), origin(4), nonce(6), content.
+  static const uint8_t DESTINATION_AT = 1;
+  static const uint8_t ORIGIN_AT = DESTINATION_AT + Address::TEXT_LENGTH;
+  static const uint8_t NONCE_AT = ORIGIN_AT + Address::TEXT_LENGTH;
+  static const uint8_t HEAD_LENGTH = NONCE_AT + NONCE_LENGTH;
+
+  static_assert(config::RECEIVE_BYTES >= 2 + HEAD_LENGTH + MAX_CONTENT_LENGTH, "JAVINO_RECEIVE_BYTES: too few");
+
+  JAVINO_NOINLINE void add(uint8_t slot, const Frame &frame, const uint8_t *nonce, const uint8_t *content,
+                           uint16_t length);
+  JAVINO_NOINLINE void settle(const uint8_t *record);
+
+  ReplayMemory &replays_;
+  Acknowledger &acknowledger_;
+  ByteQueue records_;
+  uint8_t firstNumber_;
+  uint8_t block_[config::RECEIVE_BYTES];
+};
+
+}  // namespace javino

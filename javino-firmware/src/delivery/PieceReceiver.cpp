@@ -1,0 +1,98 @@
+#include "PieceReceiver.h"
+
+#include "../secure/Envelope.h"
+#include "../support/Clock.h"
+#include "Pieces.h"
+
+namespace javino {
+
+static const uint8_t INDEX_MASK = MAX_PIECES - 1;
+static const uint8_t INDEXES = MAX_PIECES + pieces::WANTS_ANSWER;
+
+void PieceReceiver::accept(const Frame &piece, uint32_t begun) {
+  const uint16_t now = static_cast<uint16_t>(clock::millis());
+  const uint8_t id = pieces::idOf(piece.destination);
+  const uint8_t index = pieces::indexOf(piece.destination);
+  const uint8_t at = index & INDEX_MASK;
+  const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
+  uint16_t wholeLength = 0;
+  Frame whole;
+  if (index >= INDEXES || piece.length == 0 || piece.length > PIECE_LENGTH || (at == 0 && !startsFrame(piece, whole))) {
+    counters_.count(Counter::RADIO_PIECES_DROPPED);
+    return;
+  }
+  if (at == 0) {
+    if (!isWanted(piece, whole, wantsAnswer)) return;
+    wholeLength = static_cast<uint16_t>(HEADER_LENGTH + whole.length);
+  } else if (ignored_.covers(piece.origin, id, now)) {
+    return;
+  }
+  PartialFrame *partial = placeFor(piece, at == 0, begun);
+  if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), wholeLength, now)) {
+    counters_.count(Counter::RADIO_PIECES_DROPPED);
+  } else if (partial->isWhole()) {
+    finish(*partial, now);
+  } else if (wantsAnswer && partial->hasFirst()) {
+    answer(admission_, *partial);
+  }
+}
+
+// Whether a first piece begins a frame that has to be cut, and that can be handed on. Reads its header.
+bool PieceReceiver::startsFrame(const Frame &piece, Frame &whole) const {
+  if (piece.length != PIECE_LENGTH || Frame::parseHeader(piece.message, whole) != FrameError::NONE) return false;
+  const uint16_t longest = static_cast<uint16_t>(whole.destination.isBroadcast() ? MAX_CONTENT_LENGTH
+                                                                                 : MAX_CONTENT_LENGTH + SEAL_LENGTH);
+  const Address::Class to = whole.destination.classOf();
+  return (to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST) &&
+         whole.origin == piece.origin && whole.length > MAX_RADIO_PAYLOAD - HEADER_LENGTH && whole.length <= longest;
+}
+
+// Whether the frame that a first piece begins is of use. Where not, its other pieces are ignored too.
+bool PieceReceiver::isWanted(const Frame &piece, const Frame &whole, bool wantsAnswer) {
+  const uint16_t now = static_cast<uint16_t>(clock::millis());
+  const uint8_t id = pieces::idOf(piece.destination);
+  const bool broadcast = whole.destination.isBroadcast();
+  if (broadcast && ignored_.covers(piece.origin, id, now)) return false;
+  if (admission_.isForUs(whole) && (broadcast || admission_.needsMore(whole, whole.message, wantsAnswer))) {
+    ignored_.remove(piece.origin, id);
+    return true;
+  }
+  PartialFrame *partial = reassembly_.find(piece.origin, id);
+  if (partial != nullptr) partial->have = 0;
+  ignored_.add(piece.origin, id, now);
+  return false;
+}
+
+PartialFrame *PieceReceiver::placeFor(const Frame &piece, bool isFirst, uint32_t begun) {
+  const uint8_t id = pieces::idOf(piece.destination);
+  PartialFrame *partial = reassembly_.find(piece.origin, id);
+  if (partial != nullptr) return partial;
+  bool expired = false;
+  partial = reassembly_.begin(piece.origin, id, isFirst, expired);
+  if (expired) counters_.count(Counter::RADIO_EXPIRED);
+  if (partial != nullptr) partial->begun = begun;
+  return partial;
+}
+
+void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
+  Frame whole;
+  Frame::parseHeader(partial.bytes, whole);
+  partial.have = 0;
+  if (admission_.accept(whole, partial.bytes, partial.length, partial.begun)) {
+    ignored_.add(partial.origin, partial.id, now);
+  }
+}
+
+void PieceReceiver::answer(Admission &admission, const PartialFrame &partial) {
+  Frame whole;
+  Frame::parseHeader(partial.bytes, whole);
+  if (whole.destination.isDevice()) admission.answerPiece(whole, whole.message, partial.have);
+}
+
+void PieceReceiver::run() {
+  const uint16_t now = static_cast<uint16_t>(clock::millis());
+  for (uint8_t left = reassembly_.expire(now); left != 0; left--) counters_.count(Counter::RADIO_EXPIRED);
+  ignored_.expire(now);
+}
+
+}  // namespace javino

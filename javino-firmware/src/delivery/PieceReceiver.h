@@ -1,0 +1,42 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../board/Counters.h"
+#include "../framing/Frame.h"
+#include "../support/NoInline.h"
+#include "Admission.h"
+#include "IgnoredMessages.h"
+#include "Reassembly.h"
+
+namespace javino {
+
+/// Puts pieces together, answers those that want an answer, and hands whole frames on (SPEC 7.1, 7.3).
+class PieceReceiver {
+ public:
+  PieceReceiver(Admission &admission, Counters &counters) : admission_(admission), counters_(counters) {}
+
+  /// Takes in a frame to a piece's address, from another board.
+  /// @param begun when its packet began, in ms
+  JAVINO_NOINLINE void accept(const Frame &piece, uint32_t begun);
+
+  /// Forgets what has got no new piece for 5 s; to be called often.
+  void run();
+
+  /// Forgets all that is half received.
+  void clear() { reassembly_.clear(); }
+
+ private:
+  bool startsFrame(const Frame &piece, Frame &whole) const;
+  bool isWanted(const Frame &piece, const Frame &whole, bool wantsAnswer);
+  PartialFrame *placeFor(const Frame &piece, bool isFirst, uint32_t begun);
+  JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
+  static void answer(Admission &admission, const PartialFrame &partial);
+
+  Admission &admission_;
+  Counters &counters_;
+  IgnoredMessages ignored_;
+  Reassembly reassembly_;
+};
+
+}  // namespace javino

@@ -1,0 +1,29 @@
+#include "Pieces.h"
+
+#include <string.h>
+
+namespace javino {
+namespace pieces {
+
+uint8_t count(uint16_t frameLength) {
+  if (frameLength <= MAX_RADIO_PAYLOAD) return 1;
+  return static_cast<uint8_t>((frameLength + PIECE_LENGTH - 1) / PIECE_LENGTH);
+}
+
+uint8_t length(uint16_t frameLength, uint8_t index) {
+  const uint16_t left = static_cast<uint16_t>(frameLength - index * PIECE_LENGTH);
+  return static_cast<uint8_t>(left < PIECE_LENGTH ? left : PIECE_LENGTH);
+}
+
+uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t *into) {
+  Frame whole;
+  Frame::parseHeader(frame, whole);
+  const uint8_t at = index & (MAX_PIECES - 1);
+  const uint8_t bytes = length(frameLength, at);
+  Frame::writeHeader(into, Address::piece(id, index), whole.origin, bytes);
+  memcpy(into + HEADER_LENGTH, frame + at * PIECE_LENGTH, bytes);
+  return static_cast<uint8_t>(HEADER_LENGTH + bytes);
+}
+
+}  // namespace pieces
+}  // namespace javino

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../framing/Frame.h"
+#include "../support/NoInline.h"
+
+namespace javino {
+
+/// How a frame that is too long for one packet is cut (SPEC 7.1).
+namespace pieces {
+
+/// Added to the index of a piece whose sender wants an answer.
+static const uint8_t WANTS_ANSWER = 8;
+
+/// The pieces of a frame, 1…8; 1 where it travels whole.
+/// @param frameLength 10…521 bytes
+uint8_t count(uint16_t frameLength);
+
+/// The bytes of a frame that a piece holds.
+/// @param index 0…count() - 1
+uint8_t length(uint16_t frameLength, uint8_t index);
+
+/// One bit for each of `count` pieces.
+inline uint8_t all(uint8_t count) { return static_cast<uint8_t>((1u << count) - 1); }
+
+/// Builds a piece.
+/// @param id 0…63
+/// @param index with WANTS_ANSWER or without
+/// @param into room for 77 bytes
+/// @return the piece's length
+JAVINO_NOINLINE uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t *into);
+
+/// The id digit in a piece's address.
+inline uint8_t idOf(const Address &piece) { return static_cast<uint8_t>(piece.member() >> 6); }
+
+/// The index digit in a piece's address, 0…63: those above 15 are no piece's.
+inline uint8_t indexOf(const Address &piece) { return piece.member() & 0x3F; }
+
+}  // namespace pieces
+}  // namespace javino

@@ -1,0 +1,42 @@
+#include "Receiver.h"
+
+#include "../support/Clock.h"
+
+namespace javino {
+
+void Receiver::run() {
+  uint8_t packet[MAX_RADIO_PAYLOAD];
+  while (const uint8_t length = radio_.receive(packet)) accept(packet, length);
+  pieces_.run();
+}
+
+void Receiver::open(bool open) {
+  open_ = open;
+  if (!open) pieces_.clear();
+}
+
+void Receiver::accept(uint8_t *packet, uint8_t length) {
+  Frame frame;
+  if (Frame::parse(packet, length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
+    counters_.count(Counter::RADIO_BAD_FRAMES);
+  } else if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
+    if (!courier_.acknowledged(frame)) counters_.count(Counter::RADIO_NOT_FOR_US);
+  } else if (open_) {
+    accept(frame, packet, length);
+  }
+}
+
+void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
+  const uint32_t begun = clock::millis() - channel_.airtimeMillis(length);
+  if (frame.destination.classOf() == Address::PIECE) {
+    if (frame.origin == id_.address()) {
+      counters_.count(Counter::RADIO_OWN);
+    } else {
+      pieces_.accept(frame, begun);
+    }
+  } else if (admission_.isForUs(frame)) {
+    admission_.accept(frame, packet, length, begun);
+  }
+}
+
+}  // namespace javino

@@ -1,0 +1,24 @@
+#include "Random.h"
+
+#include "../framing/Crc16.h"
+#include "BigEndian.h"
+
+namespace javino {
+
+void Random::seed(uint32_t id, uint32_t epoch) {
+  uint8_t bytes[3 + 3];
+  writeUint24(bytes, id);
+  writeUint24(bytes + 3, epoch);
+  Crc16 crc;
+  crc.add(bytes, sizeof bytes);
+  state_ = crc.value() == 0 ? 1 : crc.value();
+}
+
+uint16_t Random::next(uint16_t mask) {
+  state_ = static_cast<uint16_t>(state_ ^ state_ << 7);
+  state_ = static_cast<uint16_t>(state_ ^ state_ >> 9);
+  state_ = static_cast<uint16_t>(state_ ^ state_ << 8);
+  return state_ & mask;
+}
+
+}  // namespace javino
