@@ -79,9 +79,10 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Has a content sent by radio from the board's own address.
+     * Has a content sent by radio from the board's own address. The future completes when the board has taken it over;
+     * {@link BoardListener#transmitted} tells how that ended, later.
      *
-     * @return the transmission's number, 0…255, with which {@link BoardListener#transmitted} tells its end.
+     * @return the transmission's number, 0…255, by which the listener is told; free again once it was.
      * @throws IllegalArgumentException if the destination is the serial line.
      */
     public CompletableFuture<Integer> transmit(Address to, Content content) {
@@ -92,7 +93,7 @@ public final class Board implements AutoCloseable {
         return ask(description, board -> {
             Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
             return new Request.Transmit(to, origin, content);
-        }, Reply::transmissionNumber);
+        }, reply -> session.transmitting(reply.transmissionNumber()));
     }
 
     /**

@@ -33,15 +33,19 @@ public interface BoardListener {
     default void percepts(List<String> literals) {
     }
 
-    /** A message came by radio; it comes once. */
+    /**
+     * A message came by radio. In one session it comes once, but for broadcasts, which nobody can tell apart. When this
+     * returns (or throws), the board is told at once that the message was taken, and its sender that it was delivered.
+     */
     default void message(ReceivedMessage message) {
     }
 
     /**
-     * A transmission ended.
+     * A transmission ended; told once for each number that {@link Board#transmit} completed with, and after it did.
      *
      * @param number  what {@link Board#transmit} completed with, 0…255.
-     * @param outcome how it ended.
+     * @param outcome how it ended: UNDELIVERED also, whatever it was, where the board was reset or lost before it
+     *                told, or the session was closed.
      */
     default void transmitted(int number, Outcome outcome) {
     }

@@ -1,6 +1,5 @@
 package javino.board;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import javino.protocol.BoardInfo;
@@ -13,29 +12,43 @@ import javino.protocol.Request;
 /** Makes polls, and turns what they bring into calls of the listener. For the session's thread only. */
 final class Inbox {
 
-    private final Wishes wishes;
     private final BoardListener listener;
     private final Tally tally;
+    private final Perception perception;
+    private final Transmissions transmissions;
+    private final HandedOn handedOn = new HandedOn();
+    /** The board that the numbers below are of; null if it has booted since it was greeted. */
     private BoardInfo source;
     private int taken = Request.Poll.NOTHING_TAKEN;
-    private List<Bytes> percepts;
-    private boolean leftOut;
-    private Deadline nextPercepts = Deadline.in(Duration.ZERO);
+    private boolean owesTaken;
+    /** Whether percepts came just now, so that the next poll, made at once, is for what may have had no room. */
+    private boolean perceptsCrowd;
+    /** Whether the reply to the last poll has not come. */
+    private boolean unanswered;
 
     Inbox(Wishes wishes, BoardListener listener, Tally tally) {
-        this.wishes = wishes;
         this.listener = listener;
         this.tally = tally;
+        perception = new Perception(wishes, listener, tally);
+        transmissions = new Transmissions(listener, tally);
     }
 
-    /** A board came online: percepts will be told anew; after a boot its messages are counted anew, too. */
+    /** A board came online; after a boot it counts messages and transmissions anew. */
     void greeted(BoardInfo board) {
-        if (!board.equals(source)) {
+        boolean booted = !board.equals(source);
+        if (booted) {
             taken = Request.Poll.NOTHING_TAKEN;
+            owesTaken = false;
+            handedOn.booted();
         }
+        // The outcomes in a reply that was lost for good do not come again.
+        if (booted || unanswered) {
+            transmissions.abandon();
+        }
+        unanswered = false;
+        perceptsCrowd = false;
         source = board;
-        percepts = null;
-        leftOut = false;
+        perception.forget();
     }
 
     /** The same board has a new address. */
@@ -43,21 +56,39 @@ final class Inbox {
         source = board;
     }
 
+    /** The board said that it has booted since it was greeted. */
+    void reset() {
+        source = null;
+    }
+
+    /** The session ends. */
+    void close() {
+        transmissions.abandon();
+    }
+
+    /** The ends that are waited for. */
+    Transmissions transmissions() {
+        return transmissions;
+    }
+
+    /** Whether messages were taken of which the board was not told yet. */
+    boolean owesTaken() {
+        return owesTaken;
+    }
+
     Request.Poll nextPoll() {
-        boolean wanted = wishes.percepts();
-        if (!wanted && percepts != null) {
-            tellPercepts(List.of());
-            percepts = null;
+        perception.followWish();
+        boolean percepts = perception.isDue() && !perceptsCrowd;
+        if (percepts) {
+            perception.asked();
         }
-        boolean now = wanted && (percepts == null || nextPercepts.passed());
-        if (now) {
-            nextPercepts = Deadline.in(wishes.perceptInterval());
-        }
-        return new Request.Poll(now, taken);
+        unanswered = true;
+        return new Request.Poll(percepts, taken);
     }
 
     /** Takes over all that a poll brought. */
     void take(Request.Poll poll, PollReply reply) {
+        answered();
         List<Bytes> literals = new ArrayList<>();
         for (PollReply.Item item : reply.records()) {
             if (item instanceof PollReply.Percept percept) {
@@ -65,50 +96,50 @@ final class Inbox {
             } else if (item instanceof PollReply.Message message) {
                 takeMessage(message);
             } else if (item instanceof PollReply.Transmission transmission) {
-                listener.transmitted(transmission.number(), transmission.outcome());
+                transmissions.end(transmission.number(), transmission.outcome());
             }
         }
         if (poll.percepts()) {
-            takePercepts(literals, reply.leftOut());
+            perception.take(literals, reply.leftOut());
         }
+        perceptsCrowd = poll.percepts() && (reply.more() || owesTaken);
+    }
+
+    /** A poll that only says what is taken. */
+    Request.Poll lastPoll() {
+        return new Request.Poll(false, taken);
+    }
+
+    /** Takes the outcomes of the last poll; its messages stay with the board, for the next run of the host. */
+    void takeLast(PollReply reply) {
+        answered();
+        for (PollReply.Item item : reply.records()) {
+            if (item instanceof PollReply.Transmission transmission) {
+                transmissions.end(transmission.number(), transmission.outcome());
+            }
+        }
+    }
+
+    private void answered() {
+        unanswered = false;
+        owesTaken = false;
+        handedOn.confirmed();
     }
 
     private void takeMessage(PollReply.Message message) {
         taken = message.number();
+        owesTaken = true;
+        if (!handedOn.add(message)) {
+            tally.count(SessionCounter.REPEATED_MESSAGES);
+            return;
+        }
         tally.count(SessionCounter.MESSAGES);
         try {
             Content content = Content.decode(message.content());
             listener.message(new ReceivedMessage(message.origin(), message.destination(), message.id(), content));
         } catch (ProtocolException e) {
-            skip("a message from " + message.origin(), e);
+            tally.count(SessionCounter.DAMAGED_RECORDS);
+            listener.warning("a message from " + message.origin() + " was skipped: " + e.getMessage());
         }
-    }
-
-    private void takePercepts(List<Bytes> literals, boolean someLeftOut) {
-        if (someLeftOut && !leftOut) {
-            listener.warning("the board has more percepts than fit one reply; the last ones are left out");
-        }
-        leftOut = someLeftOut;
-        if (!literals.equals(percepts)) {
-            tellPercepts(literals);
-            percepts = literals;
-        }
-    }
-
-    private void tellPercepts(List<Bytes> literals) {
-        List<String> texts = new ArrayList<>();
-        for (Bytes literal : literals) {
-            try {
-                texts.add(literal.text());
-            } catch (ProtocolException e) {
-                skip("a percept", e);
-            }
-        }
-        listener.percepts(List.copyOf(texts));
-    }
-
-    private void skip(String what, ProtocolException why) {
-        tally.count(SessionCounter.DAMAGED_RECORDS);
-        listener.warning(what + " was skipped: " + why.getMessage());
     }
 }

@@ -19,6 +19,8 @@ final class Service {
     private final Inbox inbox;
     private Deadline nextPoll = Deadline.in(Duration.ZERO);
     private boolean pollsFail;
+    /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
+    private boolean pollFirst;
     /** What the radio was told since the board was greeted; null if nothing yet. */
     private Request radioTold;
 
@@ -53,15 +55,19 @@ final class Service {
 
     /** Returns when the session was closed. */
     void run(Present present) throws LinkException, LostException {
+        pollFirst = inbox.owesTaken();
         while (!context.queue().isClosed()) {
-            Pending<?> request = context.queue().next(nextPoll);
+            Pending<?> request = pollFirst ? null : context.queue().next(nextPoll);
             if (request != null && !request.result().isDone()) {
                 perform(request, present.board());
             }
-            // No request: it is time, or a wish has changed.
+            // No request: it is time, a wish has changed, or messages were taken.
             if (request == null || nextPoll.passed()) {
                 poll();
             }
+        }
+        if (pollFirst) {
+            confirm();
         }
     }
 
@@ -96,20 +102,35 @@ final class Service {
     private void poll() throws LinkException, LostException {
         Request.Poll poll = inbox.nextPoll();
         boolean more = false;
+        pollFirst = false;
         try {
             PollReply reply = pollReply(ask(poll));
             inbox.take(poll, reply);
             more = reply.more();
+            pollFirst = inbox.owesTaken();
             pollsFail = false;
         } catch (ProtocolException e) {
-            context.tally().count(SessionCounter.BAD_REPLIES);
-            // Once for a row of them: there may be fifty a second.
-            if (!pollsFail) {
-                context.listener().warning("replies to polls are dropped: " + e.getMessage());
-            }
-            pollsFail = true;
+            badPollReply(e);
         }
         nextPoll = Deadline.in(more ? Duration.ZERO : context.config().pollInterval());
+    }
+
+    /** Says at the end what was taken, so that its sender learns of it and the next run does not get it again. */
+    private void confirm() throws LinkException, LostException {
+        try {
+            inbox.takeLast(pollReply(ask(inbox.lastPoll())));
+        } catch (ProtocolException e) {
+            badPollReply(e);
+        }
+    }
+
+    private void badPollReply(ProtocolException e) {
+        context.tally().count(SessionCounter.BAD_REPLIES);
+        // Once for a row of them: there may be fifty a second.
+        if (!pollsFail) {
+            context.listener().warning("replies to polls are dropped: " + e.getMessage());
+        }
+        pollsFail = true;
     }
 
     private static PollReply pollReply(Reply reply) throws ProtocolException {
@@ -133,6 +154,7 @@ final class Service {
         }
         if (reply.status() == Status.NOT_GREETED) {
             context.tally().count(SessionCounter.RESETS);
+            inbox.reset();
             throw new LostException(context.name() + ": the board was reset");
         }
         return reply;

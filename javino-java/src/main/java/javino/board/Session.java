@@ -45,6 +45,12 @@ final class Session implements Runnable {
         inbox.renamed(info);
     }
 
+    /** On the session's thread, after a transmission was answered. */
+    int transmitting(int number) {
+        inbox.transmissions().begin(number);
+        return number;
+    }
+
     @Override
     public void run() {
         try {
@@ -58,6 +64,7 @@ final class Session implements Runnable {
                 state = BoardState.CLOSED;
             }
             context.queue().drain().forEach(request -> request.failOffline(context.queue().closedWhy()));
+            inbox.close();
         }
     }
 

@@ -22,8 +22,14 @@ public enum SessionCounter {
     SILENCES,
     /** Requests refused since too many were waiting. */
     REFUSED_REQUESTS,
-    /** Messages received. */
+    /** Messages received; not those that came again. */
     MESSAGES,
+    /** Messages that came again after the board was reset, and were not handed on a second time. */
+    REPEATED_MESSAGES,
+    /** Transmissions told as undelivered since the board was reset or lost, or the session was closed. */
+    ABANDONED_TRANSMISSIONS,
+    /** Outcomes that were not told: of transmissions by an earlier session, or abandoned already. */
+    UNKNOWN_OUTCOMES,
     /** Messages and percepts that were skipped since they are no text, or no content. */
     DAMAGED_RECORDS,
     /** Calls of the listener that threw. */

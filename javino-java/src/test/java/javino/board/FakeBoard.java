@@ -11,6 +11,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Status;
@@ -26,8 +27,9 @@ public final class FakeBoard {
     private final List<String> performed = new ArrayList<>();
 
     private final List<String> percepts = new ArrayList<>();
-    private final List<Bytes> queued = new ArrayList<>();
-    private int firstNumber;
+    private final List<String> requests = new ArrayList<>();
+    private final FakeMail mail = new FakeMail();
+    private int transmissions;
     private String rfId = "++++";
     private int version = 1;
     private int bootCount = 1;
@@ -79,6 +81,7 @@ public final class FakeBoard {
             return;
         }
         if (!request.encode().equals(lastRequest)) {
+            requests.add(request.frame().message().hex());
             Bytes message = perform(request.frame());
             lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
             lastRequest = request.encode();
@@ -89,7 +92,8 @@ public final class FakeBoard {
     private Bytes perform(Frame frame) {
         Bytes message = frame.message();
         if (!frame.destination().equals(Address.SERIAL)) {
-            return greeted ? record("transmit " + frame.header(), Bytes.of(0, 7)) : status(Status.NOT_GREETED);
+            return greeted ? record("transmit " + frame.header(), Bytes.of(0, transmissions++))
+                    : status(Status.NOT_GREETED);
         }
         int command = message.at(0);
         if (command == 'H') {
@@ -162,27 +166,11 @@ public final class FakeBoard {
             return Bytes.of(0, 0, 'P');
         }
         if (message.length() == 3) {
-            int index = message.at(2) - firstNumber & 0xFF;
-            if (index < queued.size()) {
-                queued.subList(0, index + 1).clear();
-                firstNumber = message.at(2) + 1 & 0xFF;
-            }
+            mail.taken(message.at(2));
         }
-        Bytes reply = Bytes.of(0, queued.size() > 1 ? 1 : 0);
-        if ((message.at(1) & 1) != 0) {
-            for (String percept : percepts) {
-                reply = Bytes.join(reply, item('P', Bytes.copyOf(percept.getBytes(
-                        StandardCharsets.ISO_8859_1))));
-            }
-        }
-        if (!queued.isEmpty()) {
-            reply = Bytes.join(reply, item('M', Bytes.join(Bytes.of(firstNumber), queued.get(0))));
-        }
-        return reply;
-    }
-
-    private static Bytes item(char type, Bytes value) {
-        return Bytes.join(Bytes.of(type), Bytes.ofNumber(value.length(), 2), value);
+        boolean perceptsWanted = (message.at(1) & 1) != 0;
+        return mail.answer(perceptsWanted ? percepts.stream()
+                .map(percept -> Bytes.copyOf(percept.getBytes(StandardCharsets.ISO_8859_1))).toList() : List.of());
     }
 
     private Bytes record(String what, Bytes reply) {
@@ -231,17 +219,38 @@ public final class FakeBoard {
     }
 
     /** Queues a message from ROMA to all. */
-    synchronized void receive(String content) {
-        queued.add(Bytes.join(Bytes.ofText("////ROMA"), Bytes.of(0, 0, 0), Bytes.ofText(content)));
+    void receive(String content) {
+        receive("////", "ROMA", 0, content);
     }
 
-    /** Boots anew: it must be greeted, and forgets what it had queued. */
+    synchronized void receive(String destination, String origin, int id, String content) {
+        mail.receive(destination, origin, id, content);
+    }
+
+    /** Has a transmission end. */
+    synchronized void end(int number, Outcome outcome) {
+        mail.end(number, outcome);
+    }
+
+    /** Boots anew: it must be greeted, and what was not taken comes again. */
     synchronized void reset() {
         greeted = false;
         bootCount++;
-        queued.clear();
-        firstNumber = 0;
+        transmissions = 0;
+        mail.boot();
         lastRequest = Bytes.EMPTY;
+    }
+
+    /** The requests that came, without repeats, each as the message's hexadecimal digits. */
+    synchronized List<String> requests() {
+        return List.copyOf(requests);
+    }
+
+    /** Waits until the host has taken all messages. */
+    synchronized void awaitAllTaken() throws InterruptedException {
+        while (!mail.isEmpty()) {
+            wait();
+        }
     }
 
     /** The commands that were performed, in order, as text; polls and hellos left out. */

@@ -1,0 +1,72 @@
+package javino.board;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import javino.protocol.Bytes;
+import javino.protocol.ProtocolException;
+
+/** Knows when percepts are due, and tells the listener when they have changed. For the session's thread only. */
+final class Perception {
+
+    private final Wishes wishes;
+    private final BoardListener listener;
+    private final Tally tally;
+    /** What was told last; null where nothing holds. */
+    private List<Bytes> percepts;
+    private boolean leftOut;
+    private Deadline next = Deadline.in(Duration.ZERO);
+
+    Perception(Wishes wishes, BoardListener listener, Tally tally) {
+        this.wishes = wishes;
+        this.listener = listener;
+        this.tally = tally;
+    }
+
+    /** The board came online: percepts will be told anew. */
+    void forget() {
+        percepts = null;
+        leftOut = false;
+    }
+
+    /** Tells that nothing is perceived, once percepts are wanted no longer. */
+    void followWish() {
+        if (!wishes.percepts() && percepts != null) {
+            tell(List.of());
+            percepts = null;
+        }
+    }
+
+    boolean isDue() {
+        return wishes.percepts() && (percepts == null || next.passed());
+    }
+
+    /** They are asked for now. */
+    void asked() {
+        next = Deadline.in(wishes.perceptInterval());
+    }
+
+    void take(List<Bytes> literals, boolean someLeftOut) {
+        if (someLeftOut && !leftOut) {
+            listener.warning("the board has more percepts than fit one reply; the last ones are left out");
+        }
+        leftOut = someLeftOut;
+        if (!literals.equals(percepts)) {
+            tell(literals);
+            percepts = literals;
+        }
+    }
+
+    private void tell(List<Bytes> literals) {
+        List<String> texts = new ArrayList<>();
+        for (Bytes literal : literals) {
+            try {
+                texts.add(literal.text());
+            } catch (ProtocolException e) {
+                tally.count(SessionCounter.DAMAGED_RECORDS);
+                listener.warning("a percept was skipped: " + e.getMessage());
+            }
+        }
+        listener.percepts(List.copyOf(texts));
+    }
+}

@@ -1,0 +1,73 @@
+package javino.board;
+
+import java.util.ArrayList;
+import java.util.List;
+import javino.protocol.Bytes;
+import javino.protocol.Outcome;
+
+/** What a fake board keeps for its host until it is polled, and how it answers a poll (SPEC 4.3). */
+final class FakeMail {
+
+    /** What follows status and flags. */
+    private static final int ROOM = 509;
+
+    private final List<Bytes> outcomes = new ArrayList<>();
+    private final List<Bytes> messages = new ArrayList<>();
+    private int firstNumber;
+
+    void receive(String destination, String origin, int id, String content) {
+        messages.add(Bytes.join(Bytes.ofText(destination), Bytes.ofText(origin), Bytes.ofNumber(id, 3),
+                Bytes.ofText(content)));
+    }
+
+    void end(int number, Outcome outcome) {
+        outcomes.add(Bytes.of(number, outcome.ordinal()));
+    }
+
+    /** Forgets the message of this number and all before it. */
+    void taken(int number) {
+        int index = number - firstNumber & 0xFF;
+        if (index < messages.size()) {
+            messages.subList(0, index + 1).clear();
+            firstNumber = number + 1 & 0xFF;
+        }
+    }
+
+    /** Loses outcomes, and numbers messages anew: their senders repeat those that were not taken. */
+    void boot() {
+        outcomes.clear();
+        firstNumber = 0;
+    }
+
+    boolean isEmpty() {
+        return messages.isEmpty();
+    }
+
+    /** The whole reply: outcomes, percepts, messages, while they fit. */
+    Bytes answer(List<Bytes> percepts) {
+        int flags = 0;
+        Bytes records = Bytes.EMPTY;
+        for (Bytes outcome : outcomes) {
+            records = Bytes.join(records, record('T', outcome));
+        }
+        outcomes.clear();
+        for (Bytes percept : percepts) {
+            Bytes longer = Bytes.join(records, record('P', percept));
+            flags |= longer.length() > ROOM ? 2 : 0;
+            records = longer.length() > ROOM ? records : longer;
+        }
+        for (int i = 0; i < messages.size(); i++) {
+            Bytes longer = Bytes.join(records, record('M', Bytes.join(Bytes.of(firstNumber + i), messages.get(i))));
+            if (longer.length() > ROOM) {
+                flags |= 1;
+                break;
+            }
+            records = longer;
+        }
+        return Bytes.join(Bytes.of(0, flags), records);
+    }
+
+    private static Bytes record(char type, Bytes value) {
+        return Bytes.join(Bytes.of(type), Bytes.ofNumber(value.length(), 2), value);
+    }
+}
