@@ -2,7 +2,6 @@ package campaign;
 
 import harness.Host;
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import javino.board.Board;
@@ -20,16 +19,7 @@ import javino.protocol.Outcome;
 final class Endpoint implements AutoCloseable {
 
     private final Board board;
-    private final Map<Integer, Entry> underWay = new HashMap<>();
-    private final Map<Integer, Outcome> early = new HashMap<>();
-
-    private record Entry(Ledger ledger, int number, Runnable then) {
-
-        void end(Outcome outcome) {
-            ledger.ended(number, outcome);
-            then.run();
-        }
-    }
+    private final Transmissions transmissions = new Transmissions();
 
     /**
      * @param poll     from one poll to the next.
@@ -49,7 +39,7 @@ final class Endpoint implements AutoCloseable {
 
             @Override
             public void transmitted(int number, Outcome outcome) {
-                finish(number, outcome);
+                transmissions.finish(number, outcome);
             }
         });
     }
@@ -76,7 +66,10 @@ final class Endpoint implements AutoCloseable {
         CompletableFuture<Integer> taken = board.transmit(to, ledger.content(number));
         taken.whenComplete((transmission, failure) -> {
             if (failure == null) {
-                begin(transmission, new Entry(ledger, number, then));
+                transmissions.begin(transmission, outcome -> {
+                    ledger.ended(number, outcome);
+                    then.run();
+                });
                 return;
             }
             if (failure instanceof OutcomeUnknownException) {
@@ -86,25 +79,6 @@ final class Endpoint implements AutoCloseable {
             }
             then.run();
         });
-    }
-
-    private void begin(int transmission, Entry entry) {
-        Outcome outcome;
-        synchronized (this) {
-            // A future that was complete before we looked may be overtaken by the transmission's end.
-            outcome = early.remove(transmission);
-            if (outcome == null) underWay.put(transmission, entry);
-        }
-        if (outcome != null) entry.end(outcome);
-    }
-
-    private void finish(int transmission, Outcome outcome) {
-        Entry entry;
-        synchronized (this) {
-            entry = underWay.remove(transmission);
-            if (entry == null) early.put(transmission, outcome);
-        }
-        if (entry != null) entry.end(outcome);
     }
 
     @Override

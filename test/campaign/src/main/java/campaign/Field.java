@@ -60,12 +60,17 @@ final class Field implements AutoCloseable {
         return List.copyOf(all);
     }
 
+    /** Where the boards of a cell stand: x and y in metres. */
+    static List<Double> position(int cell) {
+        return List.of(cell * CELL_METRES, 0.0);
+    }
+
     /** Adds the boards to a scenario and starts it. */
     static Field start(Emulator.Scenario scenario, List<Cell> cells) throws IOException, InterruptedException {
         List<List<Post>> posts = posts(cells);
         for (int cell = 0; cell < cells.size(); cell++) {
             for (Post post : posts.get(cell)) {
-                scenario.board(post.name, cells.get(cell).sketch, Map.of("position", List.of(cell * CELL_METRES, 0)));
+                scenario.board(post.name, cells.get(cell).sketch, Map.of("position", position(cell)));
             }
         }
         Path folder = Files.createTempDirectory("javino-campaign");

@@ -8,12 +8,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Watches the air for nonces that seal two different things. It remembers the highest few thousand of each origin; one
+ * Watches the air for nonces that seal two different things. It remembers the highest thousand of each origin; one
  * below all of them counts as a repeat too.
  */
 final class Nonces {
 
-    private static final int REMEMBERED = 4096;
+    private static final int REMEMBERED = 1024;
     private static final int ORIGIN = 4;
     private static final int MESSAGE = 10;
     private static final int NONCE_LENGTH = 6;

@@ -1,0 +1,34 @@
+package campaign;
+
+import harness.TraceEvent;
+import java.util.HashMap;
+import java.util.Map;
+
+/** Counts, of two boards, the packets of each that were on the air while the other one was sending, and so not listening. */
+final class Crossings {
+
+    private record Packet(double start, double end, boolean crossed) { }
+
+    private final Map<String, Packet> last = new HashMap<>();
+    private final Map<String, Long> crossed = new HashMap<>();
+
+    /** Takes notice of an event of the trace. */
+    synchronized void see(TraceEvent event) {
+        if (!event.name().equals("rf-tx")) return;
+        Packet packet = new Packet(event.fields().get("start").getAsDouble(), event.fields().get("end").getAsDouble(), false);
+        for (Map.Entry<String, Packet> each : last.entrySet()) {
+            Packet other = each.getValue();
+            if (each.getKey().equals(event.board()) || other.end < packet.start || packet.end < other.start) continue;
+            if (!other.crossed) crossed.merge(each.getKey(), 1L, Long::sum);
+            if (!packet.crossed) crossed.merge(event.board(), 1L, Long::sum);
+            packet = new Packet(packet.start, packet.end, true);
+            each.setValue(new Packet(other.start, other.end, true));
+        }
+        last.put(event.board(), packet);
+    }
+
+    /** Of the packets that this board has sent. */
+    synchronized long of(String board) {
+        return crossed.getOrDefault(board, 0L);
+    }
+}

@@ -1,0 +1,73 @@
+package campaign;
+
+import java.util.List;
+
+/** What happens to a busy exchange when ports, boards, hosts, the air and the power fail. */
+final class Faults implements Campaign {
+
+    private static final double AIM_SECONDS = 2;
+
+    @Override
+    public String name() {
+        return "faults";
+    }
+
+    @Override
+    public void run(Settings settings, Report report) throws Exception {
+        int pairs = settings.choose(12, 2);
+        int each = settings.choose(100, 2);
+        List<Fault> faults = FaultPlan.of(settings.seed(), pairs, each, settings.choose(45, 12));
+        report.text("""
+            %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a reset as a Mega's).
+            All hosts send to their peers without a pause, four contents of 16 bytes to one of 100, replace a key twice a second, so that
+            there is always something being written to the EEPROM, and log what they are handed before their board learns that they have
+            it. Every %.0f s something befalls each pair. A power cut comes at the 1st to 40th byte that the board writes from then on, leaves
+            that byte torn and the RAM random, and lasts 0.2 s. *First* and *both*: emulated time from the end of the cause until a unicast
+            was proved delivered by either of the two boards, and by both; a killed host's cause ends when its successor opens the port.
+            """.formatted(pairs, FaultPlan.BETWEEN_SECONDS));
+        try (FaultField field = new FaultField(settings.seed(), pairs, faults)) {
+            field.start();
+            boolean whole = field.await(FaultPlan.end(faults), report);
+            field.finishHosts();
+            describe(field, whole ? field.spoiltBoards() : 2L * pairs, report);
+        }
+    }
+
+    private static void describe(FaultField field, long spoilt, Report report) throws Exception {
+        List<Recovery> all = field.recoveries();
+        Table table = new Table("fault", "times", "first, median", "first, longest", "both, median", "both, longest", "first within 2 s", "both within 2 s");
+        for (Fault.Kind kind : Fault.Kind.values()) row(table, kind, all.stream().filter(each -> each.fault().kind() == kind).toList());
+        report.table(table);
+        Account account = field.account();
+        report.table(new Table("messages", "sent", "reported delivered", "again to a host's next run").row("all hosts", account.offered(),
+            account.delivered(), account.again()));
+        report.aim("a unicast delivered within 2 s of the end of each cause", all.stream().allMatch(each -> each.first() <= AIM_SECONDS));
+        report.never("reported delivered, but missing in the receiver's log", account.lost());
+        report.never("delivered twice", account.twice());
+        report.never("delivered, but never sent like this", account.wrong());
+        report.never("a unicast without an end", account.stuck());
+        report.never("a nonce with two messages", field.nonces().repeated());
+        report.never("a board without its id or keys at the end", spoilt);
+        report.never("a fault that did not come about", field.failedKills() + all.stream().filter(each -> !each.ended()).count());
+    }
+
+    private static void row(Table table, Fault.Kind kind, List<Recovery> all) {
+        List<Recovery> ended = all.stream().filter(Recovery::ended).toList();
+        List<Double> first = ended.stream().map(Recovery::first).sorted().toList();
+        List<Double> both = ended.stream().map(Recovery::both).sorted().toList();
+        if (ended.isEmpty()) {
+            table.row(kind.title(), 0, "-", "-", "-", "-", "-", "-");
+            return;
+        }
+        table.row(kind.title(), ended.size(), seconds(first, first.size() / 2), seconds(first, first.size() - 1),
+            seconds(both, both.size() / 2), seconds(both, both.size() - 1), within(first), within(both));
+    }
+
+    private static String seconds(List<Double> sorted, int index) {
+        return Table.text("%.2f s", sorted.get(index));
+    }
+
+    private static String within(List<Double> seconds) {
+        return Table.percent(seconds.stream().filter(each -> each <= AIM_SECONDS).count(), seconds.size());
+    }
+}
