@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sniffer without keys can tell of a radio payload (SPEC sections 1 to 3 and 5).
+// What a sniffer without keys can tell of a radio payload (SPEC sections 1 to 3, 5 and 7).
 #ifndef JAVINO_FRAME_VIEW_H
 #define JAVINO_FRAME_VIEW_H
 
@@ -7,7 +7,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum { KIND_BROADCAST, KIND_MULTICAST, KIND_UNICAST, KIND_RESERVED } frame_kind;
+typedef enum {
+    KIND_BROADCAST,
+    KIND_MULTICAST,
+    KIND_UNICAST,
+    KIND_PIECE,
+    KIND_ACKNOWLEDGEMENT,
+    KIND_RESERVED
+} frame_kind;
 
 typedef struct {
     const uint8_t *destination; // four digits
@@ -16,11 +23,18 @@ typedef struct {
     size_t message_length;
     frame_kind kind;
     bool sealed; // a multicast or unicast with room for nonce and tag that does not read as content
+    int piece_id;    // of a piece, 0…63
+    int piece_index; // of a piece, 0…7
+    bool asks;       // the piece wants an answer
 } frame_view;
 
 // Reads a payload as a frame. Returns 0, or -1 where it is none (SPEC section 2).
 int frame_view_read(frame_view *view, const uint8_t *payload, size_t length);
 
 const char *frame_kind_text(frame_kind kind);
+
+// What an acknowledgement says: "delivered", "pieces", "stale", or "unknown" for a length that
+// SPEC 7.3 does not have.
+const char *frame_answer_text(const frame_view *view);
 
 #endif

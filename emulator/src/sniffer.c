@@ -18,16 +18,31 @@ static const char *board_name(const sniffer *s, size_t board)
     return s->config->boards[board].name;
 }
 
-static void write_frame(trace *t, const frame_view *view)
+static void write_message(trace *t, const frame_view *view)
 {
-    trace_utf8(t, "destination", view->destination, 4);
-    trace_utf8(t, "origin", view->origin, 4);
-    trace_text(t, "kind", frame_kind_text(view->kind));
     trace_flag(t, "sealed", view->sealed);
     if (!view->sealed && utf8_valid(view->message, view->message_length))
         trace_utf8(t, "content", view->message, view->message_length);
 }
 
+static void write_piece(trace *t, const frame_view *view)
+{
+    trace_count(t, "id", (uint64_t)view->piece_id);
+    trace_count(t, "index", (uint64_t)view->piece_index);
+    trace_flag(t, "asks", view->asks);
+}
+
+static void write_frame(trace *t, const frame_view *view)
+{
+    trace_utf8(t, "destination", view->destination, 4);
+    trace_utf8(t, "origin", view->origin, 4);
+    trace_text(t, "kind", frame_kind_text(view->kind));
+    switch (view->kind) {
+    case KIND_PIECE: write_piece(t, view); break;
+    case KIND_ACKNOWLEDGEMENT: trace_text(t, "answers", frame_answer_text(view)); break;
+    default: write_message(t, view); break;
+    }
+}
 static void write_packet(trace *t, const line_packet *packet)
 {
     frame_view view;
