@@ -14,6 +14,8 @@
 #define SUPPLY_MV 5000
 // simavr may run so many cycles between two looks at the clock; bounds the overrun of board_run.
 #define RUN_LIMIT 64
+// r0…r31 lie at the start of the data space.
+#define REGISTERS 32
 
 // What simavr hands back when a port register changes.
 struct board_port_link {
@@ -101,6 +103,12 @@ static void run_once(struct avr_t *avr)
         avr_service_interrupts(avr);
 }
 
+static void eeprom_written(void *context)
+{
+    board *b = context;
+    b->listener.eeprom_written(b->listener.context);
+}
+
 int board_init(board *b, const char *firmware, board_listener listener, char *error, size_t error_size)
 {
     memset(b, 0, sizeof *b);
@@ -114,6 +122,7 @@ int board_init(board *b, const char *firmware, board_listener listener, char *er
     b->avr->reset = chip_reset;
     timer_modes_complete(b->avr);
     link_ports(b);
+    eeprom_init(&b->memory, b->avr, (eeprom_listener){b, eeprom_written});
     return firmware_load(b->avr, firmware, error, error_size);
 }
 
@@ -152,19 +161,26 @@ static void raise_inputs(board *b, int index)
         }
 }
 
-// A reset makes all pins inputs without telling anyone: tell them, and repeat the outer levels.
-static void settle_after_reset(board *b)
+// Tells that all pins are inputs now, which simavr does not.
+static void release_outputs(board *b)
 {
-    b->reset_pending = false;
-    b->halted = false;
     for (int i = 0; i < BOARD_PORTS; i++) {
         struct avr_irq_t *latch = port_irq(b, i, IOPORT_IRQ_REG_PORT);
         if (!latch)
             continue; // there is no port I
         avr_raise_irq(latch, 0);
         avr_raise_irq(port_irq(b, i, IOPORT_IRQ_DIRECTION_ALL), 0);
-        raise_inputs(b, i);
     }
+}
+
+static void settle_after_reset(board *b)
+{
+    b->reset_pending = false;
+    b->halted = false;
+    eeprom_reset(&b->memory);
+    release_outputs(b);
+    for (int i = 0; i < BOARD_PORTS; i++)
+        raise_inputs(b, i);
     b->listener.reset(b->listener.context, b->cause);
     b->cause = RESET_WATCHDOG; // what it must have been if nobody asks for it
 }
@@ -177,14 +193,40 @@ static void restart(board *b, reset_cause cause)
     settle_after_reset(b);
 }
 
-void board_power_on(board *b)
+static void fill(uint8_t *bytes, size_t count, prng *noise)
 {
+    for (size_t i = 0; i < count; i++)
+        bytes[i] = (uint8_t)prng_next(noise);
+}
+
+void board_power_on(board *b, prng *noise)
+{
+    size_t ram = b->avr->ioend + 1u;
+    fill(b->avr->data, REGISTERS, noise);
+    fill(b->avr->data + ram, b->avr->ramend + 1u - ram, noise);
+    b->powered = true;
     restart(b, RESET_POWER);
+}
+
+int board_power_off(board *b, prng *noise)
+{
+    b->powered = b->stopped = b->reset_pending = false;
+    b->avr->state = cpu_Stopped;
+    release_outputs(b);
+    return eeprom_tear(&b->memory, noise);
 }
 
 void board_reset(board *b)
 {
-    restart(b, RESET_EXTERNAL);
+    if (b->powered)
+        restart(b, RESET_EXTERNAL);
+}
+
+void board_stop(board *b)
+{
+    b->stopped = true;
+    // simavr runs several instructions in one call; this ends it after the one under way.
+    b->avr->run_cycle_count = 0;
 }
 
 void board_drive(board *b, int pin, bool level)
@@ -232,19 +274,30 @@ static void take_inputs(board *b)
     }
 }
 
+// Runs the chip to the limit, a reset or a stop. Returns 0, or -1 when the program has crashed.
+static int run_chip(board *b)
+{
+    while (b->avr->cycle < b->limit && !b->reset_pending && !b->stopped) {
+        b->avr->run(b->avr);
+        if (b->avr->state == cpu_Crashed)
+            return -1;
+    }
+    if (b->reset_pending)
+        settle_after_reset(b);
+    return 0;
+}
+
 int board_run(board *b, cycles_t until)
 {
-    while (b->avr->cycle < until) {
+    b->stopped = false;
+    while (b->avr->cycle < until && !b->stopped) {
         take_inputs(b);
         cycles_t next = next_input(b);
         b->limit = next < until ? next : until;
-        while (b->avr->cycle < b->limit && !b->reset_pending) {
-            b->avr->run(b->avr);
-            if (b->avr->state == cpu_Crashed)
-                return -1;
-        }
-        if (b->reset_pending)
-            settle_after_reset(b);
+        if (!b->powered)
+            b->avr->cycle = b->limit;
+        else if (run_chip(b) != 0)
+            return -1;
     }
     return 0;
 }
@@ -257,6 +310,8 @@ cycles_t board_now(const board *b)
 cycles_t board_next_event(const board *b)
 {
     cycles_t next = next_input(b);
+    if (!b->powered)
+        return next;
     if (b->avr->state == cpu_Sleeping && !b->halted && b->avr->cycle_timers.timer) {
         cycles_t timer = b->avr->cycle_timers.timer->when;
         return timer < next ? timer : next;

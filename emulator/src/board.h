@@ -8,7 +8,9 @@
 #include <stdint.h>
 
 #include "clock.h"
+#include "eeprom.h"
 #include "pins.h"
+#include "prng.h"
 
 struct avr_t;
 struct avr_irq_t;
@@ -23,6 +25,8 @@ typedef struct {
     void (*output)(void *context, int pin, bool level, cycles_t at);
     // The board has been reset, the power-on included.
     void (*reset)(void *context, reset_cause cause);
+    // The program begins to write an EEPROM byte; board_stop may be called from here.
+    void (*eeprom_written)(void *context);
 } board_listener;
 
 // A level that an input pin will have.
@@ -35,7 +39,10 @@ typedef struct {
 typedef struct {
     struct avr_t *avr;
     board_listener listener;
+    eeprom memory;
     cycles_t limit;     // the board runs up to here
+    bool powered;
+    bool stopped;       // board_run returns after the instruction under way
     bool reset_pending; // the chip was reset, its surroundings not yet told
     reset_cause cause;
     bool halted;        // sleeps with interrupts off: only a reset wakes it
@@ -57,7 +64,14 @@ void board_release(board *b);
 // Reports changes of this pin's output level from now on.
 void board_observe(board *b, int pin);
 
-void board_power_on(board *b);
+// The chip starts anew; registers and RAM hold anything.
+void board_power_on(board *b, prng *noise);
+
+// The power goes: pins float, and an EEPROM byte that is being written is torn. Time goes on.
+// Returns the torn byte's address, or -1 when there is none.
+int board_power_off(board *b, prng *noise);
+
+// A reset without loss of power: RAM stays, as in a real chip. Nothing while there is no power.
 void board_reset(board *b);
 
 // Whether the board now drives the pin high.
@@ -67,7 +81,10 @@ bool board_output(const board *b, int pin);
 void board_drive(board *b, int pin, bool level);
 void board_drive_at(board *b, int pin, bool level, cycles_t at);
 
-// Runs until the clock is at `until` or at most a few microseconds past it.
+// Lets board_run return before `until`, to be called again or to switch the power off.
+void board_stop(board *b);
+
+// Runs until the clock is at `until` or at most a few microseconds past it, or until board_stop.
 // Returns 0, or -1 when the program has crashed.
 int board_run(board *b, cycles_t until);
 

@@ -7,6 +7,9 @@
 
 #include "utf8.h"
 
+// Stream numbers of the seed from here on are those of the boards' power.
+#define POWER_STREAM 2000
+
 static void pin_changed(void *context, int pin, bool level, cycles_t at)
 {
     node *n = context;
@@ -15,6 +18,7 @@ static void pin_changed(void *context, int pin, bool level, cycles_t at)
         rf_bus_carrier(&e->air, n->index, level, at);
         sniffer_tx_edge(&e->listener, n->index, level, at);
     }
+    fault_plan_output(&e->faults, n->index, pin, level, at);
     for (size_t i = 0; i < n->config->sensor_count; i++)
         sensor_output(&n->sensors[i], pin, level, at);
     for (size_t i = 0; i < n->config->watch_count; i++) {
@@ -40,8 +44,18 @@ static void board_was_reset(void *context, reset_cause cause)
     n->reset_why = NULL;
 }
 
+static void eeprom_written(void *context)
+{
+    node *n = context;
+    n->cut = fault_plan_write(&n->owner->faults, n->index, board_now(&n->mega));
+    if (n->cut)
+        board_stop(&n->mega);
+}
+
 static void reset_node(node *n, const char *why)
 {
+    if (!n->mega.powered)
+        return;
     n->reset_why = why;
     board_reset(&n->mega);
 }
@@ -79,9 +93,13 @@ static int plug(emulation *e, node *n)
 
 static void observe_pins(node *n)
 {
+    const scenario *scenario = n->owner->config;
     board_observe(&n->mega, n->config->tx_pin);
     for (size_t i = 0; i < n->config->watch_count; i++)
         board_observe(&n->mega, n->config->watches[i].pin);
+    for (size_t i = 0; i < scenario->fault_count; i++)
+        if (scenario->faults[i].after_pin >= 0 && scenario->faults[i].board == n->index)
+            board_observe(&n->mega, scenario->faults[i].after_pin);
     board_drive(&n->mega, n->config->rx_pin, false);
 }
 
@@ -94,8 +112,8 @@ static int out_of_memory(emulation *e)
 static int open_node(emulation *e, node *n)
 {
     char error[400];
-    if (board_init(&n->mega, n->config->firmware, (board_listener){n, pin_changed, board_was_reset}, error,
-                   sizeof error) != 0) {
+    if (board_init(&n->mega, n->config->firmware, (board_listener){n, pin_changed, board_was_reset, eeprom_written},
+                   error, sizeof error) != 0) {
         snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
         return -1;
     }
@@ -111,7 +129,7 @@ static int open_node(emulation *e, node *n)
         return -1;
     if (n->config->port && plug(e, n) != 0)
         return -1;
-    board_power_on(&n->mega);
+    board_power_on(&n->mega, &n->noise);
     return 0;
 }
 
@@ -124,6 +142,8 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
     e->nodes = calloc(config->board_count, sizeof *e->nodes);
     if (!e->nodes)
         return out_of_memory(e);
+    if (fault_plan_init(&e->faults, config) != 0)
+        return out_of_memory(e);
     if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
         sniffer_init(&e->listener, config, &e->air, out) != 0) {
         snprintf(e->error, sizeof e->error, "boards and jam faults together must not be more than 64");
@@ -135,6 +155,9 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
         n->index = e->node_count;
         n->config = &config->boards[n->index];
         n->port.master = -1;
+        n->plugged = n->config->port != NULL;
+        n->power_at = NEVER;
+        prng_seed(&n->noise, seed, POWER_STREAM + n->index);
     }
     for (size_t i = 0; i < e->node_count; i++)
         if (open_node(e, &e->nodes[i]) != 0)
@@ -158,23 +181,72 @@ static void trace_fault(const emulation *e, const fault_config *fault)
     trace_end(e->out);
 }
 
+static void trace_cut(const node *n, cycles_t at, int torn)
+{
+    trace *out = n->owner->out;
+    trace_begin(out, at, n->config->name, "fault");
+    trace_text(out, "do", fault_name(FAULT_POWER_CUT));
+    trace_time(out, "until", n->power_at);
+    if (torn >= 0)
+        trace_count(out, "torn", (uint64_t)torn);
+    trace_end(out);
+}
+
+static void unplug(node *n)
+{
+    if (n->port.master < 0)
+        return;
+    pty_unplug(&n->port);
+    trace_port(n, "unplugged");
+}
+
+static int plug_again(emulation *e, node *n)
+{
+    if (!n->plugged || n->port.master >= 0)
+        return 0;
+    trace_port(n, "plugged");
+    return plug(e, n);
+}
+
+// A cut during another one makes it longer, not shorter.
+static void cut_power(node *n, const fault_config *fault)
+{
+    cycles_t now = board_now(&n->mega);
+    cycles_t back = now + seconds_to_cycles(fault->duration_s);
+    n->power_at = n->power_at == NEVER || back > n->power_at ? back : n->power_at;
+    n->power_cuts++;
+    trace_cut(n, now, board_power_off(&n->mega, &n->noise));
+    uart_reset(&n->serial);
+    unplug(n);
+}
+
+static int restore_power(emulation *e, node *n)
+{
+    if (e->now < n->power_at)
+        return 0;
+    n->power_at = NEVER;
+    board_power_on(&n->mega, &n->noise);
+    return plug_again(e, n);
+}
+
 static int perform_fault(emulation *e, const fault_config *fault)
 {
     node *n = &e->nodes[fault->board];
-    trace_fault(e, fault);
+    if (fault->kind != FAULT_POWER_CUT)
+        trace_fault(e, fault);
     switch (fault->kind) {
     case FAULT_RESET:
         reset_node(n, "fault");
         break;
     case FAULT_UNPLUG:
-        pty_unplug(&n->port);
-        trace_port(n, "unplugged");
+        n->plugged = false;
+        unplug(n);
         break;
     case FAULT_PLUG:
-        if (n->port.master < 0) {
-            trace_port(n, "plugged");
-            return plug(e, n);
-        }
+        n->plugged = true;
+        return n->mega.powered ? plug_again(e, n) : 0;
+    case FAULT_POWER_CUT:
+        cut_power(n, fault);
         break;
     case FAULT_JAM:
         rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s));
@@ -185,9 +257,12 @@ static int perform_fault(emulation *e, const fault_config *fault)
 
 static int perform_faults(emulation *e)
 {
-    while (e->next_fault < e->config->fault_count &&
-           seconds_to_cycles(e->config->faults[e->next_fault].t_s) <= e->now)
-        if (perform_fault(e, &e->config->faults[e->next_fault++]) != 0)
+    const fault_config *fault;
+    while ((fault = fault_plan_take(&e->faults, e->now)) != NULL)
+        if (perform_fault(e, fault) != 0)
+            return -1;
+    for (size_t i = 0; i < e->node_count; i++)
+        if (restore_power(e, &e->nodes[i]) != 0)
             return -1;
     return 0;
 }
@@ -218,7 +293,7 @@ static cycles_t earliest(cycles_t a, cycles_t b)
 
 static cycles_t node_next_event(const node *n)
 {
-    cycles_t next = board_next_event(&n->mega);
+    cycles_t next = earliest(board_next_event(&n->mega), n->power_at);
     for (size_t i = 0; i < n->config->sensor_count; i++)
         next = earliest(next, sensor_next_event(&n->sensors[i]));
     return next;
@@ -227,9 +302,7 @@ static cycles_t node_next_event(const node *n)
 // One step; a longer one while all boards sleep, up to where the first thing happens.
 static cycles_t step_end(const emulation *e, cycles_t until)
 {
-    cycles_t end = e->air.next_event;
-    if (e->next_fault < e->config->fault_count)
-        end = earliest(end, seconds_to_cycles(e->config->faults[e->next_fault].t_s));
+    cycles_t end = earliest(e->air.next_event, e->faults.next);
     for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
         end = earliest(end, node_next_event(&e->nodes[i]));
     end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
@@ -240,8 +313,12 @@ static int run_board(emulation *e, node *n, cycles_t end)
 {
     for (size_t i = 0; i < n->config->sensor_count; i++)
         sensor_advance(&n->sensors[i], end);
-    if (board_run(&n->mega, end) == 0)
-        return 0;
+    while (board_run(&n->mega, end) == 0) {
+        if (!n->cut)
+            return 0;
+        cut_power(n, n->cut);
+        n->cut = NULL;
+    }
     snprintf(e->error, sizeof e->error, "board %s: its program crashed at pc 0x%05x, after %.6f s",
              n->config->name, board_pc(&n->mega), cycles_to_seconds(board_now(&n->mega)));
     return -1;
@@ -294,6 +371,9 @@ static void trace_counters(const emulation *e, const node *n)
     const sniffer_counters *radio = &e->listener.stations[n->index].counters;
     trace_begin(e->out, e->now, n->config->name, "counters");
     trace_count(e->out, "resets", n->resets);
+    trace_count(e->out, "powerCuts", n->power_cuts);
+    trace_count(e->out, "faultsPending", fault_plan_pending(&e->faults, n->index));
+    trace_count(e->out, "eepromWrites", n->mega.memory.writes);
     trace_count(e->out, "serialReceived", n->port.received);
     trace_count(e->out, "serialSent", n->port.sent);
     trace_count(e->out, "serialDropped", n->port.dropped);
@@ -324,6 +404,7 @@ int emulation_close(emulation *e)
         close_node(e, &e->nodes[i]);
     sniffer_release(&e->listener);
     rf_bus_release(&e->air);
+    fault_plan_release(&e->faults);
     free(e->nodes);
     return result;
 }

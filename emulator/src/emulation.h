@@ -10,6 +10,8 @@
 
 #include "board.h"
 #include "eeprom_file.h"
+#include "fault_plan.h"
+#include "prng.h"
 #include "pty.h"
 #include "rf_bus.h"
 #include "scenario.h"
@@ -31,7 +33,11 @@ typedef struct {
     uart serial;
     eeprom_file eeprom;
     sensor *sensors;
-    uint64_t resets;
+    prng noise; // what RAM and torn EEPROM bytes hold after a power cut
+    const fault_config *cut; // the power cut that comes with this EEPROM write
+    cycles_t power_at;       // when the power comes back, NEVER while it is there
+    bool plugged;            // the port is there whenever the power is
+    uint64_t resets, power_cuts;
     const char *reset_why; // of the reset under way, where the emulation itself asks for it
 } node;
 
@@ -42,7 +48,8 @@ typedef struct emulation {
     sniffer listener;
     node *nodes;
     size_t node_count;
-    size_t next_fault, next_jam;
+    fault_plan faults;
+    size_t next_jam;
     cycles_t now;
     cycles_t next_eeprom_save;
     char error[512]; // why a call returned -1

@@ -15,7 +15,7 @@
 #define DEFAULT_BIT_RATE 2000
 #define DEFAULT_RANGE_M 100
 
-static const char *const FAULT_NAMES[] = {"reset", "unplug", "plug", "jam", NULL};
+static const char *const FAULT_NAMES[] = {"reset", "unplug", "plug", "power-cut", "jam", NULL};
 
 const char *fault_name(fault_kind kind)
 {
@@ -91,44 +91,65 @@ static void read_fault_board(fault_config *fault, const scenario *s, const json_
     int index = name ? board_index(s, name) : -1;
     if (index < 0)
         json_expected(&board, "the name of one of the boards");
-    else if (fault->kind != FAULT_RESET && !s->boards[index].port)
+    else if ((fault->kind == FAULT_UNPLUG || fault->kind == FAULT_PLUG) && !s->boards[index].port)
         json_fail(&board, "\"%s\" has no \"port\" to %s", name, FAULT_NAMES[fault->kind]);
     fault->board = index < 0 ? 0 : (size_t)index;
     free(name);
 }
 
+static double required_seconds(const json_node *object, const char *key)
+{
+    json_node node = json_member(object, key);
+    if (!json_given(&node))
+        json_expected(&node, "a number of seconds");
+    return json_number(&node, 0, 1e9, 0);
+}
+
+static void read_eeprom_writes(fault_config *fault, const json_node *node)
+{
+    json_node writes = json_member(node, "eepromWrites");
+    if (!json_given(&writes))
+        return;
+    json_int_t count = json_integer_value(writes.value);
+    if (count < 1 || count > 1000000000)
+        json_expected(&writes, "a whole number from 1 to 1000000000");
+    fault->eeprom_writes = (unsigned)count;
+}
+
 static void read_jam(fault_config *fault, const json_node *node)
 {
-    json_node duration = json_member(node, "duration");
     json_node position = json_member(node, "position");
-    if (!json_given(&duration))
-        json_expected(&duration, "a number of seconds");
-    fault->duration_s = json_number(&duration, 0, 1e9, 0);
     fault->has_position = json_given(&position);
     position_read(&position, &fault->x_m, &fault->y_m);
 }
 
 static void read_fault(fault_config *fault, const scenario *s, const json_node *node)
 {
-    static const char *const BOARD_KEYS[] = {"t", "do", "board", NULL};
+    static const char *const BOARD_KEYS[] = {"t", "do", "board", "after", NULL};
+    static const char *const CUT_KEYS[] = {"t", "do", "board", "after", "duration", "eepromWrites", NULL};
     static const char *const JAM_KEYS[] = {"t", "do", "duration", "position", NULL};
     json_node kind = json_member(node, "do");
     int choice = json_choice(&kind, FAULT_NAMES);
     if (!json_given(&kind))
-        json_expected(&kind, "\"reset\", \"unplug\", \"plug\" or \"jam\"");
+        json_expected(&kind, "\"reset\", \"unplug\", \"plug\", \"power-cut\" or \"jam\"");
     if (choice < 0)
         return;
     fault->kind = (fault_kind)choice;
-    if (!json_check_object(node, fault->kind == FAULT_JAM ? JAM_KEYS : BOARD_KEYS))
+    if (!json_check_object(node, fault->kind == FAULT_JAM         ? JAM_KEYS
+                                 : fault->kind == FAULT_POWER_CUT ? CUT_KEYS
+                                                                  : BOARD_KEYS))
         return;
-    json_node time = json_member(node, "t");
-    if (!json_given(&time))
-        json_expected(&time, "a number of seconds");
-    fault->t_s = json_number(&time, 0, 1e9, 0);
+    json_node after = json_member(node, "after");
+    fault->t_s = required_seconds(node, "t");
+    if (fault->kind == FAULT_JAM || fault->kind == FAULT_POWER_CUT)
+        fault->duration_s = required_seconds(node, "duration");
+    after_read(&after, &fault->after_pin, &fault->after_level);
     if (fault->kind == FAULT_JAM)
         read_jam(fault, node);
     else
         read_fault_board(fault, s, node);
+    if (fault->kind == FAULT_POWER_CUT)
+        read_eeprom_writes(fault, node);
 }
 
 static int by_time(const void *a, const void *b)

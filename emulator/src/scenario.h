@@ -46,13 +46,16 @@ typedef struct {
     size_t watch_count;
 } board_config;
 
-typedef enum { FAULT_RESET, FAULT_UNPLUG, FAULT_PLUG, FAULT_JAM } fault_kind;
+typedef enum { FAULT_RESET, FAULT_UNPLUG, FAULT_PLUG, FAULT_POWER_CUT, FAULT_JAM } fault_kind;
 
 typedef struct {
     double t_s;
     fault_kind kind;
     size_t board;      // index; not for jam
-    double duration_s; // jam only
+    int after_pin;     // t counts from when this pin of the board first has after_level; -1: from the start
+    int after_level;
+    double duration_s; // power cut and jam only
+    unsigned eeprom_writes; // power cut only: comes with this write after t, 0: at t
     bool has_position; // jam only; without one it is heard everywhere
     double x_m, y_m;
 } fault_config;
@@ -61,7 +64,7 @@ typedef struct {
     radio_config radio;
     board_config *boards;
     size_t board_count;
-    fault_config *faults; // in rising order of time
+    fault_config *faults; // in rising order of t
     size_t fault_count;
 } scenario;
 

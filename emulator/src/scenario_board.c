@@ -93,16 +93,16 @@ static void read_series(series *values, const json_node *node, double max)
     }
 }
 
-static void read_after(sensor_config *sensor, const json_node *node)
+void after_read(const json_node *node, int *pin, int *level)
 {
     static const char *const KEYS[] = {"pin", "level", NULL};
-    sensor->after_pin = -1;
+    *pin = -1;
     if (!json_given(node) || !json_check_object(node, KEYS))
         return;
-    json_node pin = json_member(node, "pin");
-    json_node level = json_member(node, "level");
-    sensor->after_pin = read_pin(&pin, -1);
-    sensor->after_level = json_number(&level, 0, 1, 1) != 0;
+    json_node pin_node = json_member(node, "pin");
+    json_node level_node = json_member(node, "level");
+    *pin = read_pin(&pin_node, -1);
+    *level = json_number(&level_node, 0, 1, 1) != 0;
 }
 
 static void read_hc_sr04(sensor_config *sensor, const json_node *node)
@@ -156,7 +156,7 @@ static void read_sensor(sensor_config *sensor, const json_node *node)
     case SENSOR_DIGITAL: read_digital(sensor, node); break;
     }
     json_node after = json_member(node, "after");
-    read_after(sensor, &after);
+    after_read(&after, &sensor->after_pin, &sensor->after_level);
 }
 
 static void read_sensors(board_config *board, const json_node *node)

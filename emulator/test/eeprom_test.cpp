@@ -63,3 +63,46 @@ TEST(Eeprom, a_file_of_the_wrong_size_is_refused_and_left_alone)
         EXPECT_EQ(read_text(scratch.path("a.bin")), std::string(size, 'x'));
     }
 }
+
+TEST(Eeprom, takes_the_time_of_a_real_one)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@eeprom_times"}]})");
+    run.run_until(0.1);
+    static const struct {
+        const char *name;
+        int us, value;
+    } CASES[] = {
+        {"write", 3400, 0x0F},
+        {"write-only", 1800, 0x0C}, // clears bits only
+        {"erase-only", 1800, 0xFF},
+        {"update", 0, 0xFF}, // the same value: nothing is written
+        {"hasty", 3400, 0x11}, // the second write comes during the first
+        {"unarmed", 0, 0x11},
+        {"late", 0, 0x11},
+        {"interrupt", 3 * 3400, 0x11},
+    };
+    auto lines = run.events("a", "uart");
+    ASSERT_EQ(lines.size(), std::size(CASES) + 1);
+    for (size_t i = 0; i < std::size(CASES); i++) {
+        char name[32];
+        int us = -1, value = -1;
+        ASSERT_EQ(sscanf(lines[i].text("line").c_str(), "%31s %d %x", name, &us, &value), 3);
+        EXPECT_STREQ(name, CASES[i].name);
+        EXPECT_NEAR(us, CASES[i].us, 40) << name;
+        EXPECT_EQ(value, CASES[i].value) << name;
+    }
+    EXPECT_EQ(lines.back().text("line"), "01 02 03");
+    run.close();
+    EXPECT_EQ(run.events("counters")[0].number("eepromWrites"), 4 + 3);
+}
+
+TEST(Eeprom, a_reset_does_not_break_off_a_write)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@keeper","eeprom":"a.bin"}],
+        "faults":[{"t":0.001,"board":"a","do":"reset","after":{"pin":13}}]})");
+    run.run_until(0.1);
+    EXPECT_EQ(last_line(run), "kept 256 busy");
+    EXPECT_EQ(read_text(scratch.path("a.bin"))[0], '\x55');
+}

@@ -47,7 +47,9 @@ TEST(Scenario, a_full_one_is_read)
              {"type": "digital", "pin": 40, "level": [[0, 0], [1.5, 1]]}],
            "watch": [{"pin": 5, "name": "motorLeft"}]}],
         "faults": [{"t": 9, "do": "jam", "duration": 1.0, "position": [3, 4]},
-                   {"t": 5.0, "board": "bus", "do": "reset"}]})",
+                   {"t": 5.0, "board": "bus", "do": "reset"},
+                   {"t": 6, "board": "bus", "do": "power-cut", "duration": 0.2, "eepromWrites": 3,
+                    "after": {"pin": 5, "level": 0}}]})",
                    {}, &s), "");
     EXPECT_EQ(s.radio.bit_rate, 1000);
     EXPECT_EQ(s.radio.range_m, 50.5);
@@ -69,7 +71,14 @@ TEST(Scenario, a_full_one_is_read)
     EXPECT_EQ(bus.sensors[2].kind, SENSOR_DIGITAL);
     EXPECT_STREQ(bus.watches[0].name, "motorLeft");
     EXPECT_EQ(s.faults[0].kind, FAULT_RESET); // in order of time
-    EXPECT_EQ(s.faults[1].y_m, 4);
+    EXPECT_EQ(s.faults[0].after_pin, -1);
+    EXPECT_EQ(s.faults[1].kind, FAULT_POWER_CUT);
+    EXPECT_EQ(s.faults[1].duration_s, 0.2);
+    EXPECT_EQ(s.faults[1].eeprom_writes, 3u);
+    EXPECT_EQ(s.faults[1].after_pin, 5);
+    EXPECT_EQ(s.faults[1].after_level, 0);
+    EXPECT_EQ(s.faults[2].y_m, 4);
+    EXPECT_EQ(s.faults[2].after_pin, -1);
     scenario_release(&s);
 }
 
@@ -126,6 +135,18 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps)
          ": faults[0].board: \"car\" has no \"port\" to unplug"},
         {R"({#boards,"faults":[{"do":"reset","board":"bus"}]})",
          ": faults[0].t: is missing; expected a number of seconds"},
+        {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car"}]})",
+         ": faults[0].duration: is missing; expected a number of seconds"},
+        {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car","duration":1,"eepromWrites":0}]})",
+         ": faults[0].eepromWrites: expected a whole number from 1 to 1000000000, found 0"},
+        {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car","duration":1,"eepromWrites":1.5}]})",
+         ": faults[0].eepromWrites: expected a whole number from 1 to 1000000000, found 1.5"},
+        {R"({#boards,"faults":[{"t":1,"do":"reset","board":"car","eepromWrites":1}]})",
+         ": faults[0]: unknown key \"eepromWrites\"; expected one of: t, do, board, after"},
+        {R"({#boards,"faults":[{"t":1,"do":"reset","board":"car","after":{"level":1}}]})",
+         ": faults[0].after.pin: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
+        {R"({#boards,"faults":[{"t":1,"do":"jam","duration":1,"after":{"pin":1}}]})",
+         ": faults[0]: unknown key \"after\"; expected one of: t, do, duration, position"},
         {R"({#boards,"faults":[{"t":1,"do":"jam"}]})",
          ": faults[0].duration: is missing; expected a number of seconds"},
         {R"({#boards,"faults":{}})", ": faults: expected a list [ … ], found {}"},
