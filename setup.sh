@@ -20,10 +20,12 @@ pkg-config               finds these libraries
 libjansson-dev           JSON: scenario files and test vectors
 libgtest-dev             GoogleTest
 libgmock-dev             GoogleMock
+clang                    fuzzes the firmware's code on the PC
+libclang-rt-dev          its fuzzer and sanitizers
 spin                     checks the model beside our checker
 "
 # For systems without these packages: the commands that must be there.
-COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake"
+COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake clang++"
 
 say() { printf 'setup: %s\n' "$*"; }
 

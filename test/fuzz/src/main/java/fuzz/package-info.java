@@ -1,0 +1,2 @@
+/** Targets for Jazzer: each takes any bytes, and fails where a decoder throws or says what SPEC.md does not. */
+package fuzz;
