@@ -502,7 +502,7 @@ class BoardTest {
         assertEquals(BoardState.CLOSED, board.state());
     }
 
-    private static void await(CountDownLatch latch) {
+    static void await(CountDownLatch latch) {
         try {
             latch.await();
         } catch (InterruptedException e) {

@@ -9,6 +9,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -152,6 +153,28 @@ class CommandTest {
         Frame frame = new Frame(Address.BROADCAST, Address.SERIAL, Bytes.of(0));
         assertEquals(ProtocolError.BAD_REPLY,
                 assertThrows(ProtocolException.class, () -> Reply.decode(frame)).error());
+    }
+
+    @ParameterizedTest
+    @MethodSource("replies")
+    void decode_replyCutAnywhereOrChanged_throwsOnlyProtocolExceptions(JsonObject vector) {
+        Bytes whole = VectorFile.bytes(vector, "message");
+        Random random = new Random(5);
+        for (int length = 0; length < whole.length(); length++) {
+            assertReadOrRefused(vector, whole.slice(0, length));
+            byte[] changed = whole.toArray();
+            changed[length] = (byte) random.nextInt(256);
+            assertReadOrRefused(vector, Bytes.copyOf(changed));
+        }
+    }
+
+    private static void assertReadOrRefused(JsonObject vector, Bytes message) {
+        try {
+            Reply reply = Reply.decode(new Frame(Address.SERIAL, Address.SERIAL, message));
+            read(VectorFile.text(vector, "name"), reply);
+        } catch (ProtocolException e) {
+            assertFalse(e.getMessage().isBlank());
+        }
     }
 
     @Test

@@ -1,0 +1,256 @@
+package javino.board;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import javino.protocol.Bytes;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What a session does with messages so that its board can acknowledge them (SPEC 4.3, 7.2). */
+@Timeout(60)
+class DeliveryTest {
+
+    private static final String POLL = "5000";
+    private static final String POLL_PERCEPTS = "5001";
+
+    private final FakeBoard fake = new FakeBoard();
+    private final FakePort port = new FakePort(fake);
+    private final RecordingListener listener = new RecordingListener();
+    private Board board;
+
+    @AfterEach
+    void close() {
+        if (board != null) {
+            board.close();
+        }
+    }
+
+    private void open(BoardListener told) {
+        board = Board.open(port, BoardConfig.create(BoardTest::quick), told);
+    }
+
+    /** Polls by itself only once, after the greeting; all further ones have a cause. */
+    private void openRarelyPolling(BoardListener told) {
+        board = Board.open(port, BoardConfig.create(
+                config -> BoardTest.quick(config).setPollInterval(Duration.ofHours(1))), told);
+    }
+
+    /** Loses the next request that says what is taken, by a reset. */
+    private void resetAtNextTaken() {
+        AtomicInteger resets = new AtomicInteger();
+        fake.setLoses(message -> {
+            if (message.at(0) == 'P' && message.length() == 3 && resets.getAndIncrement() == 0) {
+                fake.reset();
+            }
+            return false;
+        });
+    }
+
+    private List<String> messages() {
+        return listener.rest().stream().filter(line -> line.startsWith("message")).toList();
+    }
+
+    private List<String> polls() {
+        return fake.requests().stream().filter(request -> request.startsWith("50")).toList();
+    }
+
+    @Test
+    void message_handedOn_isNamedTakenByAPollAtOnce() throws Exception {
+        fake.receive("SUPO", "ROMA", 1, "tell;one");
+        fake.receive("SUPO", "ROMA", 2, "tell;two");
+        openRarelyPolling(listener);
+        fake.awaitAllTaken();
+        assertEquals(List.of("message ROMA tell;one", "message ROMA tell;two"), messages());
+        assertEquals(List.of(POLL, POLL + "01"), polls());
+    }
+
+    @Test
+    void message_stillWithTheListener_isNotNamedTaken() throws Exception {
+        CountDownLatch inside = new CountDownLatch(1);
+        CountDownLatch leave = new CountDownLatch(1);
+        fake.receive("SUPO", "ROMA", 1, "tell;one");
+        openRarelyPolling(new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                inside.countDown();
+                BoardTest.await(leave);
+            }
+        });
+        inside.await();
+        assertEquals(List.of(POLL), polls());
+        leave.countDown();
+        fake.awaitAllTaken();
+        assertEquals(List.of(POLL, POLL + "00"), polls());
+    }
+
+    @Test
+    void message_requestsWaiting_isNamedTakenBeforeThem() throws Exception {
+        fake.receive("SUPO", "ROMA", 1, "tell;one");
+        CompletableFuture<Board> opened = new CompletableFuture<>();
+        CompletableFuture<Void> acted = new CompletableFuture<>();
+        openRarelyPolling(new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                opened.join().act("stop").thenAccept(acted::complete);
+            }
+        });
+        opened.complete(board);
+        acted.get();
+        assertEquals(List.of(POLL, POLL + "00", Bytes.ofText("Astop").hex()),
+                fake.requests().subList(1, fake.requests().size()));
+    }
+
+    @Test
+    void message_fullOne_comesThoughPerceptsFillTheReplies() throws Exception {
+        String[] percepts = new String[30];
+        for (int i = 0; i < percepts.length; i++) {
+            percepts[i] = "proximity(" + (100 + i) + ")";
+        }
+        fake.setPercepts(percepts);
+        String longest = "tell;" + "x".repeat(489);
+        open(listener);
+        board.percepts(true);
+        listener.until("percepts [proximity(100)");
+        fake.receive("SUPO", "ROMA", 1, longest);
+        assertEquals("message ROMA " + longest, listener.until("message").get(0));
+        fake.awaitAllTaken();
+        fake.setPercepts("dark");
+        assertEquals("percepts [dark]", listener.next());
+        assertTrue(polls().contains(POLL_PERCEPTS));
+    }
+
+    @Test
+    void messages_flood_leavesPerceptsTheirTurn() throws Exception {
+        open(listener);
+        board.percepts(true);
+        fake.setPercepts("dark");
+        listener.until("percepts [dark]");
+        for (int i = 0; i < 200; i++) {
+            fake.receive("SUPO", "ROMA", i, "tell;" + "x".repeat(400));
+        }
+        fake.setPercepts("light");
+        List<String> before = listener.until("percepts [light]");
+        assertTrue(before.size() < 150, "percepts came after " + before.size());
+        fake.awaitAllTaken();
+    }
+
+    @Test
+    void message_boardResetBeforeItKnewOfTheTaking_comesNoSecondTime() throws Exception {
+        resetAtNextTaken();
+        fake.receive("SUPO", "ROMA", 0x010203, "tell;one");
+        open(listener);
+        fake.awaitAllTaken();
+        listener.until("online 2");
+        board.act("stop").get();
+        assertEquals(List.of(), messages());
+        assertEquals(1, board.counters().get(SessionCounter.REPEATED_MESSAGES));
+        assertEquals(1, board.counters().get(SessionCounter.MESSAGES));
+    }
+
+    @Test
+    void messages_unlikeThoseBeforeAReset_areHandedOn() throws Exception {
+        resetAtNextTaken();
+        fake.receive("SUPO", "ROMA", 5, "tell;one");
+        fake.receive("////", "ROMA", 0, "tell;all");
+        open(listener);
+        listener.until("online 2");
+        fake.receive("SUPO", "ROMB", 5, "tell;otherOrigin");
+        fake.receive("//SU", "ROMA", 5, "tell;otherDestination");
+        fake.receive("SUPO", "ROMA", 6, "tell;otherId");
+        fake.awaitAllTaken();
+        board.act("stop").get();
+        // The broadcast cannot be known again; only the first message can.
+        assertEquals(List.of("message ROMA tell;all", "message ROMB tell;otherOrigin",
+                "message ROMA tell;otherDestination", "message ROMA tell;otherId"), messages());
+        assertEquals(1, board.counters().get(SessionCounter.REPEATED_MESSAGES));
+    }
+
+    @Test
+    void messages_boardResetAndRepliesLostAtRandom_comeOnceEachAndInOrder() throws Exception {
+        Random random = new Random(11);
+        fake.setLoses(message -> {
+            boolean reset = message.at(0) == 'P' && random.nextInt(6) == 0;
+            if (reset) {
+                fake.reset();
+            }
+            return random.nextInt(8) == 0;
+        });
+        fake.setFault(reply -> {
+            if (random.nextInt(12) == 0) {
+                fake.reset();
+                return Bytes.of(0);
+            }
+            return reply;
+        });
+        List<String> sent = new ArrayList<>();
+        for (int i = 0; i < 150; i++) {
+            fake.receive(i % 3 == 0 ? "//SU" : "SUPO", i % 2 == 0 ? "ROMA" : "SUHO", 0xFFFFC0 + i & 0xFFFFFF,
+                    "tell;x(" + i + "," + "y".repeat(200) + ")");
+            sent.add("message " + (i % 2 == 0 ? "ROMA" : "SUHO") + " tell;x(" + i + "," + "y".repeat(200) + ")");
+        }
+        open(listener);
+        fake.awaitAllTaken();
+        fake.setLoses(message -> false);
+        fake.setFault(reply -> reply);
+        board.act("stop").get();
+        assertEquals(sent, messages());
+        assertTrue(board.counters().get(SessionCounter.REPEATED_MESSAGES) > 0);
+    }
+
+    @Test
+    void close_messageJustHandedOn_saysThatItIsTakenAndLeavesTheNext() throws Exception {
+        CompletableFuture<Board> opened = new CompletableFuture<>();
+        CompletableFuture<Void> ending = new CompletableFuture<>();
+        fake.receive("SUPO", "ROMA", 1, "tell;" + "x".repeat(400));
+        fake.receive("SUPO", "ROMA", 2, "tell;" + "y".repeat(400));
+        openRarelyPolling(new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                opened.join().end().thenAccept(ending::complete);
+            }
+        });
+        opened.complete(board);
+        ending.get();
+        assertEquals(List.of(POLL, POLL + "00"), polls());
+        open(listener);
+        fake.awaitAllTaken();
+        assertEquals(List.of("message ROMA tell;" + "y".repeat(400)), messages());
+    }
+
+    @Test
+    void polls_answersMakeNoSenseWhileTakingIsOwed_letRequestsPass() throws Exception {
+        fake.receive("SUPO", "ROMA", 1, "tell;one");
+        openRarelyPolling(new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                fake.setBadPolls(true);
+            }
+        });
+        board.act("one").get();
+        board.act("two").get();
+        assertTrue(polls().size() <= 3, polls().toString());
+    }
+
+    @Test
+    void message_id_isTold() throws Exception {
+        List<ReceivedMessage> received = new ArrayList<>();
+        fake.receive("SUPO", "ROMA", 0xFF0102, "tell;one");
+        open(new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                received.add(message);
+            }
+        });
+        fake.awaitAllTaken();
+        assertEquals(0xFF0102, received.get(0).id());
+    }
+}

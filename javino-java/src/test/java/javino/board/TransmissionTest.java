@@ -1,0 +1,145 @@
+package javino.board;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Force;
+import javino.protocol.Outcome;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What a session tells of the ends of transmissions (SPEC 4.3, 7.2). */
+@Timeout(60)
+class TransmissionTest {
+
+    private static final Address SUPO = Address.parse("SUPO");
+    private static final Content HELP = new Content(Force.TELL, "help");
+
+    private final FakeBoard fake = new FakeBoard();
+    private final FakePort port = new FakePort(fake);
+    private final RecordingListener listener = new RecordingListener();
+    private Board board;
+
+    @AfterEach
+    void close() {
+        if (board != null) {
+            board.close();
+        }
+    }
+
+    private void openAndAwaitOnline(Duration pollInterval) throws Exception {
+        board = Board.open(port, BoardConfig.create(
+                config -> BoardTest.quick(config).setPollInterval(pollInterval)), listener);
+        listener.until("online");
+        board.setRfId(Address.parse("ROMA")).get();
+    }
+
+    private void openAndAwaitOnline() throws Exception {
+        openAndAwaitOnline(Duration.ofMillis(2));
+    }
+
+    @Test
+    void transmitted_eachOutcome_isToldByItsNumber() throws Exception {
+        openAndAwaitOnline();
+        for (Outcome outcome : Outcome.values()) {
+            int number = board.transmit(SUPO, HELP).get();
+            fake.end(number, outcome);
+            assertEquals("transmitted " + number + " " + outcome, listener.next());
+        }
+        assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
+    }
+
+    @Test
+    void transmitted_boardTellsAtOnce_comesAfterTheFuture() throws Exception {
+        openAndAwaitOnline();
+        // The board numbers from 0, and has the outcome of 0 ready before it is asked to transmit.
+        CompletableFuture<List<String>> toldBefore = new CompletableFuture<>();
+        fake.setFault(reply -> {
+            if (!fake.performed().isEmpty() && fake.performed().get(fake.performed().size() - 1).startsWith("transmit")
+                    && !toldBefore.isDone()) {
+                fake.end(0, Outcome.SENT);
+                fake.setFault(same -> same);
+            }
+            return reply;
+        });
+        board.transmit(Address.BROADCAST, HELP).thenRun(() -> toldBefore.complete(listener.rest()));
+        assertEquals(List.of(), toldBefore.get());
+        assertEquals("transmitted 0 SENT", listener.next());
+    }
+
+    @Test
+    void reset_transmissionsUnderWay_areToldUndeliveredBeforeTheBoardIsOnlineAgain() throws Exception {
+        openAndAwaitOnline();
+        board.transmit(SUPO, HELP).get();
+        board.transmit(Address.BROADCAST, HELP).get();
+        fake.reset();
+        assertEquals(List.of("offline fake: the board was reset", "transmitted 0 UNDELIVERED",
+                "transmitted 1 UNDELIVERED", "online 2"), listener.until("online"));
+        assertEquals(2, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
+        assertEquals(0, board.transmit(SUPO, HELP).get());
+        fake.end(0, Outcome.DELIVERED);
+        assertEquals("transmitted 0 DELIVERED", listener.next());
+    }
+
+    @Test
+    void close_transmissionsUnderWay_areToldUndelivered() throws Exception {
+        openAndAwaitOnline();
+        board.transmit(SUPO, HELP).get();
+        board.close();
+        assertEquals(List.of("transmitted 0 UNDELIVERED"), listener.rest());
+        assertEquals(1, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
+    }
+
+    @Test
+    void link_lostWhileAPollWasUnanswered_endsWhatIsUnderWayOnce() throws Exception {
+        openAndAwaitOnline();
+        board.transmit(SUPO, HELP).get();
+        fake.setLoses(message -> message.at(0) == 'P');
+        listener.until("offline");
+        fake.setLoses(message -> false);
+        // Of the same boot: the outcome may have been in the reply that was lost.
+        assertEquals(List.of("transmitted 0 UNDELIVERED", "online 1"), listener.until("online"));
+        fake.end(0, Outcome.DELIVERED);
+        fake.awaitPolls(2);
+        board.act("stop").get();
+        assertEquals(List.of(), listener.rest());
+        assertEquals(1, board.counters().get(SessionCounter.UNKNOWN_OUTCOMES));
+    }
+
+    @Test
+    void link_lostWhileARequestWasUnanswered_leavesWhatIsUnderWay() throws Exception {
+        openAndAwaitOnline(Duration.ofHours(1));
+        board.transmit(SUPO, HELP).get();
+        fake.end(0, Outcome.DELIVERED);
+        fake.setLoses(message -> message.at(0) == 'A');
+        BoardTest.failure(OutcomeUnknownException.class, board.act("stop"));
+        assertEquals(List.of("offline fake: the board left a request unanswered", "online 1",
+                "transmitted 0 DELIVERED"), listener.until("transmitted"));
+        assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
+    }
+
+    @Test
+    void outcome_ofAnEarlierSession_isCountedAndNotTold() throws Exception {
+        openAndAwaitOnline();
+        fake.end(9, Outcome.DELIVERED);
+        fake.awaitPolls(2);
+        board.act("stop").get();
+        assertEquals(List.of(), listener.rest());
+        assertEquals(1, board.counters().get(SessionCounter.UNKNOWN_OUTCOMES));
+    }
+
+    @Test
+    void transmit_longestContent_reachesTheBoardWhole() throws Exception {
+        openAndAwaitOnline();
+        Content longest = new Content(Force.TELL, "x".repeat(489));
+        board.transmit(Address.BROADCAST, longest).get();
+        assertEquals(longest.encode(), Bytes.ofHex(fake.requests().stream()
+                .filter(request -> request.startsWith("74656c6c3b")).findFirst().orElseThrow()));
+    }
+}
