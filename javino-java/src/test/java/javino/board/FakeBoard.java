@@ -23,6 +23,8 @@ import javino.protocol.Status;
 public final class FakeBoard {
 
     private static final Bytes ACCEPTED = Bytes.of(0);
+    /** A board that was booted so often stays there (SPEC 5.1). */
+    private static final int MAX_BOOT_COUNT = 0xFFFFFF;
 
     private final List<String> performed = new ArrayList<>();
 
@@ -232,10 +234,14 @@ public final class FakeBoard {
         mail.end(number, outcome);
     }
 
+    synchronized void setBootCount(int count) {
+        bootCount = count;
+    }
+
     /** Boots anew: it must be greeted, and what was not taken comes again. */
     synchronized void reset() {
         greeted = false;
-        bootCount++;
+        bootCount = Math.min(bootCount + 1, MAX_BOOT_COUNT);
         transmissions = 0;
         mail.boot();
         lastRequest = Bytes.EMPTY;

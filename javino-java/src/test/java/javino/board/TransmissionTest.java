@@ -88,6 +88,16 @@ class TransmissionTest {
     }
 
     @Test
+    void reset_bootCountAtItsEnd_isNoticedAllTheSame() throws Exception {
+        fake.setBootCount(0xFFFFFF);
+        openAndAwaitOnline();
+        board.transmit(SUPO, HELP).get();
+        fake.reset();
+        assertEquals(List.of("offline fake: the board was reset", "transmitted 0 UNDELIVERED",
+                "online " + 0xFFFFFF), listener.until("online"));
+    }
+
+    @Test
     void close_transmissionsUnderWay_areToldUndelivered() throws Exception {
         openAndAwaitOnline();
         board.transmit(SUPO, HELP).get();
