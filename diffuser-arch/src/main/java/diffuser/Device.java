@@ -16,6 +16,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
+import javino.protocol.Outcome;
 
 /**
  * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
@@ -32,6 +33,7 @@ final class Device implements BoardListener {
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
     private final Set<String> unknownActions = ConcurrentHashMap.newKeySet();
+    private final Transmissions transmissions = new Transmissions();
     private volatile Wishes wishes;
     private volatile boolean online;
     private volatile boolean closed;
@@ -127,9 +129,11 @@ final class Device implements BoardListener {
         return bounded(session.join().act(action));
     }
 
-    /** Has the board transmit; completes as soon as it has taken the message. */
-    CompletableFuture<Integer> transmit(Address to, Content content) {
-        return bounded(session.join().transmit(to, content));
+    /** Has the board transmit. */
+    Transmissions.Transmission transmit(Address to, Content content) {
+        Board board = session.join();
+        Transmissions.Transmission begun = transmissions.begin(() -> board.transmit(to, content));
+        return new Transmissions.Transmission(bounded(begun.taken()), begun.outcome());
     }
 
     /**
@@ -201,6 +205,12 @@ final class Device implements BoardListener {
             surroundings.inbox().put(message, surroundings.agent());
             tellAgent();
         }
+    }
+
+    /** {@inheritDoc} Also after the end, with which all that is under way is undelivered. */
+    @Override
+    public void transmitted(int number, Outcome outcome) {
+        transmissions.ended(number, outcome);
     }
 
     @Override

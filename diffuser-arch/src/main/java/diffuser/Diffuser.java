@@ -14,15 +14,17 @@ import jason.JasonException;
 import jason.ReceiverNotFoundException;
 import jason.architecture.AgArch;
 import jason.asSemantics.ActionExec;
+import jason.asSemantics.Event;
+import jason.asSemantics.Intention;
 import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.Literal;
+import jason.asSyntax.Trigger;
 
 import javino.board.BoardConfig;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
-import javino.protocol.Content;
 
 /**
  * An agent with a board. Written as {@code agentArchClass diffuser.Diffuser} in a {@code .mas2j}, or as
@@ -39,6 +41,7 @@ public class Diffuser extends AgArch {
 
     private transient Warnings warnings;
     private transient Inbox inbox;
+    private transient Outbox outbox;
     private transient ActionRouter router;
     private transient Wishes wishes = Wishes.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
@@ -54,6 +57,7 @@ public class Diffuser extends AgArch {
         super.init();
         warnings = new Warnings(() -> getTS().getLogger());
         inbox = new Inbox(warnings);
+        outbox = new Outbox(warnings, this::signal);
         router = new ActionRouter(this, super::act, warnings);
     }
 
@@ -134,17 +138,24 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Has the board transmit a message.
+     * Has the board transmit a message; what becomes of it is told the agent as an event.
      *
      * @return completes as soon as the board has taken the message; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
      */
-    public CompletableFuture<Integer> diffuse(Address to, Content content) throws JasonException {
-        if (Destinations.isMistakable(to)) {
-            warnings.once(to + " is the device // of group " + to.group() + "; for the whole group write \"//"
-                    + to.group() + "\"");
-        }
-        return requireDevice().transmit(to, content);
+    public CompletableFuture<?> diffuse(Letter letter) throws JasonException {
+        return outbox.diffuse(letter, requireDevice());
+    }
+
+    /**
+     * Has the board transmit a message; what becomes of it is told by the future alone.
+     *
+     * @param letter one that is acknowledged.
+     * @return completes when the message is delivered; fails with what {@link Failure#of} reads.
+     * @throws JasonException no_port if no port was opened.
+     */
+    public CompletableFuture<?> deliver(Letter letter) throws JasonException {
+        return outbox.deliver(letter, requireDevice());
     }
 
     /** The board, if a port was opened. */
@@ -190,12 +201,10 @@ public class Diffuser extends AgArch {
         try {
             super.sendMsg(message);
         } catch (ReceiverNotFoundException e) {
-            Address to = Destinations.find(message.getReceiver()).filter(address -> device != null).orElseThrow(() -> e);
-            Content content = Texts.content(message.getIlForce(), message.getPropCont().toString());
-            diffuse(to, content).exceptionally(thrown -> {
-                warnings.always(Failure.of(thrown).message());
-                return null;
-            });
+            if (device == null || Destinations.find(message.getReceiver()).isEmpty()) {
+                throw e;
+            }
+            outbox.post(Letter.of(message), device);
         }
     }
 
@@ -217,6 +226,8 @@ public class Diffuser extends AgArch {
         Map<String, Object> status = super.getStatus();
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
+        status.put("rfDelivered", outbox.delivered());
+        status.put("rfUndelivered", outbox.undelivered());
         device().ifPresent(board -> {
             status.put("port", board.port());
             status.put("portOn", board.isOnline());
@@ -245,6 +256,14 @@ public class Diffuser extends AgArch {
         Optional<CompletableFuture<Void>> answer = device().map(request);
         boolean waiting = answer.isPresent() && device.isOnline();
         return waiting ? answer.get() : CompletableFuture.completedFuture(null);
+    }
+
+    /** Makes an event without a belief, as what happens to messages is not to fill the belief base (Jason: a signal). */
+    private void signal(Literal literal) {
+        Event event = new Event(new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, literal),
+                Intention.EmptyInt);
+        getTS().runAtBeginOfNextCycle(() -> getTS().updateEvents(event));
+        getTS().getAgArch().wakeUpDeliberate();
     }
 
     private void wakeAgent() {

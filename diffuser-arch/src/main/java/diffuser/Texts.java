@@ -38,15 +38,24 @@ public final class Texts {
     public static Content content(String force, String text) throws JasonException {
         Force known = Force.of(force).orElseThrow(() -> new JasonException(
                 "by radio go tell, untell, achieve and unachieve, not " + force, JasonException.WRONG_ARGS));
-        try {
-            readContent(text);
-        } catch (MalformedTextException e) {
-            throw new Failure("bad_content", "this cannot be sent: " + e.getMessage()).toException();
-        }
+        said(text);
         try {
             return new Content(known, text);
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
+        }
+    }
+
+    /**
+     * What an agent is about to say, as its text reads.
+     *
+     * @throws JasonException bad_content if it is nothing that agents say.
+     */
+    static Term said(String text) throws JasonException {
+        try {
+            return readContent(text);
+        } catch (MalformedTextException e) {
+            throw new Failure("bad_content", "this cannot be sent: " + e.getMessage()).toException();
         }
     }
 

@@ -5,8 +5,10 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -19,6 +21,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
+import javino.protocol.Outcome;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Status;
@@ -27,17 +30,25 @@ import javino.protocol.Status;
 final class FakeBoard implements LinkOpener {
 
     private static final Duration TICK = Duration.ofMillis(50);
+    /** The most outcomes in a poll reply. */
+    private static final int MOST_OUTCOMES = 32;
 
     /** All requests but polls and hellos, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
     final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
     private final String port;
     private final Map<String, Status> refusals = new ConcurrentHashMap<>();
     private final List<Message> messages = new CopyOnWriteArrayList<>();
+    private final Map<String, Integer> transmissions = new ConcurrentHashMap<>();
+    private final Queue<Bytes> outcomes = new ConcurrentLinkedQueue<>();
     private volatile List<String> percepts = List.of();
     private volatile Address rfId = Address.SERIAL;
     private volatile boolean plugged = true;
     private volatile boolean silent;
     private volatile String swallowed = "";
+    private volatile Outcome everyOutcome;
+    private volatile boolean greeted;
+    private volatile int boots;
+    private volatile int transmissionCount;
     private volatile Link link;
     private volatile Bytes lastRequest;
     private volatile Bytes lastReply;
@@ -127,6 +138,30 @@ final class FakeBoard implements LinkOpener {
         return this;
     }
 
+    /** From here on every transmission ends at once, and so. */
+    FakeBoard endingAll(Outcome outcome) {
+        everyOutcome = outcome;
+        return this;
+    }
+
+    /** The transmission that was asked for last with this request ends so. */
+    void end(String request, Outcome outcome) {
+        end(transmissions.get(request), outcome);
+    }
+
+    /** A transmission ends, whoever has asked for it. */
+    void end(int number, Outcome outcome) {
+        outcomes.add(Bytes.of(number, outcome.ordinal()));
+    }
+
+    /** The board boots: it knows nothing of what was under way, and wants to be greeted. */
+    void reset() {
+        greeted = false;
+        boots++;
+        transmissionCount = 0;
+        outcomes.clear();
+    }
+
     /** From here on the board answers nothing, or again everything. */
     void silent(boolean now) {
         silent = now;
@@ -212,18 +247,42 @@ final class FakeBoard implements LinkOpener {
     }
 
     private Bytes reply(Frame request) {
-        if (!request.destination().equals(Address.SERIAL)) {
-            return recorded(request.destination() + " " + text(request.message()), Bytes.of(7));
+        boolean toBoard = request.destination().equals(Address.SERIAL);
+        if (toBoard && request.message().at(0) == 'H') {
+            return hello();
+        }
+        if (!greeted) {
+            return Bytes.of(Status.NOT_GREETED.ordinal());
+        }
+        if (!toBoard) {
+            return transmit(request.destination() + " " + text(request.message()));
         }
         Bytes body = request.message().from(1);
         return switch (request.message().at(0)) {
-            case 'H' -> ok(Bytes.join(Bytes.of(1), rfId.toBytes(), Bytes.of(0, 0, 1), Bytes.ofText("fake")));
             case 'P' -> ok(poll(body));
             case 'A' -> recorded("A " + text(body), Bytes.EMPTY);
             case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
             case 'I' -> setRfId(text(body));
             default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
         };
+    }
+
+    private Bytes hello() {
+        greeted = true;
+        return ok(Bytes.join(Bytes.of(1), rfId.toBytes(), Bytes.ofNumber(boots, 3), Bytes.ofText("fake")));
+    }
+
+    private Bytes transmit(String request) {
+        int number = transmissionCount;
+        transmissions.put(request, number);
+        Bytes reply = recorded(request, Bytes.of(number));
+        if (reply.at(0) == Status.OK.ordinal()) {
+            transmissionCount = number + 1 & 0xFF;
+            if (everyOutcome != null) {
+                end(number, everyOutcome);
+            }
+        }
+        return reply;
     }
 
     private Bytes setRfId(String id) {
@@ -248,6 +307,9 @@ final class FakeBoard implements LinkOpener {
             messages.removeIf(message -> message.number() == body.at(1));
         }
         List<Bytes> parts = new ArrayList<>(List.of(Bytes.of(0)));
+        for (int i = 0; i < MOST_OUTCOMES && !outcomes.isEmpty(); i++) {
+            parts.add(record('T', outcomes.remove()));
+        }
         if ((body.at(0) & 1) != 0) {
             percepts.forEach(literal -> parts.add(record('P', Bytes.ofText(literal))));
         }

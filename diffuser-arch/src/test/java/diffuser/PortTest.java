@@ -138,7 +138,7 @@ class PortTest {
         assertFalse(session.isAlive());
     }
 
-    private static Thread thread(String name) {
+    static Thread thread(String name) {
         return Thread.getAllStackTraces().keySet().stream()
                 .filter(any -> any.getName().equals(name) && any.isAlive()).findAny().orElseThrow();
     }

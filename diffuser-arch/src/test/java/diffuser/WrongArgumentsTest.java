@@ -51,6 +51,14 @@ class WrongArgumentsTest {
         ".diffuse(broadcast,\"tell\",help) | wrong_arguments | tell, untell, achieve or unachieve was expected",
         ".diffuse(broadcast,tell,3)        | bad_content     | a belief, a goal or a list of such was expected",
         ".diffuse(broadcast,tell,\"help\") | bad_content     | a belief, a goal or a list of such was expected",
+        ".deliver(\"ROMA\",tell)          | wrong_arguments | 3 arguments are expected",
+        ".deliver(broadcast,tell,help)     | wrong_arguments | not ////, as messages to all or to a group",
+        ".deliver(\"//SU\",tell,help)     | wrong_arguments | not acknowledged; use .diffuse",
+        ".deliver(\"SU\\\\\",tell,help)   | wrong_arguments | not acknowledged; use .diffuse",
+        ".deliver(everyone,tell,help)      | bad_address     | everyone is no RF address",
+        ".deliver(\"ROMA\",sing,help)     | wrong_arguments | tell, untell, achieve and unachieve, not sing",
+        ".deliver(\"ROMA\",\"tell\",help) | wrong_arguments | tell, untell, achieve or unachieve was expected",
+        ".deliver(\"ROMA\",tell,3)        | bad_content     | a belief, a goal or a list of such was expected",
         ".act                              | wrong_arguments | One argument is expected",
         ".act(3)                           | wrong_arguments | an action such as stop or speed(80)",
         ".act(\"\")                        | wrong_arguments | an action such as stop or speed(80)",
@@ -79,7 +87,8 @@ class WrongArgumentsTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {".act(stop)", ".diffuse(broadcast,tell,help)"})
+    @CsvSource(delimiter = '|', value = {".act(stop)", ".diffuse(broadcast,tell,help)",
+        ".deliver(\"ROMA\",tell,help)"})
     void action_noPortOpened_failsWithNoPort(String action) {
         String program = "!do. +!do <- " + action + ". -!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
         try (RunningAgent agent = RunningAgent.run(program)) {
@@ -91,7 +100,8 @@ class WrongArgumentsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {".port(desk)", ".percepts(open)", ".limit(1)", ".setMyRFId(ROMA)",
-        ".getRFMessages(open)", ".diffuse(broadcast,tell,help)", ".act(stop)"})
+        ".getRFMessages(open)", ".diffuse(broadcast,tell,help)",
+        ".deliver(\"ROMA\",tell,help)", ".act(stop)"})
     void action_agentHasNoDiffuser_failsAndSaysWhichArchitecture(String action) {
         String program = "!do. +!do <- " + action + ". -!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
         try (RunningAgent agent = RunningAgent.run(program, null, List.of())) {

@@ -3,26 +3,31 @@ package jason.stdlib;
 import java.util.concurrent.CompletableFuture;
 
 import jason.JasonException;
-import jason.asSyntax.Term;
 
-import diffuser.BoardAction;
-import diffuser.Destinations;
 import diffuser.Diffuser;
-import diffuser.Texts;
+import diffuser.Letter;
+import diffuser.LetterAction;
 
 /**
  * <p>Internal action: <b><code>.diffuse(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
  *
  * <p>Description: sends a message by radio, from the address that <code>.setMyRFId</code> gave: to all in range, in
  * plain, or to a group or one device, encrypted with the key that the board shares with them. The intention is suspended
- * until the board has taken the message; whether anyone hears it is not known. It fails, among others, with the errors
- * <code>no_key</code>, <code>no_rf_id</code>, <code>too_long</code>, <code>queue_full</code>, <code>port_off</code>.
+ * until the board has taken the message. It fails, among others, with the errors <code>no_key</code>,
+ * <code>no_rf_id</code>, <code>too_long</code>, <code>queue_full</code>, <code>port_off</code>.
+ *
+ * <p>What becomes of a message to a device is told later by an event, to which no belief belongs:
+ * <code>+delivered(<i>To</i>,<i>Force</i>,<i>Content</i>)[source(percept)]</code> or
+ * <code>+undelivered(<i>To</i>,<i>Force</i>,<i>Content</i>)[source(percept)]</code>. Messages to all or to a group are
+ * not acknowledged: they are <code>undelivered</code> if the board was lost before it had sent them, and else there is
+ * no event.
  *
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): <code>broadcast</code> or <code>"////"</code>;
  *     <code>"//SU"</code> or <code>"SU\\"</code> for the group SU; or a device such as <code>"ROMA"</code>.
  * <li>+ Force (atom): <code>tell</code>, <code>untell</code>, <code>achieve</code> or <code>unachieve</code>.
- * <li>+ Content (literal or list of literals): with the force, at most 67 bytes to all and 53 to a group or device.
+ * <li>+ Content (literal or list of literals): with the force, at most 494 bytes; up to 67 bytes to all and 53 to a
+ *     group or device fit one radio packet, longer ones are cut into pieces.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -30,27 +35,15 @@ import diffuser.Texts;
  * <li> <code>.diffuse("//SU",tell,someoneNeedHelp)</code>
  * <li> <code>.diffuse("ROMA",achieve,goTo(12,"km"))</code>
  * </ul>
+ *
+ * @see deliver
  */
-public class diffuse extends BoardAction {
+public class diffuse extends LetterAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public diffuse() {
-        super(3);
-    }
-
     @Override
-    protected void checkArguments(Term[] args) throws JasonException {
-        super.checkArguments(args);
-        if (!args[1].isAtom()) {
-            throw JasonException.createWrongArgument(this,
-                    "tell, untell, achieve or unachieve was expected, not '" + args[1] + "'.");
-        }
-    }
-
-    @Override
-    protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
-        return diffuser.diffuse(Destinations.of(args[0]), Texts.content(args[1].toString(), args[2].toString()));
+    protected CompletableFuture<?> send(Diffuser diffuser, Letter letter) throws JasonException {
+        return diffuser.diffuse(letter);
     }
 }

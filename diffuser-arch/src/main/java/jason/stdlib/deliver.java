@@ -1,0 +1,45 @@
+package jason.stdlib;
+
+import java.util.concurrent.CompletableFuture;
+
+import jason.JasonException;
+
+import diffuser.Diffuser;
+import diffuser.Letter;
+import diffuser.LetterAction;
+
+/**
+ * <p>Internal action: <b><code>.deliver(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
+ *
+ * <p>Description: sends a message by radio to one device, as <code>.diffuse</code> does, and suspends the intention
+ * until the other device's agent has the message: that may take seconds. It fails with the error
+ * <code>undelivered</code> if no acknowledgement came, though the message may have arrived all the same, and with the
+ * errors of <code>.diffuse</code>. There is no event <code>delivered</code> or <code>undelivered</code>, since the
+ * intention itself learns it.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ To (string, atom or the name of a variable without value): a device such as <code>"ROMA"</code>. Messages to
+ *     all or to a group are not acknowledged: send those with <code>.diffuse</code>.
+ * <li>+ Force (atom): <code>tell</code>, <code>untell</code>, <code>achieve</code> or <code>unachieve</code>.
+ * <li>+ Content (literal or list of literals): with the force, at most 494 bytes.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.deliver("ROMA",tell,helpComing)</code>
+ * </ul>
+ *
+ * @see diffuse
+ */
+public class deliver extends LetterAction {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    protected CompletableFuture<?> send(Diffuser diffuser, Letter letter) throws JasonException {
+        if (!letter.isAcknowledged()) {
+            throw JasonException.createWrongArgument(this, "a device such as \"ROMA\" was expected, not " + letter.to()
+                    + ", as messages to all or to a group are not acknowledged; use .diffuse.");
+        }
+        return diffuser.deliver(letter);
+    }
+}

@@ -1,0 +1,250 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+
+import javino.protocol.Outcome;
+import javino.protocol.Status;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code .deliver}: waits for the outcome, and fails with it. */
+class DeliverTest {
+
+    private static final String UNDELIVERED = "undelivered : tell;help to ROMA was not acknowledged: its receiver is"
+            + " out of reach, or a board was lost; it may have arrived all the same";
+
+    private static final String PROGRAM = """
+            !start.
+            +!start <- .port(antenna); .setMyRFId("SUPO"); diffuser.note(ready).
+            +!do <- .deliver("ROMA",tell,help); diffuser.note(done).
+            -!do[error(E),error_msg(M)] <- diffuser.note(E,":",M).
+            +!other <- .port(missing).
+            +seen(N) <- diffuser.note(seen,N).
+            +!probe <- diffuser.note(probed).
+            +delivered(_,_,_) <- diffuser.note(event).
+            +undelivered(_,_,_) <- diffuser.note(event).
+            """;
+
+    private static RunningAgent ready(String program, FakeBoard board) {
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        return agent;
+    }
+
+    private static RunningAgent waiting(String program, FakeBoard board) {
+        RunningAgent agent = ready(program, board);
+        agent.achieve("do");
+        RunningAgent.asked(board, "ROMA tell;help");
+        return agent;
+    }
+
+    private static void nothingElse(RunningAgent agent) {
+        agent.cycles(5);
+        agent.achieve("probe");
+        agent.notes("probed");
+    }
+
+    @Test
+    void deliver_delivered_goesOnWithoutAnEvent() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            nothingElse(agent);
+            board.end("ROMA tell;help", Outcome.DELIVERED);
+            agent.notes("done");
+            nothingElse(agent);
+        }
+    }
+
+    @Test
+    void deliver_undelivered_failsWithoutAnEvent() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            board.end("ROMA tell;help", Outcome.UNDELIVERED);
+            agent.notes(UNDELIVERED);
+            nothingElse(agent);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"NO_KEY,no_key", "TOO_LONG,too_long", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
+        "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
+    void deliver_boardRefuses_failsWithItsError(Status status, String error) {
+        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
+        }
+    }
+
+    @Test
+    void deliver_boardIsAway_failsWithPortOff() {
+        FakeBoard board = new FakeBoard("antenna").unplugged();
+        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
+            agent.notes("ready");
+            agent.achieve("do");
+            agent.notes("port_off : transmit to ROMA: tell;help was not performed: antenna: there is no such port");
+        }
+    }
+
+    @Test
+    void deliver_cyclesGoOnMeanwhile() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            for (int i = 0; i < 20; i++) {
+                agent.believe("seen(" + i + ")");
+                agent.notes("seen " + i);
+            }
+            board.end("ROMA tell;help", Outcome.DELIVERED);
+            agent.notes("done");
+        }
+    }
+
+    @Test
+    void deliver_boardIsReset_undelivered() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            nothingElse(agent);
+            board.reset();
+            agent.notes(UNDELIVERED);
+            agent.achieve("do");
+            RunningAgent.asked(board, "ROMA tell;help");
+            board.end("ROMA tell;help", Outcome.DELIVERED);
+            agent.notes("done");
+        }
+    }
+
+    @Test
+    void deliver_boardIsUnpluggedAndComesBackReset_undelivered() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            nothingElse(agent);
+            board.unplug();
+            agent.warns("the board is off");
+            board.reset();
+            board.plug();
+            agent.notes(UNDELIVERED);
+        }
+    }
+
+    @Test
+    void deliver_boardIsLostBeforeItAnswers_outcomeUnknown() {
+        FakeBoard board = new FakeBoard("antenna");
+        board.swallow("ROMA tell;help");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            String note = agent.nextNote();
+            assertTrue(note.startsWith("outcome_unknown : "), note);
+        }
+    }
+
+    @Test
+    void deliver_anotherPortIsOpened_undelivered() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = waiting(PROGRAM, board)) {
+            nothingElse(agent);
+            agent.achieve("other");
+            agent.notes(UNDELIVERED);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {".drop_intention(do)", ".drop_desire(do)", ".drop_all_intentions",
+        ".succeed_goal(do)"})
+    void deliver_droppedMeanwhile_nothingIsLeft(String drop) {
+        FakeBoard board = new FakeBoard("antenna");
+        String program = PROGRAM + "+!drop <- diffuser.note(dropping); " + drop + ".";
+        try (RunningAgent agent = waiting(program, board)) {
+            nothingElse(agent);
+            assertEquals(1, agent.body().getTS().getC().getPendingIntentions().size());
+            agent.achieve("drop");
+            agent.notes("dropping");
+            nothingElse(agent);
+            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
+            board.end("ROMA tell;help", Outcome.DELIVERED);
+            nothingElse(agent);
+            agent.achieve("do");
+            RunningAgent.asked(board, "ROMA tell;help");
+            board.end("ROMA tell;help", Outcome.UNDELIVERED);
+            agent.notes(UNDELIVERED);
+            assertEquals(List.of(), List.copyOf(agent.warnings));
+        }
+    }
+
+    @Test
+    void deliver_goalFailedMeanwhile_failsOnce() {
+        FakeBoard board = new FakeBoard("antenna");
+        String program = PROGRAM + "-!do <- diffuser.note(failed). +!drop <- .fail_goal(do).";
+        try (RunningAgent agent = waiting(program, board)) {
+            nothingElse(agent);
+            agent.achieve("drop");
+            agent.notes("failed");
+            board.end("ROMA tell;help", Outcome.UNDELIVERED);
+            nothingElse(agent);
+        }
+    }
+
+    @Test
+    void deliver_agentStopsMeanwhile_sessionEnds() throws Exception {
+        FakeBoard board = new FakeBoard("antenna");
+        RunningAgent agent = waiting(PROGRAM, board);
+        nothingElse(agent);
+        Thread session = PortTest.thread("javino antenna");
+        agent.close();
+        session.join(RunningAgent.PATIENCE_SECONDS * 1000L);
+        assertTrue(!session.isAlive());
+        assertEquals(1L, agent.diffuser().getStatus().get("rfUndelivered"));
+    }
+
+    @Test
+    void deliver_severalAtOnce_eachGoesOnByItself() {
+        FakeBoard board = new FakeBoard("antenna");
+        String program = PROGRAM + """
+                +!all <- !to("ROMA") |&| !to("SUHO") |&| !to("SUAM"); diffuser.note(all).
+                +!to(X) <- .deliver(X,tell,a); diffuser.note(X).
+                """;
+        try (RunningAgent agent = ready(program, board)) {
+            agent.achieve("all");
+            for (int i = 0; i < 3; i++) {
+                RunningAgent.next(board.requests, "a request");
+            }
+            board.end("SUAM tell;a", Outcome.DELIVERED);
+            agent.notes("SUAM");
+            board.end("ROMA tell;a", Outcome.DELIVERED);
+            agent.notes("ROMA");
+            board.end("SUHO tell;a", Outcome.DELIVERED);
+            agent.notes("SUHO");
+            agent.notes("all");
+        }
+    }
+
+    @Test
+    void deliver_inAnAtomicPlan_goesOn() {
+        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
+        String program = PROGRAM + "@a[atomic] +!atomic <- .deliver(\"ROMA\",tell,help); diffuser.note(atomic).";
+        try (RunningAgent agent = ready(program, board)) {
+            agent.achieve("atomic");
+            agent.notes("atomic");
+        }
+    }
+
+    @Test
+    void deliver_triedAgainAfterFailure_secondSucceeds() {
+        FakeBoard board = new FakeBoard("antenna");
+        String program = PROGRAM + """
+                +!insist <- .deliver("ROMA",tell,help); diffuser.note(insisted).
+                -!insist[error(undelivered)] <- !insist.
+                """;
+        try (RunningAgent agent = ready(program, board)) {
+            agent.achieve("insist");
+            RunningAgent.asked(board, "ROMA tell;help");
+            board.end("ROMA tell;help", Outcome.UNDELIVERED);
+            RunningAgent.asked(board, "ROMA tell;help");
+            board.end("ROMA tell;help", Outcome.DELIVERED);
+            agent.notes("insisted");
+        }
+    }
+}
