@@ -2,6 +2,7 @@
 #include <storage/EepromLayout.h>
 #include <storage/KeyStore.h>
 
+#include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
 using javino::Address;
@@ -14,12 +15,11 @@ const Address SUPO(0x4943ce);
 const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 const Bytes OTHER_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 
-bool holds(const KeyStore &store, const Address &address, const Bytes &key) {
-  const uint8_t slot = store.find(address);
-  DerivedKeys stored;
-  DerivedKeys expected;
-  expected.derive(key.data());
-  return slot != KeyStore::NO_SLOT && store.load(slot, stored) && stored.equals(expected);
+bool holdsSecretsOf(const SimulatedEeprom &eeprom, const Bytes &key) {
+  DerivedKeys derived;
+  derived.derive(key.data());
+  return contains(eeprom.content(), Bytes(derived.encryption, derived.encryption + 16)) ||
+         contains(eeprom.content(), Bytes(derived.authentication, derived.authentication + 16));
 }
 
 class KeyStoreTest : public testing::Test {
@@ -36,7 +36,8 @@ TEST_F(KeyStoreTest, keeps_a_key_over_a_reboot) {
   EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
   KeyStore after;
   after.begin();
-  EXPECT_TRUE(holds(after, SUPO, KEY));
+  EXPECT_TRUE(holds(after, after.current(SUPO), KEY));
+  EXPECT_EQ(KeyStore::NO_SLOT, after.previous(SUPO));
 }
 
 TEST_F(KeyStoreTest, the_same_key_again_writes_nothing) {
@@ -46,72 +47,73 @@ TEST_F(KeyStoreTest, the_same_key_again_writes_nothing) {
   EXPECT_EQ(before, eeprom.writes());
 }
 
-TEST_F(KeyStoreTest, a_new_key_takes_the_place_of_the_old) {
+TEST_F(KeyStoreTest, another_key_replaces_the_old_and_wipes_it) {
   store.set(SUPO, KEY.data());
+  EXPECT_TRUE(holdsSecretsOf(eeprom, KEY));
   EXPECT_EQ(KeyStore::STORED, store.set(SUPO, OTHER_KEY.data()));
-  EXPECT_TRUE(holds(store, SUPO, OTHER_KEY));
+  EXPECT_TRUE(holds(store, store.current(SUPO), OTHER_KEY));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.previous(SUPO));
+  EXPECT_FALSE(holdsSecretsOf(eeprom, KEY));
 }
 
 TEST_F(KeyStoreTest, holds_as_many_as_Config_says_and_then_is_full) {
   for (uint8_t i = 0; i < javino::config::KEYS; i++) EXPECT_EQ(KeyStore::STORED, store.set(Address(i), KEY.data()));
   EXPECT_EQ(KeyStore::FULL, store.set(SUPO, KEY.data()));
-  EXPECT_EQ(KeyStore::STORED, store.set(Address(3), OTHER_KEY.data())) << "replacing needs no place";
-  EXPECT_TRUE(store.erase(store.find(Address(5))));
+  EXPECT_EQ(KeyStore::FULL, store.renew(SUPO, KEY.data()));
+  EXPECT_EQ(KeyStore::FULL, store.renew(Address(4), OTHER_KEY.data())) << "both keys would stay";
+  EXPECT_EQ(KeyStore::STORED, store.set(Address(3), OTHER_KEY.data())) << "replacing needs the spare place only";
+  EXPECT_TRUE(store.erase(store.current(Address(5))));
+  EXPECT_EQ(KeyStore::STORED, store.renew(Address(4), OTHER_KEY.data()));
+  EXPECT_EQ(KeyStore::FULL, store.set(SUPO, KEY.data())) << "a previous key counts too";
+  EXPECT_EQ(KeyStore::STORED, store.renew(Address(4), fromHex("ffffffffffffffffffffffffffffffff").data()));
+  EXPECT_EQ(KeyStore::STORED, store.set(Address(4), OTHER_KEY.data()));
   EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
 }
 
 TEST_F(KeyStoreTest, an_erased_key_is_gone_for_good) {
   store.set(SUPO, KEY.data());
-  EXPECT_TRUE(store.erase(store.find(SUPO)));
-  EXPECT_EQ(KeyStore::NO_SLOT, store.find(SUPO));
+  EXPECT_TRUE(store.erase(store.current(SUPO)));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.current(SUPO));
   KeyStore after;
   after.begin();
-  EXPECT_EQ(KeyStore::NO_SLOT, after.find(SUPO));
-  DerivedKeys derived;
-  derived.derive(KEY.data());
-  EXPECT_FALSE(contains(eeprom.content(), Bytes(derived.encryption, derived.encryption + 16)));
-  EXPECT_FALSE(contains(eeprom.content(), Bytes(derived.authentication, derived.authentication + 16)));
+  EXPECT_EQ(KeyStore::NO_SLOT, after.current(SUPO));
+  EXPECT_FALSE(holdsSecretsOf(eeprom, KEY));
 }
 
 TEST_F(KeyStoreTest, the_key_itself_is_never_in_the_eeprom) {
   store.set(SUPO, KEY.data());
+  store.renew(SUPO, OTHER_KEY.data());
   EXPECT_FALSE(contains(eeprom.content(), KEY));
+  EXPECT_FALSE(contains(eeprom.content(), OTHER_KEY));
 }
 
 TEST_F(KeyStoreTest, a_free_place_has_no_key_for_the_serial_line) {
-  EXPECT_EQ(KeyStore::NO_SLOT, store.find(Address::serialLine()));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.current(Address::serialLine()));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.previous(Address::serialLine()));
 }
 
-TEST_F(KeyStoreTest, a_worn_cell_is_told_and_leaves_no_key) {
+TEST_F(KeyStoreTest, a_worn_place_is_passed_over) {
   eeprom.wearOut(javino::KEYS_AT + 20);
-  EXPECT_EQ(KeyStore::FAILED, store.set(SUPO, KEY.data()));
-  EXPECT_EQ(KeyStore::NO_SLOT, store.find(SUPO));
+  EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
+  EXPECT_TRUE(holds(store, store.current(SUPO), KEY));
 }
 
-TEST_F(KeyStoreTest, a_decayed_key_is_not_used) {
+TEST_F(KeyStoreTest, an_eeprom_that_keeps_nothing_is_told_and_the_old_key_stays) {
   store.set(SUPO, KEY.data());
-  eeprom.corrupt(javino::KEYS_AT + 20, static_cast<uint8_t>(eeprom.read(javino::KEYS_AT + 20) ^ 1));
-  DerivedKeys keys;
-  EXPECT_FALSE(store.load(store.find(SUPO), keys));
+  for (uint16_t at = javino::KEYS_AT; at < javino::FLOORS_AT; at++) eeprom.wearOut(at);
+  EXPECT_EQ(KeyStore::FAILED, store.set(SUPO, OTHER_KEY.data()));
+  EXPECT_EQ(KeyStore::FAILED, store.renew(SUPO, OTHER_KEY.data()));
+  EXPECT_TRUE(holds(store, store.current(SUPO), KEY));
+  EXPECT_FALSE(store.erase(store.current(SUPO)));
 }
 
-TEST(KeyStore, a_power_cut_at_any_write_leaves_the_old_key_or_none_or_the_new) {
-  for (int cut = 0; cut <= javino::KEY_RECORD_LENGTH + 1; cut++) {
-    for (uint8_t garbage : {0x00, 0x5A, 0xFF}) {
-      SimulatedEeprom eeprom;
-      KeyStore store;
-      store.begin();
-      store.set(SUPO, KEY.data());
-      eeprom.cutPowerAfter(cut, garbage);
-      try {
-        store.set(SUPO, OTHER_KEY.data());
-      } catch (const PowerCut &) {
-      }
-      eeprom.restorePower();
-      KeyStore after;
-      after.begin();
-      EXPECT_TRUE(after.find(SUPO) == KeyStore::NO_SLOT || holds(after, SUPO, KEY) || holds(after, SUPO, OTHER_KEY))
-          << cut << " " << static_cast<int>(garbage);
-    }
-  }
+TEST_F(KeyStoreTest, a_decayed_key_is_not_used_and_wiped_at_the_next_boot) {
+  store.set(SUPO, KEY.data());
+  eeprom.corrupt(javino::KEYS_AT + 35, static_cast<uint8_t>(eeprom.read(javino::KEYS_AT + 35) ^ 1));
+  DerivedKeys keys;
+  EXPECT_FALSE(store.load(store.current(SUPO), keys));
+  KeyStore after;
+  after.begin();
+  EXPECT_EQ(KeyStore::NO_SLOT, after.current(SUPO));
+  EXPECT_FALSE(holdsSecretsOf(eeprom, KEY));
 }

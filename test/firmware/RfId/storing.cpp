@@ -11,6 +11,7 @@ namespace {
 
 const Address ROMA(0x44e300);
 const Address SUPO(0x4943ce);
+const Address SUPP(0x4943cf);
 
 Address afterReboot() {
   RfId id;
@@ -41,28 +42,68 @@ TEST(RfId, the_same_again_writes_nothing) {
   EXPECT_EQ(before, eeprom.writes());
 }
 
-TEST(RfId, a_worn_cell_is_told_and_leaves_none) {
+TEST(RfId, many_changes_leave_the_last_alone) {
   SimulatedEeprom eeprom;
   RfId id;
-  eeprom.wearOut(javino::RF_ID_AT);
-  EXPECT_FALSE(id.set(ROMA));
-  EXPECT_FALSE(id.isSet());
+  id.begin();
+  for (uint32_t i = 0; i < 600; i++) {
+    ASSERT_TRUE(id.set(Address(i)));
+    ASSERT_EQ(Address(i), id.address());
+    ASSERT_EQ(Address(i), afterReboot());
+  }
 }
 
-TEST(RfId, a_power_cut_leaves_the_old_the_new_or_none) {
-  for (int cut = 0; cut < 6; cut++) {
+TEST(RfId, a_worn_cell_is_told_and_leaves_the_old_one) {
+  for (uint16_t worn = javino::RF_ID_AT; worn < javino::EPOCHS_AT; worn++) {
+    SimulatedEeprom eeprom;
+    RfId id;
+    id.set(SUPO);
+    id.set(ROMA);
+    eeprom.wearOut(worn);
+    const bool kept = id.set(SUPO);
+    EXPECT_EQ(id.address(), afterReboot()) << worn;
+    EXPECT_TRUE(id.address() == ROMA || id.address() == SUPO) << worn;
+    EXPECT_TRUE(!kept || id.address() == SUPO) << worn;
+  }
+}
+
+TEST(RfId, one_that_decays_is_none_and_never_an_older_one) {
+  SimulatedEeprom fresh;
+  RfId id;
+  id.set(SUPO);
+  id.set(ROMA);
+  for (uint16_t bit = 0; bit < (javino::EPOCHS_AT - javino::RF_ID_AT) * 8; bit++) {
+    const uint16_t at = static_cast<uint16_t>(javino::RF_ID_AT + bit / 8);
+    const uint8_t before = fresh.read(at);
+    fresh.corrupt(at, static_cast<uint8_t>(before ^ 1 << bit % 8));
+    const Address found = afterReboot();
+    EXPECT_TRUE(found == ROMA || found.isSerial()) << bit;
+    fresh.corrupt(at, before);
+  }
+}
+
+TEST(RfId, a_power_cut_at_any_write_leaves_the_old_or_the_new) {
+  for (int cut = 0, cuts = 1; cuts > 0; cut++) {
+    cuts = 0;
     for (int garbage = 0; garbage < 256; garbage++) {
       SimulatedEeprom eeprom;
       RfId id;
+      id.set(SUPP);
       id.set(ROMA);
       eeprom.cutPowerAfter(cut, static_cast<uint8_t>(garbage));
       try {
         id.set(SUPO);
       } catch (const PowerCut &) {
+        cuts++;
       }
       eeprom.restorePower();
       const Address found = afterReboot();
-      ASSERT_TRUE(found.isSerial() || found == ROMA || found == SUPO) << cut << " " << garbage;
+      ASSERT_TRUE(found == ROMA || found == SUPO) << cut << " " << garbage;
+      ASSERT_EQ(found, afterReboot()) << cut << " " << garbage;
+      RfId after;
+      after.begin();
+      ASSERT_TRUE(after.set(SUPP));
+      ASSERT_EQ(SUPP, afterReboot()) << cut << " " << garbage;
     }
   }
 }
