@@ -37,11 +37,11 @@ void packFloor(uint8_t key, const Address &origin, const uint8_t *nonce, uint8_t
 }  // namespace
 
 void ReplayMemory::begin(uint32_t epoch, const KeyStore &keys) {
-  nextPlace_ = static_cast<uint8_t>(epoch % config::FLOOR_SLOTS);
   takeOverRam(epoch);
   readFloors(keys);
   forgetLostKeys(keys);
   seal();
+  beginRing(epoch);
 }
 
 // Keeps what the boot before has left in RAM, or nothing; the floors' places are read anew in any case.
@@ -86,6 +86,18 @@ void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
     if (entry.state == LOST) memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
   }
   entry.floor = place;
+}
+
+// Begins at another free place in each boot: each of them is begun at equally often, however few floors a boot writes.
+void ReplayMemory::beginRing(uint32_t epoch) {
+  uint8_t free = 0;
+  for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
+    if (!isInForce(place)) free++;
+  }
+  uint8_t skipped = static_cast<uint8_t>(epoch % free);
+  for (nextPlace_ = 0; isInForce(nextPlace_) || skipped > 0; nextPlace_++) {
+    if (!isInForce(nextPlace_)) skipped--;
+  }
 }
 
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
@@ -170,6 +182,13 @@ uint8_t ReplayMemory::findFree() const {
     if (memory_.entries[i].state == FREE) return i;
   }
   return NO_ENTRY;
+}
+
+bool ReplayMemory::isInForce(uint8_t place) const {
+  for (const TakenNonce &entry : memory_.entries) {
+    if (entry.state != FREE && entry.floor == place) return true;
+  }
+  return false;
 }
 
 // Writes a floor to the next place of the ring that holds none and keeps it; returns the place, or NO_PLACE.

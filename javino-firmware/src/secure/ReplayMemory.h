@@ -23,7 +23,7 @@ namespace javino {
 /// of power between the two leaves both, and the higher counts. So each use writes the last byte of a place twice: of
 /// cells good for 100 000 writes, a place is good for 50 000 uses. With the defaults of Config.h at least 96 - 24 places
 /// are free: 72 * 50 000 * 32 = 115 million frames, at one a second for 3.6 years. Places that are worn out are passed
-/// over. The ring is begun at another place in each boot.
+/// over. The ring is begun at another free place in each boot.
 class ReplayMemory {
  public:
   enum Verdict : uint8_t {
@@ -81,6 +81,8 @@ class ReplayMemory {
   void takeOverRam(uint32_t epoch);
   void readFloors(const KeyStore &keys);
   void takeOverFloor(uint8_t place, const uint8_t *record);
+  void beginRing(uint32_t epoch);
+  JAVINO_NOINLINE bool isInForce(uint8_t place) const;
   JAVINO_NOINLINE uint8_t find(uint8_t key, const Address &origin) const;
   uint8_t findFree() const;
   JAVINO_NOINLINE uint8_t store(const uint8_t *record);

@@ -1,0 +1,38 @@
+#include "ReplayRig.h"
+
+using javino::ReplayMemory;
+
+Bytes nonce(uint32_t epoch, uint32_t counter) {
+  return {static_cast<uint8_t>(epoch >> 16),   static_cast<uint8_t>(epoch >> 8),   static_cast<uint8_t>(epoch),
+          static_cast<uint8_t>(counter >> 16), static_cast<uint8_t>(counter >> 8), static_cast<uint8_t>(counter)};
+}
+
+ReplayRig::ReplayRig() {
+  keys.begin();
+  for (uint8_t i = 0; i < KEYS; i++) keys.set(javino::Address(i), Bytes(16, i).data());
+  reset();
+}
+
+void ReplayRig::reset() {
+  epoch++;
+  keys.begin();
+  memory.reset(new ReplayMemory());
+  memory->begin(epoch, keys);
+}
+
+void ReplayRig::powerCycle() {
+  ram.losePower();
+  reset();
+}
+
+bool ReplayRig::take(uint8_t key, const javino::Address &origin, const Bytes &nonce) {
+  if (judge(key, origin, nonce) != ReplayMemory::NEWER || !reserve(key, origin, nonce)) return false;
+  memory->remember(key, origin, nonce.data());
+  return true;
+}
+
+Bytes ReplayRig::floor(uint8_t key, const javino::Address &origin) const {
+  Bytes floor(javino::NONCE_LENGTH);
+  memory->floor(key, origin, floor.data());
+  return floor;
+}
