@@ -72,7 +72,7 @@ public final class Campaigns implements Callable<Integer> {
     }
 
     private String command(Campaign campaign) {
-        String soak = minutes == DEFAULT_MINUTES ? "" : " -Pminutes=" + minutes;
+        String soak = campaign instanceof Soak ? " -Pminutes=" + minutes : "";
         return "gradle campaign -Ponly=" + campaign.name() + " -Pseed=" + seed + soak;
     }
 }

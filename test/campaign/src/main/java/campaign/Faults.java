@@ -14,8 +14,8 @@ final class Faults implements Campaign {
 
     @Override
     public void run(Settings settings, Report report) throws Exception {
-        int pairs = settings.choose(12, 2);
-        int each = settings.choose(100, 2);
+        int pairs = settings.choose(12, 3);
+        int each = settings.choose(100, 1);
         List<Fault> faults = FaultPlan.of(settings.seed(), pairs, each, settings.choose(45, 12));
         report.text("""
             %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a reset as a Mega's).

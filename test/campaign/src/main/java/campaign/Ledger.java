@@ -98,6 +98,11 @@ final class Ledger {
         wrong++;
     }
 
+    /** How many were reported delivered until now. */
+    synchronized long delivered() {
+        return delivered.cardinality();
+    }
+
     /** All until now. A message counts as lost as soon as it is reported delivered without having been received. */
     synchronized Sum sum() {
         BitSet lost = (BitSet) delivered.clone();

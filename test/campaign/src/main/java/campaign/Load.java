@@ -137,8 +137,8 @@ final class Load implements Campaign {
             All boards of a row are in one range. Each sends sealed contents of 16 bytes to its neighbour at random times (Poisson), for %d s;
             then all are waited for. *Load*: what messages and acknowledgements would take of the air's time if each were sent once, as it
             came out. *Delivered*: share of the offered that was reported delivered; what a full queue refused counts as offered.
-            *Fairness*: Jain's index of the boards' shares. *Without* carrier sense boards run `test/system/sketches/DeafStation`, whose radio
-            never hears a carrier; all else is the same.""".formatted(settings.choose(40, 8)));
+            *Fairness*: Jain's index of the boards' shares. *Without* carrier sense boards run `test/system/sketches/DeafStation`, which begins
+            to send whatever is on the air, and listens only for the answer to what it has sent; all else is the same.""".formatted(settings.choose(40, 8)));
         Table table = new Table("boards, load", "unicasts", "load", "delivered", "least of a board", "fairness", "packets each",
             "without: delivered", "least of a board", "fairness", "packets each");
         cases(settings).stream().filter(each -> each.sketch.equals(WITH)).sorted(java.util.Comparator.comparingInt(Case::boards)

@@ -21,12 +21,15 @@ final class Soak implements Campaign {
     private static final int SAMPLES = 20;
     private static final long PATIENCE_SECONDS = 60;
     private static final double AIM_HOURS = 24;
+    private static final double STANDSTILL_SECONDS = 60;
     private static final long GROWTH_BYTES = 1024 * 1024;
 
     private final Air air = new Air();
     private final Crossings crossings = new Crossings();
     private final Ledger shorts = new Ledger(SHORT);
     private final Ledger longs = new Ledger(LONG);
+    private final Pace shortPace = new Pace();
+    private final Pace longPace = new Pace();
 
     @Override
     public String name() {
@@ -36,6 +39,12 @@ final class Soak implements Campaign {
     private void traced(TraceEvent event) {
         air.accept(event);
         crossings.see(event);
+        shortPace.see(event.seconds(), shorts.delivered());
+        longPace.see(event.seconds(), longs.delivered());
+    }
+
+    private long stuck() {
+        return java.util.stream.Stream.of(shortPace, longPace).filter(pace -> pace.longest() > STANDSTILL_SECONDS).count();
     }
 
     @Override
@@ -54,29 +63,27 @@ final class Soak implements Campaign {
             Stream toTwo = new Stream(first, two.address(), shorts, WINDOW, () -> System.nanoTime() - end < 0);
             Stream toOne = new Stream(second, one.address(), longs, WINDOW, () -> System.nanoTime() - end < 0);
             Memory memory = new Memory(field.emulator().process());
-            long stuck = watch(settings, end, memory, report);
-            stuck += (toTwo.await(PATIENCE_SECONDS) ? 0 : 1) + (toOne.await(PATIENCE_SECONDS) ? 0 : 1);
+            boolean ended = watch(settings, end, memory, List.of(toOne, toTwo), report);
             describe(memory, report);
             side(report, "board 0 to 1, 16 bytes", shorts.sum(), one, Host.get(first.board().statistics()), Host.get(second.board().statistics()));
             side(report, "board 1 to 0, 100 bytes", longs.sum(), two, Host.get(second.board().statistics()), Host.get(first.board().statistics()));
             shorts.sum().plus(longs.sum()).report(report);
-            report.never("a stream of unicasts that stood still", stuck);
+            report.never("a unicast without an end", ended ? 0 : shorts.sum().open() + longs.sum().open());
+            report.never("a direction without a delivery for a minute of the boards' time", stuck());
             report.never("a nonce with two messages", air.nonces().repeated());
         }
     }
 
-    /** Looks at memory and progress from time to time; says how often a direction had delivered nothing since the look before. */
-    private long watch(Settings settings, long end, Memory memory, Report report) throws Exception {
-        long stuck = 0;
+    /** Looks at memory and progress from time to time, and waits until the streams have ended; false if one did not. */
+    private boolean watch(Settings settings, long end, Memory memory, List<Stream> streams, Report report) throws Exception {
         for (int i = 1; i <= SAMPLES; i++) {
-            long before = shorts.sum().delivered();
-            long beforeLong = longs.sum().delivered();
             TimeUnit.NANOSECONDS.sleep(end - (SAMPLES - i) * settings.soak().toNanos() / SAMPLES - System.nanoTime());
-            stuck += (shorts.sum().delivered() == before ? 1 : 0) + (longs.sum().delivered() == beforeLong ? 1 : 0);
-            report.progress("%.2f hours emulated, %d and %d unicasts delivered, %s", air.now() / 3600, shorts.sum().delivered(),
-                longs.sum().delivered(), memory.sample());
+            report.progress("%.2f hours emulated, %d and %d unicasts delivered, %s", air.now() / 3600, shorts.delivered(),
+                longs.delivered(), memory.sample());
         }
-        return stuck;
+        boolean ended = true;
+        for (Stream stream : streams) ended &= stream.await(PATIENCE_SECONDS);
+        return ended;
     }
 
     private void describe(Memory memory, Report report) {
@@ -86,6 +93,8 @@ final class Soak implements Campaign {
             itself sending when the packet began (*crossed*), or began to send while it came, or both were on the air.
             """.formatted(SPEED, POLL.toMillis()));
         report.table(new Table("memory", "hosts' heap, emulator").row("at a quarter of the time", memory.at(0.25)).row("at the end", memory.at(1)));
+        report.table(new Table("longest time without a delivery, emulated", "one way", "the other").row("",
+            Table.text("%.1f s", shortPace.longest()), Table.text("%.1f s", longPace.longest())));
         double hours = air.now() / 3600;
         report.aim(Table.text("24 emulated hours (%.1f in this run)", hours), hours >= AIM_HOURS);
         Memory.Sample growth = memory.growth();

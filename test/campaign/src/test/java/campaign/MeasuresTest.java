@@ -1,0 +1,67 @@
+package campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import harness.TraceEvent;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** The small instruments. */
+class MeasuresTest {
+
+    @Test
+    void percent_nearTheAim_hasThePlacesToTellIt() {
+        assertEquals("99.925 %", Table.percent(3997, 4000));
+        assertEquals("100 %", Table.percent(5, 5));
+        assertEquals("0 %", Table.percent(0, 5));
+        assertEquals("50.0 %", Table.percent(1, 2));
+        assertEquals("-", Table.percent(0, 0));
+    }
+
+    @Test
+    void table_rowOfAnotherWidth_isRefused() {
+        assertThrows(IllegalArgumentException.class, () -> new Table("a", "b").row(1));
+    }
+
+    @Test
+    void pace_countThatStands_isTimedUntilItRises() {
+        Pace pace = new Pace();
+        pace.see(1, 0);
+        pace.see(3, 1);
+        pace.see(8, 1);
+        pace.see(9, 2);
+        assertEquals(5, pace.longest());
+    }
+
+    @Test
+    void crossings_packetsAtTheSameTime_areCountedOnceEach() {
+        Crossings crossings = new Crossings();
+        send(crossings, "a", 1, 2);
+        send(crossings, "b", 2.5, 4);
+        send(crossings, "a", 3, 5);
+        send(crossings, "b", 4.5, 6);
+        send(crossings, "a", 7, 8);
+        assertEquals(1, crossings.of("a"));
+        assertEquals(2, crossings.of("b"));
+    }
+
+    private static void send(Crossings crossings, String board, double start, double end) {
+        crossings.see(TraceEvent.parse(Table.text("{\"t\":%f,\"board\":\"%s\",\"event\":\"rf-tx\",\"start\":%f,\"end\":%f}", end, board, start, end)));
+    }
+
+    @Test
+    void faultPlan_hasAsManyOfEachKindForEachPairAtItsTime() {
+        List<Fault> faults = FaultPlan.of(1, 4, 20, 10);
+        Map<Fault.Kind, Integer> counts = new EnumMap<>(Fault.Kind.class);
+        faults.forEach(fault -> counts.merge(fault.kind(), 1, Integer::sum));
+        assertEquals(List.of(20, 20, 20, 20, 20), List.copyOf(counts.values()));
+        for (int i = 4; i < faults.size(); i++) {
+            assertEquals(faults.get(i - 4).pair(), faults.get(i).pair());
+            assertEquals(FaultPlan.BETWEEN_SECONDS, faults.get(i).second() - faults.get(i - 4).second(), 1);
+        }
+        assertEquals(faults, FaultPlan.of(1, 4, 20, 10));
+    }
+}

@@ -1,0 +1,29 @@
+package campaign;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Each campaign with little of everything: what must always hold holds here, too. What has to be reached in figures does not count. */
+class SmallCampaignsTest {
+
+    static List<Campaign> campaigns() {
+        return List.of(new Delivery(), new Load(), new Faults(), new Soak());
+    }
+
+    @ParameterizedTest
+    @MethodSource("campaigns")
+    void run_ofLittle_violatesNothing(Campaign campaign) throws Exception {
+        Report report = new Report(campaign.name(), System.err);
+
+        campaign.run(new Settings(1, true, Duration.ofSeconds(10), Path.of(System.getProperty("javino.root"))), report);
+
+        assertEquals(List.of(), report.violations(), report::screen);
+        assertFalse(report.screen().contains("NaN"), report::screen);
+    }
+}
