@@ -1,0 +1,24 @@
+#include "attacks/attacks.h"
+
+const std::vector<Attack> &allAttacks() {
+  static const std::vector<Attack> ALL = {
+      {"each single bit changed", changeEachBit},
+      {"each single bit changed, in pieces", changeEachBitOfPieces},
+      {"a run of bytes replaced", changeManyBits},
+      {"tag and content guessed", guessTags},
+      {"cut off or extended", changeLengths},
+      {"other addresses", changeAddresses},
+      {"sealed with another key", sealWithOtherKeys},
+      {"replayed within a boot", replayWithinABoot},
+      {"replayed after a reset", replayAcrossResets},
+      {"replayed after a loss of power", replayAcrossPowerLoss},
+      {"replayed after power failed in an EEPROM write", replayAcrossCutWrites},
+      {"pieces of several messages mixed", mixPieces},
+      {"pieces forged", forgePieces},
+      {"first pieces without end", floodWithFirstPieces},
+      {"acknowledgements forged", forgeAcknowledgements},
+      {"acknowledgements of other messages", replayAcknowledgements},
+      {"stale notices forged and replayed", forgeStaleNotices},
+  };
+  return ALL;
+}

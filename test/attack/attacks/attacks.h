@@ -1,0 +1,28 @@
+#pragma once
+
+#include "Attack.h"
+
+// Frames that were changed, or made without the key (frames.cpp).
+Tally changeEachBit(uint32_t seed, uint64_t tries);
+Tally changeEachBitOfPieces(uint32_t seed, uint64_t tries);
+Tally changeManyBits(uint32_t seed, uint64_t tries);
+Tally guessTags(uint32_t seed, uint64_t tries);
+Tally changeLengths(uint32_t seed, uint64_t tries);
+Tally changeAddresses(uint32_t seed, uint64_t tries);
+Tally sealWithOtherKeys(uint32_t seed, uint64_t tries);
+
+// Genuine frames again (replays.cpp).
+Tally replayWithinABoot(uint32_t seed, uint64_t tries);
+Tally replayAcrossResets(uint32_t seed, uint64_t tries);
+Tally replayAcrossPowerLoss(uint32_t seed, uint64_t tries);
+Tally replayAcrossCutWrites(uint32_t seed, uint64_t tries);
+
+// Messages in pieces (pieces.cpp).
+Tally mixPieces(uint32_t seed, uint64_t tries);
+Tally forgePieces(uint32_t seed, uint64_t tries);
+Tally floodWithFirstPieces(uint32_t seed, uint64_t tries);
+
+// Answers to the board's own messages (answers.cpp).
+Tally forgeAcknowledgements(uint32_t seed, uint64_t tries);
+Tally replayAcknowledgements(uint32_t seed, uint64_t tries);
+Tally forgeStaleNotices(uint32_t seed, uint64_t tries);

@@ -1,0 +1,108 @@
+// Genuine frames that are heard again.
+
+#include "attacks/attacks.h"
+#include "support/Victim.h"
+
+namespace {
+
+const uint32_t RAISE = 32;       // by which a sender goes above a floor
+const size_t MOST_RECORDED = 300;
+
+/// What was on the air, for whoever listened.
+class Recording {
+ public:
+  explicit Recording(Victim &victim) : victim_(victim) {}
+
+  const Bytes &next() {
+    if (frames_.size() == MOST_RECORDED) frames_.erase(frames_.begin());
+    frames_.push_back(victim_.genuine(8 + victim_.random.number(46), victim_.random.number(3) == 0));
+    return frames_.back();
+  }
+
+  void replayAll() {
+    for (const Bytes &frame : frames_) {
+      victim_.suffer(frame);
+      victim_.take();
+    }
+  }
+
+  void replayAny() { victim_.suffer(frames_[victim_.random.number(static_cast<uint32_t>(frames_.size()))]); }
+
+ private:
+  Victim &victim_;
+  std::vector<Bytes> frames_;
+};
+
+/// Messages that are delivered, and one that waits for the host when the board is reset.
+void exchange(Victim &victim, Recording &recording) {
+  for (uint32_t left = 1 + victim.random.number(40); left > 0; left--) victim.deliver(recording.next());
+  const Bytes waiting = recording.next();
+  victim.allow(waiting);
+  victim.hear(waiting);
+}
+
+Tally replayAcross(bool keepsRam, uint32_t seed, uint64_t tries) {
+  Victim victim(seed);
+  Recording recording(victim);
+  while (victim.tally.tries < tries) {
+    exchange(victim, recording);
+    victim.reset(keepsRam);
+    recording.replayAll();
+    victim.disallow();
+    recording.replayAll();
+    if (!keepsRam) victim.raiseCounter(RAISE);
+  }
+  victim.deliver(recording.next());
+  return victim.tally;
+}
+
+// Power fails at one of the next EEPROM writes: while messages come, or while the board starts.
+void cutPower(Victim &victim, Recording &recording) {
+  victim.board.eeprom.cutPowerAfter(static_cast<int>(victim.random.number(60)), victim.random.byte());
+  try {
+    for (uint32_t left = victim.random.number(100); left > 0; left--) {
+      const Bytes frame = recording.next();
+      victim.allow(frame);
+      victim.hear(frame);
+      victim.take();
+    }
+    victim.board.powerUp();
+  } catch (const PowerCut &) {
+  }
+}
+
+}  // namespace
+
+Tally replayWithinABoot(uint32_t seed, uint64_t tries) {
+  Victim victim(seed);
+  Recording recording(victim);
+  while (victim.tally.tries < tries) {
+    victim.deliver(recording.next());
+    const Bytes waiting = recording.next();
+    victim.allow(waiting);
+    for (int i = 0; i < 5; i++) victim.suffer(waiting);
+    victim.take();
+    for (int i = 0; i < 100; i++) recording.replayAny();
+    victim.take();
+  }
+  return victim.tally;
+}
+
+Tally replayAcrossResets(uint32_t seed, uint64_t tries) { return replayAcross(true, seed, tries); }
+
+Tally replayAcrossPowerLoss(uint32_t seed, uint64_t tries) { return replayAcross(false, seed, tries); }
+
+Tally replayAcrossCutWrites(uint32_t seed, uint64_t tries) {
+  Victim victim(seed);
+  Recording recording(victim);
+  while (victim.tally.tries < tries) {
+    cutPower(victim, recording);
+    victim.reset(false);
+    recording.replayAll();  // what came as power failed may come once
+    victim.disallow();
+    recording.replayAll();
+    victim.raiseCounter(RAISE);
+    victim.deliver(recording.next());
+  }
+  return victim.tally;
+}
