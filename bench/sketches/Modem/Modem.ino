@@ -37,7 +37,6 @@ void receiveNext() {
 void setup() {
   Serial.begin(115200);
   radio.begin();
-  radio.listen(!digitalRead(SENDER_PIN));
 }
 
 void loop() {

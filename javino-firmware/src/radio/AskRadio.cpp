@@ -28,7 +28,6 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
       bitRate_(bitRate),
       bitTicks_(ticksPerBit(bitRate)),
       ready_(false),
-      open_(false),
       sending_(false),
       nextBit_(false),
       lastBitOut_(false),
@@ -43,24 +42,14 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
 
 bool AskRadio::begin() {
   ready_ = bitTicks_ != 0 && askhardware::begin(rxPin_, txPin_, *this);
+  if (ready_) startReceiving();
   return ready_;
-}
-
-void AskRadio::listen(bool open) {
-  if (!ready_) return;
-  askhardware::InterruptLock lock;
-  if (open && !open_ && !sending_) startReceiving();
-  if (!open && open_ && !sending_) stopReceiving();
-  open_ = open;
-  if (!open) {
-    while (!queue_.empty()) queue_.release();
-  }
 }
 
 bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   if (!ready_ || sending_ || !encoder_.start(payload, length)) return false;
   askhardware::InterruptLock lock;
-  if (open_) stopReceiving();
+  stopReceiving();
   sending_ = true;
   nextBit_ = encoder_.next();
   lastBitOut_ = false;
@@ -116,8 +105,8 @@ void AskRadio::onEdge(uint16_t now, bool level) {
     heardUntil_ = now;
   } else {
     hear(now);
-    if (decoder_.isHunting()) carrier_.addEdge(now);
   }
+  if (decoder_.isHunting()) carrier_.addEdge(now);
   level_ = level;
   silentAlarms_ = 0;
   askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
@@ -157,15 +146,19 @@ void AskRadio::hear(uint16_t now) {
 void AskRadio::onSilence() {
   const uint16_t now = askhardware::now();
   hear(now);
-  silentAlarms_++;
-  if (silentAlarms_ == SILENCE_ALARMS) {
+  if (silentAlarms_ == 0 || isHeldByCollision()) {
+    silentAlarms_ = 1;
+    askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
+  } else {
+    silentAlarms_ = SILENCE_ALARMS;
     askhardware::clearAlarm();
     carrier_.reset();
     decoder_.endOfSignal();
-  } else {
-    askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
   }
 }
+
+// Two packets at once may well fill each other's gaps.
+bool AskRadio::isHeldByCollision() const { return level_ && carrier_.isHeard(); }
 
 void AskRadio::sendBit() {
   askhardware::transmit(nextBit_);
@@ -183,7 +176,7 @@ void AskRadio::finishSending() {
   askhardware::clearAlarm();
   countUp(counters_.sent);
   sending_ = false;
-  if (open_) startReceiving();
+  startReceiving();
 }
 
 }  // namespace javino

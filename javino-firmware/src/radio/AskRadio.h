@@ -28,7 +28,6 @@ class AskRadio : public Radio {
   explicit AskRadio(uint8_t rxPin = 11, uint8_t txPin = 12, uint16_t bitRate = 2000);
 
   bool begin() override;
-  void listen(bool open) override;
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return sending_; }
   bool carrier() const override;
@@ -51,6 +50,7 @@ class AskRadio : public Radio {
   void stopReceiving();
   void hear(uint16_t now);
   void onSilence();
+  bool isHeldByCollision() const;
   void sendBit();
   void finishSending();
 
@@ -61,7 +61,6 @@ class AskRadio : public Radio {
 
   // The small fields first: gcc reaches the first 63 bytes of an object in one instruction (240 bytes of flash less).
   bool ready_;              // begin() succeeded
-  bool open_;               // the sketch wants to hear
   volatile bool sending_;
   bool nextBit_;            // computed ahead, so that the carrier switches first thing in the interrupt
   bool lastBitOut_;         // the last bit is on the air: the next alarm ends the packet

@@ -23,12 +23,9 @@ struct RadioCounters {
 /// tens of milliseconds of air. No function blocks.
 class Radio {
  public:
-  /// Sets pins and timer, and starts with reception blocked.
+  /// Sets pins and timer. From now on it receives whenever it is not sending.
   /// @return false where the pins, the rate or the timer cannot be had.
   virtual bool begin() = 0;
-
-  /// Opens or blocks reception; received packets that were not fetched yet are forgotten on blocking.
-  virtual void listen(bool open) = 0;
 
   /// Starts to send a payload, which is copied.
   /// @param length 1…77

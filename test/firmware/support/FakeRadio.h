@@ -11,7 +11,6 @@
 class FakeRadio : public javino::Radio {
  public:
   bool begin() override { return works; }
-  void listen(bool open) override { listening = open; }
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return onAir_; }
   bool carrier() const override { return heard; }
@@ -28,7 +27,6 @@ class FakeRadio : public javino::Radio {
 
   bool works = true;      ///< whether begin() succeeds
   bool refuses = false;   ///< whether send() does nothing
-  bool listening = false;
   bool heard = false;     ///< whether another board's carrier is on the air
   int updates = 0;
   javino::RadioCounters counts = {0, 0, 0, 0, 0};

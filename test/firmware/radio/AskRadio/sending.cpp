@@ -81,14 +81,6 @@ TEST(AskRadio, refusesNoPayloadAndTooLongOnes) {
   EXPECT_FALSE(modem.radio.sending());
 }
 
-TEST(AskRadio, sendsWhileReceptionIsBlocked) {
-  Modem modem;
-  modem.radio.listen(false);
-  ASSERT_TRUE(modem.send(ramp(5)));
-  modem.hardware.wait(1100 * Modem::BIT);
-  EXPECT_EQ(modem.counters().sent, 1u);
-}
-
 TEST(AskRadio, isUnderstoodByASampledReceiver) {
   for (double skew : {-0.02, -0.01, 0.0, 0.01, 0.02}) {
     Modem modem;

@@ -21,19 +21,24 @@ TEST(AskRadio, doesNothingWhereItCouldNotBegin) {
   EXPECT_FALSE(radio.begin());
   const uint8_t payload[] = {1};
   EXPECT_FALSE(radio.send(payload, 1));
-  radio.listen(true);
   hardware.play(packetLine({1}));
   EXPECT_EQ(hardware.interrupts(), 0u);
   EXPECT_TRUE(radio.idle());
 }
 
-TEST(AskRadio, startsWithReceptionBlocked) {
+TEST(AskRadio, hearsNothingBeforeItBegins) {
   SimulatedAsk hardware;
   AskRadio radio;
-  ASSERT_TRUE(radio.begin());
   hardware.play(packetLine({1}));
   EXPECT_EQ(hardware.interrupts(), 0u);
+  ASSERT_TRUE(radio.begin());
+  hardware.play(packetLine({2}));
+  uint8_t payload[77];
+  ASSERT_EQ(radio.receive(payload), 1);
+  EXPECT_EQ(payload[0], 2);
 }
+
+TEST(AskRadio, tellsItsBitRate) { EXPECT_EQ(AskRadio(11, 12, 4800).bitRate(), 4800); }
 
 TEST(AskRadio, sendsAndReceivesAtEachRate) {
   for (uint16_t rate : {200, 300, 1200, 2000, 4800, 9600}) {
@@ -41,7 +46,6 @@ TEST(AskRadio, sendsAndReceivesAtEachRate) {
     SimulatedAsk hardware;
     AskRadio radio(11, 12, rate);
     ASSERT_TRUE(radio.begin());
-    radio.listen(true);
     hardware.play(packetLine({1, 2, 3}, bitTicks));
     uint8_t payload[77];
     EXPECT_EQ(radio.receive(payload), 3) << rate << " bit/s";

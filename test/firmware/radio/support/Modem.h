@@ -2,15 +2,12 @@
 
 #include "support/SimulatedAsk.h"
 
-// A modem on simulated hardware, with reception open.
+// A modem on simulated hardware.
 class Modem {
  public:
   static const int BIT = 1000;  // ticks, at 2000 bit/s
 
-  Modem() {
-    radio.begin();
-    radio.listen(true);
-  }
+  Modem() { radio.begin(); }
 
   Bytes take() {
     uint8_t payload[77];
