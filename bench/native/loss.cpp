@@ -1,5 +1,6 @@
 // Packets that the modem and a sampled receiver lose of the same damaged lines, a JSON object a condition.
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -63,6 +64,15 @@ void surroundedByNoise() {
   });
 }
 
+void flipped(const char *rate) {
+  compare(std::string("bit error rate ") + rate, [=](const Bytes &payload, std::mt19937 &random) {
+    std::bernoulli_distribution wrong(atof(rate));
+    Bits bits = reference::packetBits(payload);
+    for (size_t i = 0; i < bits.size(); i++) bits[i] = bits[i] != wrong(random);
+    return AirLine().bits(bits, BIT).silence(12 * BIT);
+  });
+}
+
 }  // namespace
 
 int main() {
@@ -71,4 +81,5 @@ int main() {
   for (int length : {10, 20, 25, 30}) jittered(length, 0);
   for (int length : {10, 20}) jittered(length, 0.03);
   surroundedByNoise();
+  for (const char *rate : {"0.0001", "0.001", "0.003", "0.01"}) flipped(rate);
 }

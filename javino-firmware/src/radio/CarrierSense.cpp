@@ -25,7 +25,13 @@ const uint16_t BITS_OF_LONGEST_PACKET =
 }  // namespace
 
 CarrierSense::CarrierSense(uint16_t bitTicks)
-    : periodTicks_(2 * bitTicks), toleranceTicks_(bitTicks / 4), edge_(0), edgeBefore_(0), periods_(0), bitsLeft_(0) {}
+    : periodTicks_(2 * bitTicks),
+      toleranceTicks_(bitTicks / 4),
+      edge_(0),
+      edgeBefore_(0),
+      periods_(0),
+      trained_(false),
+      bitsLeft_(0) {}
 
 void CarrierSense::addEdge(uint16_t now) {
   const uint16_t period = static_cast<uint16_t>(now - edgeBefore_);
@@ -45,8 +51,13 @@ void CarrierSense::addEdge(uint16_t now) {
 }
 
 void CarrierSense::expect(uint16_t bits) {
+  trained_ = bitsLeft_ != 0;
   bitsLeft_ = bits;
   periods_ = 0;
+}
+
+void CarrierSense::doubt() {
+  if (!trained_) reset();
 }
 
 void CarrierSense::reset() {

@@ -29,6 +29,10 @@ class CarrierSense {
   /// A packet has begun, of which so many bits are still to come.
   void expect(uint16_t bits);
 
+  /// That packet is damaged. It goes on where its training was heard too; else it was noise, which now and then has
+  /// all that a packet begins with.
+  void doubt();
+
   /// The line has been silent, or not listened to: no carrier is heard.
   void reset();
 
@@ -40,6 +44,7 @@ class CarrierSense {
   uint16_t edge_;                  // when the line changed last
   uint16_t edgeBefore_;            // and before that
   uint8_t periods_;                // in training, one after the other
+  bool trained_;                   // the packet that is expected had training
   uint16_t bitsLeft_;              // for which a carrier is expected
 };
 

@@ -95,6 +95,7 @@ void RadioDecoder::endPacket() {
 }
 
 void RadioDecoder::refuse() {
+  if (count_ != 0) carrier_.doubt();
   countUp(counters_.damaged);
   hunt();
 }

@@ -66,11 +66,13 @@ void SimulatedAsk::runUntil(uint64_t time) {
       edgePending_ = false;
       interrupts_++;
       radio_->onEdge(now(), rx_);
+      afterInterrupt_();
     } else if (!edgeIsNext && alarmOn_ && alarmAt_ <= time) {
       time_ = std::max(time_, alarmAt_);
       alarmAt_ += 0x10000;
       interrupts_++;
       radio_->onAlarm();
+      afterInterrupt_();
     } else {
       break;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -24,6 +25,9 @@ class SimulatedAsk {
 
   // Interrupts come late by up to so many ticks.
   void delayInterrupts(uint32_t mostTicks) { mostDelay_ = mostTicks; }
+
+  // Called after each interrupt: nothing changes between two of them.
+  void afterInterrupts(std::function<void()> hook) { afterInterrupt_ = std::move(hook); }
 
   // Lets the RX pin follow the line, then stay where the line left it.
   void play(const AirLine &line);
@@ -51,6 +55,7 @@ class SimulatedAsk {
   uint32_t delay();
 
   static SimulatedAsk *current_;
+  std::function<void()> afterInterrupt_ = [] {};
   javino::AskRadio *radio_ = nullptr;
   std::mt19937 random_;
   uint32_t mostDelay_ = 0;

@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include "support/CarrierLog.h"
+
+namespace {
+
+const double TWELFTH_BIT = 11;  // begins so many bits after the packet
+const double TO_NOTICE = 5.5;   // bits from the last edge to the alarm, where the end has no edge
+
+Bits inverted(Bits bits, size_t place) {
+  bits[place] = !bits[place];
+  return bits;
+}
+
+AirLine lineOf(const Bits &bits) { return AirLine().bits(bits, Modem::BIT).silence(30 * Modem::BIT); }
+
+// A line on which either of two is on the air.
+AirLine bothOf(const Bits &first, const Bits &second, double shift) {
+  const AirLine a = AirLine().bits(first, Modem::BIT), b = AirLine().bits(second, Modem::BIT);
+  AirLine both;
+  const double step = Modem::BIT / 50;
+  const double end = std::max(a.duration(), shift + b.duration());
+  for (double at = step / 2; at < end; at += step) both.hold(a.levelAt(at) || (at >= shift && b.levelAt(at - shift)), step);
+  return both.silence(30 * Modem::BIT);
+}
+
+}  // namespace
+
+TEST(AskRadio, hearsACarrierFromTheTwelfthBitToTheEndOfThePacket) {
+  std::mt19937 random(41);
+  for (double skew = -0.03; skew < 0.031; skew += 0.01) {
+    for (size_t length : {1, 2, 16, 40, 77}) {
+      Modem modem;
+      CarrierLog log(modem);
+      Bytes payload(length);
+      for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
+      const double bits = (84 + 12 * length) * (1 + skew);
+      modem.hardware.play(packetLine(payload, Modem::BIT * (1 + skew)).silence(30 * Modem::BIT));
+      ASSERT_EQ(log.spans().size(), 1u) << length << " bytes, skew " << skew;
+      EXPECT_NEAR(log.spans()[0].begin, TWELFTH_BIT * (1 + skew), 0.1) << length << " bytes, skew " << skew;
+      EXPECT_GT(log.spans()[0].end, bits - 4) << length << " bytes, skew " << skew;
+      EXPECT_LT(log.spans()[0].end, bits + TO_NOTICE) << length << " bytes, skew " << skew;
+    }
+  }
+}
+
+TEST(AskRadio, hearsACarrierThroughEachSingleWrongBit) {
+  const Bits whole = reference::packetBits({'R', 'O', 'M', 'A', 0, 0xFF, 'x', 'y', 'z'});
+  for (size_t wrong = 0; wrong < whole.size(); wrong++) {
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(lineOf(inverted(whole, wrong)));
+    // A wrong bit lets training begin anew behind it.
+    const double from = wrong < 14 ? wrong + TWELFTH_BIT + 3 : TWELFTH_BIT + 1;
+    EXPECT_TRUE(log.covers(from, whole.size() - 4)) << "bit " << wrong;
+    EXPECT_LT(log.spans().back().end, whole.size() + 11.5) << "bit " << wrong;
+  }
+}
+
+TEST(AskRadio, hearsACarrierWhoseEdgesAreATenthOfABitOff) {
+  std::mt19937 random(42);
+  for (double skew : {-0.02, 0.0, 0.02}) {
+    for (int i = 0; i < 200; i++) {
+      Modem modem;
+      CarrierLog log(modem);
+      const Bytes payload = randomPayload(random);
+      modem.hardware.play(packetLine(payload, Modem::BIT * (1 + skew)).jitter(100, random));
+      EXPECT_TRUE(log.covers(24, (84 + 12 * payload.size()) * (1 + skew) - 4)) << "skew " << skew;
+    }
+  }
+}
+
+TEST(AskRadio, hearsACarrierWhosePulsesTheReceiverStretches) {
+  for (double stretch : {-300.0, -200.0, 200.0, 300.0}) {
+    AirLine line;
+    for (int i = 0; i < 17; i++) line.silence(Modem::BIT - stretch).hold(true, Modem::BIT + stretch);
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(line);
+    EXPECT_TRUE(log.covers(13, 33)) << "pulses " << stretch << " ticks longer";
+  }
+}
+
+TEST(AskRadio, hearsACarrierThroughACollision) {
+  const Bits first = reference::packetBits({'f', 'i', 'r', 's', 't', 1, 2, 3, 4, 5, 6, 7});
+  const Bits second = reference::packetBits({'s', 'e', 'c', 'o', 'n', 'd', 9, 8, 7, 6, 5, 4});
+  for (int tenths = 0; tenths < 300; tenths += 3) {
+    // An odd number of bits apart to the microsecond, they fill each other's gaps, and there is no edge to hear.
+    if (tenths % 20 == 10 && tenths < 160) continue;
+    const double shift = tenths / 10.0;
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(bothOf(first, second, shift * Modem::BIT));
+    EXPECT_TRUE(log.covers(36, first.size() + shift - 5)) << "shift " << shift;
+    EXPECT_LT(log.spans().back().end, first.size() + shift + 11) << "shift " << shift;
+  }
+}
+
+TEST(AskRadio, hearsNoCarrierInNoise) {
+  std::mt19937 random(43);
+  for (double longestPulse : {0.1, 0.6, 1.0, 1.5, 2.0, 4.0}) {
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(AirLine().noise(200000.0 * Modem::BIT, longestPulse * Modem::BIT, random));
+    EXPECT_LT(log.share(), 0.005) << "pulses of up to " << longestPulse << " bits";
+  }
+}
+
+TEST(AskRadio, hearsNoCarrierInQuietAirOrWhereTheLineStaysHigh) {
+  Modem modem;
+  CarrierLog log(modem);
+  modem.hardware.play(AirLine().silence(50 * Modem::BIT).hold(true, 500 * Modem::BIT).silence(50 * Modem::BIT));
+  EXPECT_TRUE(log.spans().empty());
+}
+
+TEST(AskRadio, hearsTheEndOfACarrierThatBreaksOffWithinTenBits) {
+  const Bits whole = reference::packetBits(Bytes(77, 'x'));
+  for (size_t length : {16, 30, 40, 50, 70, 100, 500, 1000}) {
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(lineOf(Bits(whole.begin(), whole.begin() + length)));
+    EXPECT_TRUE(log.covers(12, length - 4)) << length;
+    EXPECT_LT(log.spans().back().end, length + 11) << length;
+  }
+}
+
+TEST(AskRadio, hearsACarrierForAsLongAsABrokenPacketHadAnnounced) {
+  std::mt19937 random(44);
+  const Bits whole = reference::packetBits(Bytes(40, 'x'));
+  for (size_t length : {70, 100, 300, 500}) {
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(AirLine()
+                            .bits(Bits(whole.begin(), whole.begin() + length), Modem::BIT)
+                            .noise(1000 * Modem::BIT, Modem::BIT, random));
+    EXPECT_TRUE(log.covers(12, whole.size() - 8)) << length;
+    EXPECT_FALSE(log.covers(12, whole.size() + 60)) << length;
+  }
+}
+
+TEST(AskRadio, hearsNoCarrierInItsOwnSending) {
+  Modem modem;
+  CarrierLog log(modem);
+  const Bits bits = reference::packetBits(Bytes(40, 'x'));
+  modem.hardware.play(AirLine().bits(Bits(bits.begin(), bits.begin() + 80), Modem::BIT));
+  EXPECT_TRUE(modem.radio.carrier());
+  modem.send({1, 2, 3});
+  EXPECT_FALSE(modem.radio.carrier());
+  modem.hardware.play(packetLine({1}));
+  EXPECT_FALSE(modem.radio.carrier());
+  modem.hardware.wait(200 * Modem::BIT);
+  modem.hardware.play(AirLine().bits(Bits(bits.begin(), bits.begin() + 80), Modem::BIT));
+  EXPECT_TRUE(modem.radio.carrier());
+}
