@@ -17,6 +17,8 @@ final class Nonces {
     private static final int ORIGIN = 4;
     private static final int MESSAGE = 10;
     private static final int NONCE_LENGTH = 6;
+    /** Nonce and tag: no sealed message is shorter. */
+    private static final int OVERHEAD = 14;
 
     private final Map<String, TreeMap<Long, Integer>> seen = new HashMap<>();
     private long sealed;
@@ -26,10 +28,10 @@ final class Nonces {
     synchronized void see(TraceEvent event) {
         if (!event.name().equals("rf-tx")) return;
         byte[] payload = HexFormat.of().parseHex(event.text("payload"));
-        if (payload.length < MESSAGE + MESSAGE + NONCE_LENGTH) return;
+        if (payload.length < MESSAGE) return;
         // The first piece holds the header and the nonce of the whole; of the others the first tells nothing new.
         if (isFirstPiece(payload)) payload = Arrays.copyOfRange(payload, MESSAGE, payload.length);
-        if (payload[0] == '+' || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') return;
+        if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+' || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') return;
         enter(payload);
     }
 

@@ -16,38 +16,38 @@ class NoncesTest {
 
     @Test
     void see_sameBytesAgain_isARepeatedPacketAndNoRepeatedNonce() {
-        send("SUPOROMA", 7, "content");
-        send("SUPOROMA", 7, "content");
+        send("SUPOROMA", 7, "content and tag");
+        send("SUPOROMA", 7, "content and tag");
         assertEquals(1, nonces.sealed());
         assertEquals(0, nonces.repeated());
     }
 
     @Test
     void see_otherContentUnderTheSameNonce_isRepeated() {
-        send("SUPOROMA", 7, "content");
-        send("SUPOROMA", 7, "another");
+        send("SUPOROMA", 7, "content and tag");
+        send("SUPOROMA", 7, "another and tag");
         assertEquals(1, nonces.repeated());
     }
 
     @Test
     void see_otherDestinationUnderTheSameNonce_isRepeated() {
-        send("SUPOROMA", 7, "content");
-        send("//SUROMA", 7, "content");
+        send("SUPOROMA", 7, "content and tag");
+        send("//SUROMA", 7, "content and tag");
         assertEquals(1, nonces.repeated());
     }
 
     @Test
     void see_anotherOriginsNonce_isNotRepeated() {
-        send("SUPOROMA", 7, "content");
-        send("ROMASUPO", 7, "another");
+        send("SUPOROMA", 7, "content and tag");
+        send("ROMASUPO", 7, "another and tag");
         assertEquals(2, nonces.sealed());
         assertEquals(0, nonces.repeated());
     }
 
     @Test
     void see_firstPieceUnderAFramesNonce_isRepeated() {
-        send("SUPOROMA", 7, "content");
-        see("+FAAROMAAA" + "SUPOROMAZZ" + nonce(7) + "another");
+        send("SUPOROMA", 7, "content and tag");
+        see("+FAAROMAAA" + "SUPOROMAZZ" + nonce(7) + "another and tag");
         assertEquals(1, nonces.repeated());
     }
 
@@ -64,9 +64,9 @@ class NoncesTest {
 
     @Test
     void see_nonceFarBelowAllRemembered_isRepeated() {
-        for (int nonce = 100; nonce <= 100 + REMEMBERED; nonce++) send("SUPOROMA", nonce, "content");
+        for (int nonce = 100; nonce <= 100 + REMEMBERED; nonce++) send("SUPOROMA", nonce, "content and tag");
         assertEquals(0, nonces.repeated());
-        send("SUPOROMA", 99, "content");
+        send("SUPOROMA", 99, "content and tag");
         assertEquals(1, nonces.repeated());
     }
 
