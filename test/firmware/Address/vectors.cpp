@@ -18,6 +18,10 @@ std::string nameOf(Address::Class addressClass) {
       return "broadcast";
     case Address::MULTICAST:
       return "multicast";
+    case Address::PIECE:
+      return "piece";
+    case Address::ACKNOWLEDGEMENT:
+      return "acknowledgement";
     default:
       return "reserved";
   }

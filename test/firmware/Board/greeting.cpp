@@ -61,6 +61,8 @@ TEST(Board, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {
 
 TEST(Board, begins_although_the_radio_does_not_and_says_so) {
   SimulatedEeprom eeprom;
+  SimulatedRam ram;
+  FakeClock clock;
   FakePort port;
   FakeRadio radio;
   radio.works = false;

@@ -22,7 +22,7 @@ class BoardPolling : public testing::Test {
 TEST_F(BoardPolling, writes_transmissions_then_percepts_then_messages) {
   board.board->onPercepts([](javino::Percepts &percepts) { percepts.add(F("dark")); });
   board.transmit("////", "ROMA", "tell;x");
-  board.finishSending();
+  board.sendNext();
   board.receive(plain("////", "SUPO", "tell;y"));
   const PollReply reply = board.poll(true);
   ASSERT_EQ(3u, reply.records.size());
@@ -35,7 +35,7 @@ TEST_F(BoardPolling, writes_transmissions_then_percepts_then_messages) {
 
 TEST_F(BoardPolling, says_that_more_waits_where_messages_did_not_fit) {
   board.board->onPercepts(manyPercepts);
-  for (int i = 0; i < 3; i++) board.receive(plain("////", "SUPO", std::string(67, 'x')));
+  for (char name : {'x', 'y', 'z'}) board.receive(plain("////", "SUPO", std::string(67, name)));
   const PollReply first = board.poll(true);
   EXPECT_TRUE(first.more);
   const PollReply second = board.poll(false);
@@ -45,21 +45,22 @@ TEST_F(BoardPolling, says_that_more_waits_where_messages_did_not_fit) {
 
 TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
   board.transmit("////", "ROMA", "tell;x");
-  board.finishSending();
+  board.sendNext();
   const Bytes poll = reference::packet(200, reference::frame("++++", "++++", {'P', 0}));
   const std::vector<Bytes> first = board.sendRaw(poll);
   EXPECT_EQ(first, board.sendRaw(poll));
 }
 
-TEST_F(BoardPolling, statistics_tell_all_18_counters_in_order) {
+TEST_F(BoardPolling, statistics_tell_all_28_counters_in_order) {
   board.radio.counts = {0x01020304, 6, 7, 17, 28};
   const Bytes body = board.request('S').body;
-  ASSERT_EQ(18u * 5, body.size());
-  for (size_t i = 0; i < 18; i++) EXPECT_EQ(i + 1, body[i * 5]);
+  ASSERT_EQ(28u * 5, body.size());
+  for (size_t i = 0; i < 28; i++) EXPECT_EQ(i + 1, body[i * 5]);
   EXPECT_EQ(0x01020304u, board.counter(javino::Counter::RADIO_RECEIVED));
   EXPECT_EQ(6u, board.counter(javino::Counter::RADIO_DAMAGED));
   EXPECT_EQ(7u, board.counter(javino::Counter::RADIO_MISSED));
   EXPECT_EQ(17u, board.counter(javino::Counter::RADIO_SENT));
+  EXPECT_EQ(28u, board.counter(javino::Counter::RADIO_MENDED));
   board.reboot();
   board.hello();
   EXPECT_EQ(2u, board.counter(javino::Counter::SERIAL_REQUESTS)) << "all start at 0 at each boot";

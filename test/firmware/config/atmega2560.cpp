@@ -4,18 +4,25 @@
 
 #include <board/Board.h>
 #include <storage/EepromLayout.h>
+#include <storage/Retained.h>
 
 namespace javino {
 
 static_assert(config::KEYS == 16, "");
 static_assert(config::REPLAY_ENTRIES == 24, "");
-static_assert(config::RECEIVE_QUEUE == 4, "");
-static_assert(config::TRANSMIT_QUEUE == 2, "");
+static_assert(config::FLOOR_SLOTS == 96, "");
+static_assert(config::MAX_MESSAGE == 511, "");
+static_assert(config::RECEIVE_BYTES == 768, "");
+static_assert(config::TRANSMIT_BYTES == 768, "");
+static_assert(config::REASSEMBLIES == 2, "");
+static_assert(config::MULTICAST_SENDS == 2, "");
+static_assert(config::BROADCAST_SENDS == 1, "");
 static_assert(config::ACTIONS == 16, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 static_assert(config::EEPROM_START == 0, "");
 
-static_assert(EEPROM_END == 725, "");
+static_assert(EEPROM_END == 1958, "");
+static_assert(sizeof(TakenNonces) == 318, "retained RAM, beside the board's");
 static_assert(sizeof(Board) <= 2252, "the protocol's part of static RAM, 2.2 KiB");
 
 }  // namespace javino

@@ -38,19 +38,35 @@ PolledMessage::PolledMessage(const Bytes &value)
     : number(value.at(0)),
       destination(value.begin() + 1, value.begin() + 5),
       origin(value.begin() + 5, value.begin() + 9),
-      content(value.begin() + 9, value.end()) {}
+      id(value.begin() + 9, value.begin() + 12),
+      content(value.begin() + 12, value.end()) {}
+
+void TestBoard::use() {
+  clock.use();
+  eeprom.use();
+  ram.use();
+}
 
 bool TestBoard::reboot() {
+  use();
+  clock.millis = 0;
   port = FakePort();
   radio = FakeRadio();
   board.reset(new javino::Board(javino::SerialPort(port), radio, "test 1.0"));
   return board->begin();
 }
 
+bool TestBoard::powerUp() {
+  ram.losePower();
+  return reboot();
+}
+
 void TestBoard::start(const std::string &rfId) {
   reboot();
   hello();
   if (!rfId.empty()) request('I', bytesOf(rfId));
+  request('R', {1});
+  pass(200);
 }
 
 BoardReply TestBoard::hello() { return request('H', {1}); }
@@ -130,6 +146,34 @@ void TestBoard::receive(const Bytes &payload) {
 void TestBoard::finishSending() {
   radio.finishSending();
   board->run();
+}
+
+void TestBoard::pass(uint32_t millis) {
+  for (; millis != 0; millis--) {
+    clock.millis++;
+    board->run();
+  }
+}
+
+void TestBoard::passSending(uint32_t millis) {
+  for (; millis != 0; millis--) {
+    pass(1);
+    if (radio.sending()) radio.finishSending();
+  }
+}
+
+const Bytes &TestBoard::nextSent() {
+  for (int left = 2000; !radio.sending(); left--) {
+    if (left == 0) throw std::runtime_error("nothing is sent");
+    pass(1);
+  }
+  return radio.sent.back();
+}
+
+Bytes TestBoard::sendNext() {
+  const Bytes packet = nextSent();
+  finishSending();
+  return packet;
 }
 
 Bytes sealed(const Bytes &key, const std::string &destination, const std::string &origin, const Bytes &nonce,

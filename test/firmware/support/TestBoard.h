@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Bytes.h"
+#include "FakeClock.h"
 #include "FakePort.h"
 #include "FakeRadio.h"
 #include "SimulatedEeprom.h"
@@ -33,6 +34,7 @@ struct PolledMessage {
   uint8_t number;
   std::string destination;
   std::string origin;
+  Bytes id;
   std::string content;
 };
 
@@ -42,17 +44,23 @@ struct BoardReply {
   Bytes body;
 };
 
-/// A board on a fake port, radio and EEPROM, and a host that talks to it by the definition in SPEC 4. The EEPROM
-/// outlives reboots.
+/// A board on a fake port, radio, clock and EEPROM, and a host that talks to it by the definition in SPEC 4. The EEPROM
+/// and the RAM that a reset leaves alone outlive reboots.
 class TestBoard {
  public:
   TestBoard() { reboot(); }
 
-  /// Loses all of RAM and starts again; what is on its way on port and radio is lost.
+  /// Makes this board's hardware the chip's: for tests with several boards, before each use of one.
+  void use();
+
+  /// Resets the board, which starts again; what is on its way on port and radio is lost.
   /// @return what begin() returned
   bool reboot();
 
-  /// Reboots, says hello, and sets an RF id where one is given.
+  /// Loses power, and starts again.
+  bool powerUp();
+
+  /// Reboots, says hello, sets an RF id where one is given, opens the radio, and waits for long quiet.
   void start(const std::string &rfId = "");
 
   BoardReply hello();
@@ -84,10 +92,24 @@ class TestBoard {
   /// Lets the packet on the air end, and the board see it.
   void finishSending();
 
+  /// Lets time pass, and the board run in each millisecond.
+  void pass(uint32_t millis);
+
+  /// Lets time pass, and each packet of the board end within a millisecond.
+  void passSending(uint32_t millis);
+
+  /// Lets time pass until the board sends; throws where it does not within 2 s.
+  /// @return the packet
+  const Bytes &nextSent();
+
+  /// Lets time pass until the board sends and then until the packet's end.
+  Bytes sendNext();
+
   uint8_t lastSequence() const { return sequence_; }
 
   FakePort port;
   FakeRadio radio;
+  FakeClock clock;
   SimulatedEeprom eeprom;
   SimulatedRam ram;
   std::unique_ptr<javino::Board> board;
