@@ -146,7 +146,7 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
         return out_of_memory(e);
     if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
         sniffer_init(&e->listener, config, &e->air, out) != 0) {
-        snprintf(e->error, sizeof e->error, "boards and jam faults together must not be more than 64");
+        snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 64 together");
         return -1;
     }
     for (; e->node_count < config->board_count; e->node_count++) {

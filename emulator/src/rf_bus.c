@@ -14,31 +14,41 @@ static uint64_t bit_of(size_t source)
     return (uint64_t)1 << source;
 }
 
-static const fault_config *jam_of(const scenario *config, size_t jam)
+static bool near(const rf_bus *bus, const board_config *board, double x_m, double y_m)
 {
-    for (size_t i = 0;; i++)
-        if (config->faults[i].kind == FAULT_JAM && jam-- == 0)
-            return &config->faults[i];
+    return hypot(board->x_m - x_m, board->y_m - y_m) <= bus->range_m;
 }
 
-static size_t count_jams(const scenario *config)
+static uint64_t heard_by(const rf_bus *bus, const scenario *config, const fault_config *jam)
 {
+    uint64_t receivers = 0;
+    for (size_t r = 0; r < bus->board_count; r++)
+        if (!jam->has_position || near(bus, &config->boards[r], jam->x_m, jam->y_m))
+            receivers |= bit_of(r);
+    return receivers;
+}
+
+// Gives each jam the first jammer that is silent by then. Returns 0, or -1 when there are too many.
+static int init_jams(rf_bus *bus, const scenario *config)
+{
+    cycles_t silent_at[MAX_SOURCES];
+    const cycles_t pause = RF_QUIET_BITS * bus->bit_cycles + 2 * RF_STEP;
     size_t jams = 0;
-    for (size_t i = 0; i < config->fault_count; i++)
-        jams += config->faults[i].kind == FAULT_JAM;
-    return jams;
-}
-
-static bool in_range(const scenario *config, size_t receiver, size_t source)
-{
-    const board_config *to = &config->boards[receiver];
-    if (source < config->board_count) {
-        const board_config *from = &config->boards[source];
-        return source != receiver &&
-               hypot(to->x_m - from->x_m, to->y_m - from->y_m) <= config->radio.range_m;
+    for (size_t i = 0; i < config->fault_count; i++) {
+        const fault_config *fault = &config->faults[i];
+        if (fault->kind != FAULT_JAM)
+            continue;
+        cycles_t begin = seconds_to_cycles(fault->t_s);
+        size_t source = bus->board_count;
+        while (source < bus->source_count && silent_at[source] > begin)
+            source++;
+        if (source == MAX_SOURCES)
+            return -1;
+        bus->source_count += source == bus->source_count;
+        silent_at[source] = begin + seconds_to_cycles(fault->duration_s) + pause;
+        bus->jams[jams++] = (rf_jam){source, heard_by(bus, config, fault)};
     }
-    const fault_config *jam = jam_of(config, source - config->board_count);
-    return !jam->has_position || hypot(to->x_m - jam->x_m, to->y_m - jam->y_m) <= config->radio.range_m;
+    return 0;
 }
 
 static void init_receiver(rf_bus *bus, const scenario *config, size_t index, uint64_t seed)
@@ -46,9 +56,9 @@ static void init_receiver(rf_bus *bus, const scenario *config, size_t index, uin
     rf_receiver *receiver = &bus->receivers[index];
     receiver->next_slot = NEVER;
     prng_seed(&receiver->errors, seed, index);
-    for (size_t source = 0; source < bus->source_count; source++)
-        if (in_range(config, index, source))
-            receiver->hears |= bit_of(source);
+    for (size_t i = 0; i < bus->board_count; i++)
+        if (i != index && near(bus, &config->boards[index], config->boards[i].x_m, config->boards[i].y_m))
+            receiver->hears |= bit_of(i);
 }
 
 static void init_source(rf_bus *bus, size_t index, uint64_t seed)
@@ -56,8 +66,7 @@ static void init_source(rf_bus *bus, size_t index, uint64_t seed)
     rf_source *source = &bus->sources[index];
     source->quiet_at = NEVER;
     source->next_toggle = NEVER;
-    source->jammer = index >= bus->board_count;
-    if (source->jammer)
+    if (index >= bus->board_count)
         prng_seed(&source->noise, seed, JAM_STREAM + index - bus->board_count);
 }
 
@@ -68,9 +77,11 @@ int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener 
     bus->bit_cycles = (cycles_t)(CYCLES_PER_SECOND / config->radio.bit_rate + 0.5);
     bus->bit_error_rate = config->radio.bit_error_rate;
     bus->board_count = config->board_count;
-    bus->source_count = config->board_count + count_jams(config);
+    bus->source_count = config->board_count;
+    bus->range_m = config->radio.range_m;
     bus->next_event = NEVER;
-    if (bus->source_count > MAX_SOURCES)
+    bus->jams = calloc(config->fault_count + 1, sizeof *bus->jams);
+    if (!bus->jams || init_jams(bus, config) != 0)
         return -1;
     bus->sources = calloc(bus->source_count, sizeof *bus->sources);
     bus->receivers = calloc(bus->board_count, sizeof *bus->receivers);
@@ -87,6 +98,7 @@ void rf_bus_release(rf_bus *bus)
 {
     free(bus->sources);
     free(bus->receivers);
+    free(bus->jams);
     free(bus->edges);
 }
 
@@ -113,7 +125,13 @@ void rf_bus_carrier(rf_bus *bus, size_t source, bool carrier, cycles_t at)
 
 void rf_bus_jam(rf_bus *bus, size_t jam, cycles_t at, cycles_t end)
 {
-    rf_source *source = &bus->sources[bus->board_count + jam];
+    size_t index = bus->jams[jam].source;
+    rf_source *source = &bus->sources[index];
+    for (size_t r = 0; r < bus->board_count; r++) {
+        bool heard = bus->jams[jam].heard_by >> r & 1;
+        uint64_t *hears = &bus->receivers[r].hears;
+        *hears = heard ? *hears | bit_of(index) : *hears & ~bit_of(index);
+    }
     source->jam_end = end;
     source->next_toggle = at;
     bus->next_event = at < bus->next_event ? at : bus->next_event;

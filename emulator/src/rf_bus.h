@@ -40,11 +40,16 @@ typedef struct {
     bool carrier;
     bool active;       // in the middle of a transmission
     cycles_t quiet_at; // when the transmission is over unless the carrier comes back
-    bool jammer;
     cycles_t jam_end;
     cycles_t next_toggle;
     prng noise;
 } rf_source;
+
+// A jam fault of the scenario. Jams that do not overlap share a jammer.
+typedef struct {
+    size_t source;
+    uint64_t heard_by; // bit n: by receiver n
+} rf_jam;
 
 typedef struct {
     uint64_t hears; // bit n: source n is in range
@@ -58,24 +63,26 @@ typedef struct {
     rf_listener listener;
     cycles_t bit_cycles;
     double bit_error_rate;
+    double range_m;
     size_t board_count;
     size_t source_count; // boards first, then jammers
     rf_source *sources;
     rf_receiver *receivers;
+    rf_jam *jams;
     rf_edge *edges; // not yet on the air, in rising order of time
     size_t edge_count, edge_capacity;
     cycles_t next_event; // no source or receiver has anything to do before
 } rf_bus;
 
-// Sets up boards and jam faults of the scenario: source n is board n, then come the jams in order.
-// Returns 0, or -1 where the memory does not suffice or boards and jams are more than 64.
+// Sets up boards and jam faults of the scenario: source n is board n, then come the jammers.
+// Returns 0, or -1 where the memory does not suffice or boards and jams at one time are more than 64.
 int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener);
 void rf_bus_release(rf_bus *bus);
 
 // Board `source` switches its carrier at `at`, not before the last rf_bus_advance.
 void rf_bus_carrier(rf_bus *bus, size_t source, bool carrier, cycles_t at);
 
-// Jammer number `jam` sends random bits until `end`.
+// Jam number `jam` of the scenario sends random bits until `end`.
 void rf_bus_jam(rf_bus *bus, size_t jam, cycles_t at, cycles_t end);
 
 // Plays all that happens on the air before `until`.

@@ -172,3 +172,49 @@ TEST(RfBus, a_jammer_is_heard_where_it_is_and_stops)
     EXPECT_LE(air.levels[3].back().at, 5000 + 100 * BIT + RF_DELAY);
     EXPECT_EQ(air.bus.next_event, NEVER);
 }
+
+static fault_config jam_at(double t_s, double x_m)
+{
+    fault_config jam = {};
+    jam.kind = FAULT_JAM;
+    jam.t_s = t_s;
+    jam.duration_s = 0.5;
+    jam.has_position = true;
+    jam.x_m = x_m;
+    return jam;
+}
+
+TEST(RfBus, jams_one_after_the_other_are_heard_each_where_it_is)
+{
+    std::vector<fault_config> jams;
+    for (int i = 0; i < 200; i++)
+        jams.push_back(jam_at(i, 30.0 * (i % 2)));
+    Air air(4, 10, 0, 1, jams);
+    EXPECT_EQ(air.bus.source_count, 5u);
+    for (size_t i = 0; i < jams.size(); i++) {
+        for (auto &levels : air.levels)
+            levels.clear();
+        cycles_t begin = seconds_to_cycles(jams[i].t_s);
+        rf_bus_jam(&air.bus, i, begin, begin + seconds_to_cycles(0.5));
+        rf_bus_advance(&air.bus, begin + seconds_to_cycles(1));
+        for (size_t r = 0; r < 4; r++)
+            EXPECT_EQ(air.levels[r].size() > 100, r / 2 == i % 2) << "jam " << i << ", receiver " << r;
+    }
+}
+
+TEST(RfBus, as_many_jams_at_one_time_as_there_are_sources)
+{
+    std::vector<board_config> boards(32);
+    std::vector<fault_config> jams;
+    for (int i = 0; i < 32; i++)
+        jams.push_back(jam_at(i * 0.01, 0));
+    rf_bus bus;
+    scenario config = {{2000, 10, 0}, boards.data(), boards.size(), jams.data(), jams.size()};
+    EXPECT_EQ(rf_bus_init(&bus, &config, 1, {}), 0);
+    rf_bus_release(&bus);
+    jams.push_back(jam_at(0.4, 0));
+    config.faults = jams.data();
+    config.fault_count = jams.size();
+    EXPECT_EQ(rf_bus_init(&bus, &config, 1, {}), -1);
+    rf_bus_release(&bus);
+}
