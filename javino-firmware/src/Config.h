@@ -82,7 +82,8 @@ static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
 
-static_assert(JAVINO_KEYS >= 1 && JAVINO_KEYS <= 63, "JAVINO_KEYS must be 1…63: one reply lists all keys");
+static_assert(JAVINO_KEYS >= 1 && JAVINO_KEYS <= 63, "JAVINO_KEYS must be 1…63");
+static_assert(8 * JAVINO_KEYS < JAVINO_MAX_MESSAGE, "JAVINO_KEYS: one reply of JAVINO_MAX_MESSAGE bytes lists all keys");
 static_assert(JAVINO_REPLAY_ENTRIES >= 1 && JAVINO_REPLAY_ENTRIES <= 253, "JAVINO_REPLAY_ENTRIES must be 1…253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,
               "JAVINO_FLOOR_SLOTS must be greater than JAVINO_REPLAY_ENTRIES, and at most 254");

@@ -42,9 +42,6 @@ class KeyStore {
   /// @return the place of the key that is being replaced and still opens, or NO_SLOT.
   uint8_t previous(const Address &address) const { return newest(address, current(address)); }
 
-  /// As current(): for callers that know of no previous keys.
-  uint8_t find(const Address &address) const { return current(address); }
-
   /// The address of a place, or `++++` where it is free.
   const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
 

@@ -13,6 +13,16 @@ const Address ROMA(0x44e300);
 const Address SUPO(0x4943ce);
 const Address SUPP(0x4943cf);
 
+int places() {
+  int whole = 0;
+  for (uint8_t place = 0; place < javino::RF_ID_PLACES; place++) {
+    Bytes data(javino::RF_ID_LENGTH);
+    const uint16_t at = static_cast<uint16_t>(javino::RF_ID_AT + place * javino::RF_ID_RECORD_LENGTH);
+    if (javino::EepromRecord(at, javino::RF_ID_LENGTH).read(data.data())) whole++;
+  }
+  return whole;
+}
+
 Address afterReboot() {
   RfId id;
   id.begin();
@@ -99,7 +109,7 @@ TEST(RfId, a_power_cut_at_any_write_leaves_the_old_or_the_new) {
       eeprom.restorePower();
       const Address found = afterReboot();
       ASSERT_TRUE(found == ROMA || found == SUPO) << cut << " " << garbage;
-      ASSERT_EQ(found, afterReboot()) << cut << " " << garbage;
+      ASSERT_EQ(1, places()) << "an old one must not come back when the new one decays";
       RfId after;
       after.begin();
       ASSERT_TRUE(after.set(SUPP));
