@@ -7,6 +7,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
+import javino.protocol.Outcome;
 import javino.protocol.Status;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -29,7 +30,8 @@ class AgentSpeakTest {
         FakeBoard board = new FakeBoard("desk").perceiving("p(1)", "p(-2)")
                 .refusing("A fly", Status.UNKNOWN_ACTION)
                 .refusing("A jump", Status.ACTION_FAILED)
-                .refusing("NOKE tell;secret", Status.NO_KEY);
+                .refusing("NOKE tell;secret", Status.NO_KEY)
+                .endingAll(Outcome.DELIVERED);
         board.receive("////", "ROMA", "tell;q(7)");
         String start = """
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class DeliverTest {
 
     private static final String UNDELIVERED = "undelivered : tell;help to ROMA was not acknowledged: its receiver is"
-            + " out of reach, or a board was lost; it may have arrived all the same";
+            + " out of reach or a board was lost; it may have arrived all the same";
 
     private static final String PROGRAM = """
             !start.

@@ -1,5 +1,5 @@
 // What an agent can count on when its board is there. Each +!test_… runs in an agent of its own, whose board perceives
-// p(1) and p(-2), knows no action fly, refuses jump, has no key for NOKE, and hears "tell;q(7)" from ROMA.
+// p(1) and p(-2), knows no action fly, refuses jump, has no key for NOKE, hears "tell;q(7)" from ROMA, and delivers all.
 
 +!test_port_isBelieved
     <- ?port("desk", on)[source(percept)].
@@ -42,6 +42,19 @@
 
 +!test_diffuse_noKey_errorCanBeMatched
     <- !attempt({ .diffuse("NOKE", tell, secret) });
+       ?failed(no_key).
+
++!test_diffuse_delivered_isAnEvent
+    <- .diffuse("ROMA", tell, hello);
+       .wait(heard(hello), 5000).
+
++delivered("ROMA", tell, What)[source(percept)] <- +heard(What).
+
++!test_deliver_delivered_goesOn
+    <- .deliver("ROMA", tell, hello).
+
++!test_deliver_noKey_errorCanBeMatched
+    <- !attempt({ .deliver("NOKE", tell, secret) });
        ?failed(no_key).
 
 +!test_act_manyAtOnce_allArePerformed
