@@ -15,7 +15,7 @@ public record Target(String name, List<String> command) {
     private static final List<Class<?>> JAVA = List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
             ReplyTarget.class, RequestTarget.class, RadioPacketTarget.class, EnvelopeTarget.class, PieceTarget.class,
             AcknowledgementTarget.class, KeyringTarget.class);
-    private static final List<String> FIRMWARE = List.of("packet_decoder", "arguments", "radio_decoder");
+    private static final List<String> FIRMWARE = List.of("packet_decoder", "arguments", "radio", "board");
 
     /** The decoders of the Java library, under Jazzer. */
     public static List<Target> ofJava() {
