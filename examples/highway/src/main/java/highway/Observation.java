@@ -17,6 +17,13 @@ sealed interface Observation {
     record Aired(double seconds, String origin, String destination, boolean sealed, String content)
             implements Observation { }
 
+    /**
+     * An acknowledgement that was sent (SPEC 7.3).
+     *
+     * @param answers what it says: delivered, pieces or stale
+     */
+    record Acknowledged(double seconds, String origin, String answers) implements Observation { }
+
     /** A packet that a board could not make out. */
     record Spoilt(double seconds, Device device, String why) implements Observation { }
 

@@ -1,5 +1,6 @@
 package highway;
 
+import highway.Observation.Acknowledged;
 import highway.Observation.Aired;
 import highway.Observation.Pin;
 import highway.Observation.Said;
@@ -7,7 +8,6 @@ import highway.Observation.Spoilt;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /** What the run looks like on the terminal: one line an observation, then the table. */
 final class Timeline {
@@ -40,7 +40,8 @@ final class Timeline {
 
     private String line(Observation seen) {
         if (seen instanceof Said said) return who(said.device()) + "says   " + said.text();
-        if (seen instanceof Aired aired) return who(aired) + "sends  " + packet(aired);
+        if (seen instanceof Aired aired) return who(aired.origin()) + "sends  " + packet(aired);
+        if (seen instanceof Acknowledged answer) return who(answer.origin()) + paint(GREY, "acks   " + answer.answers());
         if (seen instanceof Pin pin) return who(pin.device()) + paint(GREY, pin.name() + (pin.level() == 1 ? " on" : " off"));
         Spoilt spoilt = (Spoilt) seen;
         return who(spoilt.device()) + paint(RED, "loses  " + spoilt.why());
@@ -51,9 +52,8 @@ final class Timeline {
         return aired.sealed() ? route + paint(GREEN, "  sealed") : route + "  plain  " + aired.content();
     }
 
-    private String who(Aired aired) {
-        Optional<Device> device = Device.withAddress(aired.origin());
-        return device.map(this::who).orElse(String.format("%-10s ", aired.origin()));
+    private String who(String origin) {
+        return Device.withAddress(origin).map(this::who).orElse(String.format("%-10s ", origin));
     }
 
     private String who(Device device) {

@@ -3,6 +3,7 @@ package highway;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
+import highway.Observation.Acknowledged;
 import highway.Observation.Aired;
 import highway.Observation.Pin;
 import highway.Observation.Spoilt;
@@ -28,7 +29,8 @@ final class Trace {
         JsonObject event = JsonParser.parseString(line).getAsJsonObject();
         seconds = event.get("t").getAsDouble();
         return switch (text(event, "event")) {
-            case "rf-tx" -> Optional.of(aired(seconds, event));
+            case "rf-tx" -> Optional.of(text(event, "kind").equals("acknowledgement")
+                ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers")) : aired(seconds, event));
             case "rf-damaged" -> device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
             case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
             case "pin" -> device(event)

@@ -7,7 +7,8 @@ import java.util.function.Consumer;
  * How a session behaves. All times are positive.
  *
  * @param pollInterval   from one poll to the next while nothing else is to do; 20 ms by default.
- * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default (SPEC 4.2).
+ * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more
+ *                       where the board writes to its EEPROM (SPEC 4.2).
  * @param attempts       how often a request is sent before the board counts as offline, at least 1; 5 by default.
  * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.
  * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.

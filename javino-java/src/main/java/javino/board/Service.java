@@ -14,6 +14,9 @@ import javino.protocol.Status;
 /** Serves requests and polls a board that was greeted, until it is lost. For the session's thread only. */
 final class Service {
 
+    /** What a board may take to write to its EEPROM, beyond the time for a reply (SPEC 4.2). */
+    private static final Duration EEPROM_TIME = Duration.ofMillis(400);
+
     private final Context context;
     private final Exchange exchange;
     private final Inbox inbox;
@@ -143,7 +146,8 @@ final class Service {
     private Reply ask(Request request) throws LinkException, LostException, ProtocolException {
         // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
         Thread.interrupted();
-        Reply reply = exchange.ask(request, context.config().replyTimeout(),
+        Duration timeout = context.config().replyTimeout();
+        Reply reply = exchange.ask(request, request.writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout,
                 attempts -> attempts < context.config().attempts() && !context.queue().isClosed()).orElse(null);
         if (reply == null && context.queue().isClosed()) {
             throw new LostException(context.name() + ": the session was closed");

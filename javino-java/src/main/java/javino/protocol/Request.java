@@ -9,6 +9,12 @@ public sealed interface Request {
     /** The frame that carries the request. */
     Frame frame();
 
+    /** Whether the board writes to its EEPROM before it answers, which takes up to 270 ms. */
+    default boolean writesEeprom() {
+        return this instanceof SetRfId || this instanceof SetKey || this instanceof RenewKey
+                || this instanceof FinishRenewal || this instanceof DeleteKey;
+    }
+
     private static Frame command(char command, Bytes body) {
         return new Frame(Address.SERIAL, Address.SERIAL, Bytes.join(Bytes.of(command), body));
     }
