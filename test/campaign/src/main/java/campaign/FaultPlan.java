@@ -9,8 +9,8 @@ import java.util.Random;
 final class FaultPlan {
 
     /** From one fault of a pair to its next: time to recover, and for a host to start. */
-    static final double BETWEEN_SECONDS = 7;
-    private static final int MOST_WRITES = 40;
+    static final double BETWEEN_SECONDS = 8;
+    private static final int MOST_WRITES = 30;
 
     private FaultPlan() { }
 

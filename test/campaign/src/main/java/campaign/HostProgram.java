@@ -19,7 +19,7 @@ import javino.protocol.Outcome;
 
 /**
  * A host in a process of its own, that can be killed: it sends unicasts to one device without end, replaces a key that
- * nobody uses twice a second, and writes to its log whatever it was told, before it tells the board that it has it.
+ * nobody uses every three seconds, and writes to its log whatever it was told, before it tells the board that it has it.
  * When its standard input ends it waits for what is under way, and ends.
  */
 final class HostProgram implements BoardListener {
@@ -31,7 +31,7 @@ final class HostProgram implements BoardListener {
     private static final int LONG_EACH = 5;
     private static final int LONG_LENGTH = 100;
     private static final Duration AFTER_REFUSAL = Duration.ofMillis(50);
-    private static final Duration BETWEEN_KEYS = Duration.ofMillis(500);
+    private static final Duration BETWEEN_KEYS = Duration.ofSeconds(3);
     private static final long PATIENCE_SECONDS = 30;
 
     private final Address to;
