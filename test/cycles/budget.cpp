@@ -44,6 +44,21 @@ Bytes sealedFrame() {
   return sealed.bytes(sealed.mailbox.length);
 }
 
+const size_t LONGEST_PAYLOAD = 77;
+
+// Of the interrupts, for each bit of the longest packet.
+double cyclesABitHeard() {
+  const Outcome heard = perform(Mailbox::HEAR_PACKET, {}, {}, random(LONGEST_PAYLOAD));
+  if (heard.bytes(heard.mailbox.length) != random(LONGEST_PAYLOAD)) throw std::runtime_error("the packet was not received");
+  return static_cast<double>(heard.cycles) / (84 + 12 * LONGEST_PAYLOAD);
+}
+
+double cyclesToMend() {
+  const Outcome mended = perform(Mailbox::MEND_PACKET, {}, {}, random(LONGEST_PAYLOAD));
+  if (mended.mailbox.length != 1) throw std::runtime_error("the packet was not mended");
+  return static_cast<double>(mended.cycles);
+}
+
 Figures measured() {
   Figures figures;
   figures["AES-128, one block, call included"] = cyclesOf(Mailbox::ENCRYPT_BLOCK, random(16));
@@ -57,6 +72,8 @@ Figures measured() {
   figures["open 16 bytes, keys expanded"] = cyclesOf(Mailbox::OPEN, sealedFrame());
   figures["CRC-16, a byte"] = cyclesAByte(Mailbox::ADD_TO_CRC, random(500));
   figures["serial packet: COBS and CRC, a byte"] = cyclesAByte(Mailbox::DECODE_PACKET, longestPacket());
+  figures["radio interrupts, a bit received"] = cyclesABitHeard();
+  figures["radio, mending the longest packet"] = cyclesToMend();
   return figures;
 }
 

@@ -70,7 +70,7 @@ uint8_t AskRadio::receive(uint8_t *payload) {
     if (!packet) break;
     if (makeWhole(*packet)) {
       length = packet->payloadLength();
-      memcpy(payload, packet->bytes, length);
+      memcpy(payload, packet->payload(), length);
     }
     queue_.release();
   }

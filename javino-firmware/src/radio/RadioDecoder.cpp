@@ -46,7 +46,7 @@ void RadioDecoder::addSymbol(uint8_t symbol) {
       refuse();
       return;
     }
-    wrongNibble_ = static_cast<uint8_t>(2 * (received_ - 1) + lowNibble_);
+    wrongNibble_ = static_cast<uint8_t>(2 * received_ + lowNibble_);
     wrongSymbol_ = symbol;
     nibble = 0;
   }
@@ -67,7 +67,7 @@ void RadioDecoder::addByte(uint8_t byte) {
     startPacket(byte);
     return;
   }
-  if (packet_) packet_->bytes[received_ - 1] = byte;
+  if (packet_) packet_->bytes[received_] = byte;
   if (++received_ == count_) endPacket();
 }
 
@@ -84,7 +84,7 @@ void RadioDecoder::startPacket(uint8_t count) {
 
 void RadioDecoder::endPacket() {
   if (packet_) {
-    packet_->count = count_;
+    packet_->bytes[0] = count_;
     packet_->wrongNibble = wrongNibble_;
     packet_->wrongSymbol = wrongSymbol_;
     queue_.commit();

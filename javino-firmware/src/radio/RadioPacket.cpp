@@ -18,8 +18,7 @@ bool differInOneBit(uint8_t a, uint8_t b) {
 
 bool RadioPacket::isIntact() const {
   Crc16 crc;
-  crc.add(count);
-  crc.add(bytes, count - 1);
+  crc.add(bytes, bytes[0]);
   return crc.value() == CRC_OF_INTACT_PACKET;
 }
 

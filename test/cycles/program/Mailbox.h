@@ -16,7 +16,9 @@ struct Mailbox {
     SEAL,            ///< key as Kenc, second as Kmac, nonce; bytes: a frame, becomes the sealed frame
     OPEN,            ///< key as Kenc, second as Kmac; bytes: a sealed frame; length becomes the content's, 0xFFFF if forged
     ADD_TO_CRC,      ///< length bytes; the CRC replaces the first two
-    DECODE_PACKET    ///< length bytes of the line; the last PacketEvent replaces the first
+    DECODE_PACKET,   ///< length bytes of the line; the last PacketEvent replaces the first
+    HEAR_PACKET,     ///< length bytes of payload as edges of the air; length becomes that of the payload received
+    MEND_PACKET      ///< length bytes of payload, a wrong symbol behind them in the CRC; length becomes 1 where mended
   };
 
   uint8_t operation;

@@ -8,6 +8,7 @@
 #include "crypto/Cmac.h"
 #include "framing/Crc16.h"
 #include "framing/PacketDecoder.h"
+#include "radio/AskRadio.h"
 #include "secure/Envelope.h"
 
 extern "C" void measured_javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
@@ -114,6 +115,47 @@ void decodePacket() {
   mailbox.bytes[0] = static_cast<uint8_t>(event);
 }
 
+// All interrupts that a packet makes: an edge each where the line changes, and the alarms at its end.
+void hearPacket() {
+  static AskRadio radio;
+  static uint8_t levels[126];  // one bit each: 84 + 12 * 77
+  radio.begin();
+  RadioEncoder encoder;
+  encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length));
+  uint16_t bits = 0;
+  for (; encoder.hasNext(); bits++) {
+    const uint8_t mask = static_cast<uint8_t>(1 << bits % 8);
+    levels[bits / 8] = static_cast<uint8_t>(encoder.next() ? levels[bits / 8] | mask : levels[bits / 8] & ~mask);
+  }
+  measure([&] {
+    bool level = false;
+    for (uint16_t i = 0; i <= bits; i++) {
+      const bool next = i < bits && (levels[i / 8] >> i % 8 & 1);
+      if (next != level) radio.onEdge(static_cast<uint16_t>(i * 1000), next);
+      level = next;
+    }
+    radio.onAlarm();
+    radio.onAlarm();
+  });
+  mailbox.length = radio.receive(mailbox.bytes);
+}
+
+void mendPacket() {
+  RadioPacket packet;
+  const uint8_t crcAt = static_cast<uint8_t>(1 + mailbox.length);
+  packet.bytes[0] = static_cast<uint8_t>(mailbox.length + linecode::PACKET_OVERHEAD);
+  memcpy(packet.bytes + 1, mailbox.bytes, mailbox.length);
+  Crc16 crc;
+  crc.add(packet.bytes, crcAt);
+  packet.bytes[crcAt] = static_cast<uint8_t>(crc.value());
+  packet.bytes[crcAt + 1] = static_cast<uint8_t>(crc.value() >> 8);
+  packet.wrongNibble = static_cast<uint8_t>(2 * crcAt);
+  packet.wrongSymbol = linecode::symbolOf(packet.bytes[crcAt] >> 4) ^ 1;
+  bool mended = false;
+  measure([&] { mended = packet.mend(); });
+  mailbox.length = mended;
+}
+
 void perform() {
   switch (mailbox.operation) {
     case Mailbox::NOTHING: measure([] {}); break;
@@ -132,6 +174,8 @@ void perform() {
     case Mailbox::OPEN: open(); break;
     case Mailbox::ADD_TO_CRC: addToCrc(); break;
     case Mailbox::DECODE_PACKET: decodePacket(); break;
+    case Mailbox::HEAR_PACKET: hearPacket(); break;
+    case Mailbox::MEND_PACKET: mendPacket(); break;
   }
 }
 

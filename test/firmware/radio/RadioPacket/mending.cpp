@@ -8,7 +8,7 @@ namespace {
 const Bytes PAYLOAD = {'R', 'O', 'M', 'A', 0, 0xFF};
 
 Bytes contentOf(const javino::RadioPacket &packet) {
-  return Bytes(packet.bytes, packet.bytes + packet.payloadLength());
+  return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
 }
 
 javino::RadioPacket decoded(const Bits &bits) {
@@ -35,7 +35,7 @@ TEST(RadioPacket, mendsEachWrongBitBehindTheCountInPacketsOfEachLength) {
       Bits bits = whole;
       bits[i] = !bits[i];
       javino::RadioPacket packet = decoded(bits);
-      ASSERT_EQ(packet.count, length + 3) << "bit " << i;
+      ASSERT_EQ(packet.bytes[0], length + 3) << "bit " << i;
       ASSERT_TRUE(packet.mend()) << length << " bytes, bit " << i;
       EXPECT_TRUE(packet.isIntact());
       EXPECT_EQ(contentOf(packet), payload) << "bit " << i;
@@ -51,7 +51,7 @@ TEST(RadioPacket, doesNotMendTwoWrongBitsOfOneSymbolOrOfTwo) {
       bits[i] = !bits[i];
       bits[k] = !bits[k];
       javino::RadioPacket packet = decoded(bits);
-      if (packet.count == 0) continue;
+      if (packet.bytes[0] == 0) continue;
       const bool whole = packet.wrongNibble == javino::RadioPacket::NO_NIBBLE;
       EXPECT_FALSE(whole ? packet.isIntact() : packet.mend()) << "bits " << i << " and " << k;
     }

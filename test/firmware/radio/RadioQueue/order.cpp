@@ -12,15 +12,15 @@ namespace {
 void put(RadioQueue &queue, const char *text) {
   RadioPacket *packet = queue.claim();
   ASSERT_NE(packet, nullptr);
-  packet->count = static_cast<uint8_t>(std::strlen(text) + 3);
-  std::memcpy(packet->bytes, text, std::strlen(text));
+  packet->bytes[0] = static_cast<uint8_t>(std::strlen(text) + 3);
+  std::memcpy(packet->bytes + 1, text, std::strlen(text));
   queue.commit();
 }
 
 std::string take(RadioQueue &queue) {
   const RadioPacket *packet = queue.oldest();
   if (!packet) return "";
-  const std::string text(reinterpret_cast<const char *>(packet->bytes), packet->payloadLength());
+  const std::string text(reinterpret_cast<const char *>(packet->payload()), packet->payloadLength());
   queue.release();
   return text;
 }

@@ -23,14 +23,14 @@ struct Damage {
     if (!touched) untouched++;
     decoder_.add(bits);
     decoder_.endOfSignal();
-    for (javino::RadioPacket packet = decoder_.take(); packet.count != 0; packet = decoder_.take()) judge(packet, payload);
+    for (javino::RadioPacket packet = decoder_.take(); packet.bytes[0] != 0; packet = decoder_.take()) judge(packet, payload);
   }
 
  private:
   void judge(javino::RadioPacket packet, const Bytes &payload) {
     const bool complete = packet.wrongNibble == javino::RadioPacket::NO_NIBBLE;
     if (!(complete ? packet.isIntact() : packet.mend())) return;
-    const bool right = Bytes(packet.bytes, packet.bytes + packet.payloadLength()) == payload;
+    const bool right = Bytes(packet.payload(), packet.payload() + packet.payloadLength()) == payload;
     unsigned &counter = !right ? wrong : complete ? intact : mended;
     counter++;
   }

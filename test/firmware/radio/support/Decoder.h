@@ -15,7 +15,7 @@ class Decoder {
   void endOfSignal() { decoder_.endOfSignal(); }
   void abandon() { decoder_.abandon(); }
 
-  // The oldest packet that waits; one without a byte (its count is 0) where none does.
+  // The oldest packet that waits; one whose count is 0 where none does.
   javino::RadioPacket take() {
     javino::RadioPacket packet = javino::RadioPacket();
     if (!queue_.empty()) {
@@ -28,8 +28,8 @@ class Decoder {
   // Its payload, where its CRC is right without mending.
   Bytes takeIntact() {
     const javino::RadioPacket packet = take();
-    if (packet.count == 0 || packet.wrongNibble != javino::RadioPacket::NO_NIBBLE || !packet.isIntact()) return Bytes();
-    return Bytes(packet.bytes, packet.bytes + packet.payloadLength());
+    if (packet.bytes[0] == 0 || packet.wrongNibble != javino::RadioPacket::NO_NIBBLE || !packet.isIntact()) return Bytes();
+    return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }
 
   javino::RadioCounters counters;
