@@ -30,12 +30,12 @@
 
 /// Bytes for received messages that wait for the host: each takes its content and 17 more. RAM as it says.
 #ifndef JAVINO_RECEIVE_BYTES
-#define JAVINO_RECEIVE_BYTES 768
+#define JAVINO_RECEIVE_BYTES 640
 #endif
 
 /// Bytes for messages that wait for the air: each takes its content and 26 more, a broadcast 12. RAM as it says.
 #ifndef JAVINO_TRANSMIT_BYTES
-#define JAVINO_TRANSMIT_BYTES 768
+#define JAVINO_TRANSMIT_BYTES 640
 #endif
 
 /// Messages in pieces that can be received at the same time, 1…8. 537 bytes of RAM each.

@@ -17,13 +17,13 @@ void Poll::answer(bool perceptsWanted, Reply &reply) {
 
 // All of them fit: Outcomes::MAX_UNREPORTED sees to that.
 void Poll::addOutcomes(Reply &reply) {
-  while (outcomes_.isWaiting()) {
-    Outcome outcome;
+  for (uint8_t number = outcomes_.first(); number != outcomes_.end(); number++) {
     Record record(reply, 'T');
-    record.add(outcomes_.take(outcome));
-    record.add(static_cast<uint8_t>(outcome));
+    record.add(number);
+    record.add(static_cast<uint8_t>(outcomes_.of(number)));
     record.close();
   }
+  outcomes_.markTold();
 }
 
 // Returns whether all percepts fitted.

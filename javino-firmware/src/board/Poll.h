@@ -25,6 +25,9 @@ class Poll {
   /// The host has taken over the message of this number and all before it.
   void taken(uint8_t number) { inbox_.taken(number); }
 
+  /// The host has had the last reply: what it told of transmissions is forgotten.
+  void replyArrived() { outcomes_.forgetTold(); }
+
   /// Writes the reply's body.
   /// @param perceptsWanted bit 0 of the request's flags
   JAVINO_NOINLINE void answer(bool perceptsWanted, Reply &reply);

@@ -11,18 +11,18 @@ enum class Outcome : uint8_t {
   UNDELIVERED = 2  ///< it is not known to have; or what was accepted could not be sealed when its turn came
 };
 
-/// The numbers of transmissions, and their outcomes until they are polled. Transmissions end in the order of their
-/// numbers.
+/// The numbers of transmissions, and their outcomes until the host has had them (SPEC 4.3). Transmissions end in the order
+/// of their numbers.
 class Outcomes {
  public:
   /// Transmissions without a reported outcome, at most: a host that never polls gets QUEUE_FULL instead of losing
   /// outcomes. So many take 160 bytes of a poll reply.
   static const uint8_t MAX_UNREPORTED = 32;
 
-  Outcomes() : nextNumber_(0), nextEnded_(0), nextReported_(0) {}
+  Outcomes() : nextNumber_(0), nextEnded_(0), nextTold_(0), first_(0) {}
 
   /// Whether there is no number for another transmission.
-  bool isFull() const { return static_cast<uint8_t>(nextNumber_ - nextReported_) >= MAX_UNREPORTED; }
+  bool isFull() const { return static_cast<uint8_t>(nextNumber_ - first_) >= MAX_UNREPORTED; }
 
   /// Numbers a transmission. Only while it is not full.
   uint8_t open() { return nextNumber_++; }
@@ -30,21 +30,26 @@ class Outcomes {
   /// The oldest transmission that has not ended ends.
   void close(Outcome outcome) { outcomes_[nextEnded_++ % MAX_UNREPORTED] = outcome; }
 
-  /// Whether outcomes wait to be reported.
-  bool isWaiting() const { return nextReported_ != nextEnded_; }
+  /// The first transmission whose outcome is kept, or has not ended.
+  uint8_t first() const { return first_; }
 
-  /// Takes the oldest. Only while one is waiting.
-  /// @param outcome of this transmission
-  /// @return its number
-  uint8_t take(Outcome &outcome) {
-    outcome = outcomes_[nextReported_ % MAX_UNREPORTED];
-    return nextReported_++;
-  }
+  /// The first transmission that has not ended: those from first() to the one before it have.
+  uint8_t end() const { return nextEnded_; }
+
+  /// How a transmission ended that has.
+  Outcome of(uint8_t number) const { return outcomes_[number % MAX_UNREPORTED]; }
+
+  /// All outcomes have been written into a reply.
+  void markTold() { nextTold_ = nextEnded_; }
+
+  /// The host has had that reply.
+  void forgetTold() { first_ = nextTold_; }
 
  private:
   uint8_t nextNumber_;
   uint8_t nextEnded_;
-  uint8_t nextReported_;
+  uint8_t nextTold_;
+  uint8_t first_;
   Outcome outcomes_[MAX_UNREPORTED];
 };
 

@@ -1,0 +1,69 @@
+#include "Air.h"
+
+#include <algorithm>
+
+static const uint32_t MILLIS_TO_CARRIER = 6;
+
+void Air::step() {
+  now_++;
+  for (size_t i = 0; i < onAir_.size();) {
+    if (onAir_[i].end != now_) {
+      i++;
+      continue;
+    }
+    const Packet packet = onAir_[i];
+    onAir_.erase(onAir_.begin() + static_cast<long>(i));
+    finish(packet);
+  }
+  for (Station *station : stations_) {
+    listen(*station);
+    station->step();
+    std::vector<Bytes> &sent = station->board.radio.sent;
+    if (!sent.empty()) start(station, sent.back());
+    sent.clear();
+  }
+}
+
+void Air::pass(uint32_t millis) {
+  for (; millis != 0; millis--) step();
+}
+
+bool Air::settle(uint32_t millis) {
+  for (; millis != 0; millis--) {
+    step();
+    const bool busy = std::any_of(stations_.begin(), stations_.end(), [](Station *s) { return !s->underWay.empty(); });
+    if (!busy && onAir_.empty()) {
+      pass(500);
+      return true;
+    }
+  }
+  return false;
+}
+
+void Air::inject(const Bytes &packet) { start(nullptr, packet); }
+
+void Air::start(Station *from, const Bytes &payload) {
+  Packet packet = {from, payload, now_, now_ + 42 + 6 * static_cast<uint32_t>(payload.size()), !onAir_.empty(), {}};
+  for (Packet &other : onAir_) {
+    other.broken = true;
+    if (other.from != nullptr) packet.deaf.push_back(other.from);
+    if (from != nullptr) other.deaf.push_back(from);
+  }
+  onAir_.push_back(packet);
+  if (onPacket) onPacket(payload);
+}
+
+void Air::finish(const Packet &packet) {
+  if (packet.from != nullptr) packet.from->board.radio.finishSending();
+  for (Station *station : stations_) {
+    const bool deaf = std::count(packet.deaf.begin(), packet.deaf.end(), station) != 0;
+    if (station == packet.from || deaf || packet.broken || random.number(1000) < lostInThousand) continue;
+    station->board.radio.arrive(packet.payload);
+  }
+}
+
+void Air::listen(Station &station) {
+  station.board.radio.heard = hearsCarriers && std::any_of(onAir_.begin(), onAir_.end(), [&](const Packet &packet) {
+    return packet.from != &station && now_ - packet.begin >= MILLIS_TO_CARRIER;
+  });
+}

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "Station.h"
+
+/// One air for several stations at 2000 bit/s, in steps of a millisecond. Packets take their time; who sends hears
+/// nothing; packets that overlap are lost to all; others are lost to each receiver by chance.
+class Air {
+ public:
+  explicit Air(uint32_t seed) : random(seed) {}
+
+  void join(Station &station) { stations_.push_back(&station); }
+
+  /// Lets a millisecond pass.
+  void step();
+  void pass(uint32_t millis);
+
+  /// Lets time pass until no station has anything under way or to be polled.
+  /// @return whether that came within so many milliseconds
+  bool settle(uint32_t millis);
+
+  /// A packet that no station sends: an attacker's. It begins at once, whoever else sends.
+  void inject(const Bytes &packet);
+
+  /// Called with each packet that begins, and whether a station sends it.
+  std::function<void(const Bytes &packet)> onPacket;
+
+  RandomBytes random;
+  uint32_t lostInThousand = 0;  ///< packets that a receiver loses by chance
+  bool hearsCarriers = true;
+
+ private:
+  struct Packet {
+    Station *from;  // null for an attacker's
+    Bytes payload;
+    uint32_t begin;
+    uint32_t end;
+    bool broken;
+    std::vector<Station *> deaf;  // stations that have sent meanwhile
+  };
+
+  void start(Station *from, const Bytes &payload);
+  void finish(const Packet &packet);
+  void listen(Station &station);
+
+  std::vector<Station *> stations_;
+  std::vector<Packet> onAir_;
+  uint32_t now_ = 0;
+};
