@@ -14,7 +14,7 @@ final class Faults implements Campaign {
 
     @Override
     public void run(Settings settings, Report report) throws Exception {
-        int pairs = settings.choose(12, 3);
+        int pairs = settings.choose(10, 3);
         int each = settings.choose(100, 1);
         List<Fault> faults = FaultPlan.of(settings.seed(), pairs, each, settings.choose(45, 12));
         report.text("""

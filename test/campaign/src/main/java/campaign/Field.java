@@ -16,8 +16,8 @@ import javino.protocol.Address;
 /** Emulated boards in cells: those of one cell hear each other, and nobody else. In a folder that goes when it ends. */
 final class Field implements AutoCloseable {
 
-    /** What one emulator takes. */
-    static final int MOST_BOARDS = 32;
+    /** What one emulator takes beside a metronome. */
+    static final int MOST_BOARDS = 31;
     private static final double CELL_METRES = 10_000;
 
     private final Path folder;

@@ -6,8 +6,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /** Boards in one range that all send, at rising load, with and without carrier sense. */
@@ -19,6 +17,8 @@ final class Load implements Campaign {
     private static final double AIRTIME_SECONDS = (84 + 12 * 40 + 84 + 12 * 18) / BIT_RATE;
     private static final Duration POLL = Duration.ofMillis(20);
     private static final long PATIENCE_SECONDS = 180;
+    private static final double CAMPAIGN_SECONDS = 40;
+    private static final double TEST_SECONDS = 8;
     private static final double AIM_LOAD = 0.5;
     private static final double AIM_SHARE = 0.9;
     private static final String WITH = "Station";
@@ -87,20 +87,23 @@ final class Load implements Campaign {
 
     private void run(List<Case> group, Settings settings) throws Exception {
         Air air = new Air();
-        ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor();
+        Timetable timetable = new Timetable();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
+            air.accept(event);
+            timetable.see(event);
+        });
+        timetable.join(scenario);
         try (Closing closing = new Closing()) {
-            closing.add(clock::shutdownNow);
-            Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).listener(air).forgetful();
+            closing.add(timetable);
             Field field = closing.add(Field.start(scenario, group.stream().map(Case::cell).toList()));
             List<Ring> rings = new ArrayList<>();
             for (int cell = 0; cell < group.size(); cell++) rings.add(closing.add(new Ring(field, cell, LENGTH, POLL)));
-            double begun = air.now();
-            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(settings.choose(40, 8));
+            double seconds = settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS);
+            double end = timetable.now() + seconds;
             for (int cell = 0; cell < group.size(); cell++) {
-                rings.get(cell).offer(clock, settings.seed() + cell, group.get(cell).secondsBetween(), end);
+                rings.get(cell).offer(timetable, settings.seed() + cell, group.get(cell).secondsBetween(), end);
             }
-            TimeUnit.NANOSECONDS.sleep(end - System.nanoTime());
-            double seconds = air.now() - begun;
+            if (!timetable.await(end, field.emulator().process())) throw new java.io.IOException("the emulator ended: " + field.emulator().complaints());
             awaitEnds(rings);
             for (int cell = 0; cell < group.size(); cell++) {
                 Ring ring = rings.get(cell);
@@ -134,11 +137,11 @@ final class Load implements Campaign {
 
     private void describe(Settings settings, Report report) {
         report.text("""
-            All boards of a row are in one range. Each sends sealed contents of 16 bytes to its neighbour at random times (Poisson), for %d s;
+            All boards of a row are in one range. Each sends sealed contents of 16 bytes to its neighbour at random times (Poisson), for %.0f s;
             then all are waited for. *Load*: what messages and acknowledgements would take of the air's time if each were sent once, as it
             came out. *Delivered*: share of the offered that was reported delivered; what a full queue refused counts as offered.
             *Fairness*: Jain's index of the boards' shares. *Without* carrier sense boards run `test/system/sketches/DeafStation`, which begins
-            to send whatever is on the air, and listens only for the answer to what it has sent; all else is the same.""".formatted(settings.choose(40, 8)));
+            to send whatever is on the air, and listens only for the answer to what it has sent; all else is the same.""".formatted(settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS)));
         Table table = new Table("boards, load", "unicasts", "load", "delivered", "least of a board", "fairness", "packets each",
             "without: delivered", "least of a board", "fairness", "packets each");
         cases(settings).stream().filter(each -> each.sketch.equals(WITH)).sorted(java.util.Comparator.comparingInt(Case::boards)

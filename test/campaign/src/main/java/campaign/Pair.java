@@ -4,6 +4,7 @@ import harness.TestKeys;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 
 /** Two endpoints in a cell of their own, of which one sends to the other, and what became of it. */
 final class Pair implements AutoCloseable {
@@ -27,10 +28,14 @@ final class Pair implements AutoCloseable {
         receiver.as(to.address(), Map.of(from.address(), TestKeys.PAIR));
     }
 
-    /** Begins to send, up to so many messages and until that time of {@link System#nanoTime}. */
+    /** Begins to send, up to so many messages and as long as told. */
+    Stream stream(int window, int messages, BooleanSupplier goOn) {
+        return new Stream(sender, posts.get(1).address(), ledger, window, () -> ledger.sum().offered() < messages && goOn.getAsBoolean());
+    }
+
+    /** The same, until a time of {@link System#nanoTime}. */
     Stream stream(int window, int messages, long end) {
-        return new Stream(sender, posts.get(1).address(), ledger, window,
-            () -> ledger.sum().offered() < messages && System.nanoTime() - end < 0);
+        return stream(window, messages, () -> System.nanoTime() - end < 0);
     }
 
     List<Field.Post> posts() {

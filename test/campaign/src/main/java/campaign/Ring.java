@@ -5,7 +5,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ScheduledExecutorService;
 
 /** The boards of one cell, each of which sends unicasts to the next and the last one to the first. */
 final class Ring implements AutoCloseable {
@@ -38,15 +37,15 @@ final class Ring implements AutoCloseable {
     /**
      * Has each board offered messages at random times.
      *
-     * @param meanSeconds from one message of a board to its next.
-     * @param end         the time of {@link System#nanoTime} after which no more begin.
+     * @param meanSeconds from one message of a board to its next, emulated.
+     * @param end         the emulated time after which no more begin.
      */
-    void offer(ScheduledExecutorService clock, long seed, double meanSeconds, long end) {
+    void offer(Timetable timetable, long seed, double meanSeconds, double end) {
         for (int i = 0; i < posts.size(); i++) {
             Endpoint endpoint = endpoints.get(i);
             Field.Post to = next(i);
             Ledger ledger = ledgers.get(i);
-            new Offer(clock, seed * Field.MOST_BOARDS + i, meanSeconds, end, () -> endpoint.send(to.address(), ledger, () -> { }));
+            new Offer(timetable, seed * Field.MOST_BOARDS + i, meanSeconds, end, () -> endpoint.send(to.address(), ledger, () -> { }));
         }
     }
 

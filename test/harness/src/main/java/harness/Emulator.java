@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -19,6 +21,12 @@ public final class Emulator implements AutoCloseable {
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
+    private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
+
+    static {
+        // For a run that is broken off: nothing stays behind.
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> RUNNING.forEach(Process::destroy)));
+    }
 
     private final Path folder;
     private final Process process;
@@ -107,6 +115,7 @@ public final class Emulator implements AutoCloseable {
             Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
                 file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed", "" + seed)
                 .start();
+            RUNNING.add(process);
             Emulator emulator = new Emulator(folder, process, listener);
             read(process.inputReader(), emulator::traced);
             read(process.errorReader(), emulator::complained);
@@ -210,6 +219,7 @@ public final class Emulator implements AutoCloseable {
     @Override
     public void close() {
         process.toHandle().destroy();
+        RUNNING.remove(process);
         try {
             if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
             int status = process.waitFor();
