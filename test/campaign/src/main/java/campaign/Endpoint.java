@@ -18,6 +18,8 @@ import javino.protocol.Outcome;
 /** A host with its board: sends what ledgers say, and enters in ledgers what came. */
 final class Endpoint implements AutoCloseable {
 
+    private static final int ATTEMPTS = 50;
+
     private final Board board;
     private final Transmissions transmissions = new Transmissions();
 
@@ -27,7 +29,7 @@ final class Endpoint implements AutoCloseable {
      * @param incoming where what it sends is entered.
      */
     Endpoint(LinkOpener link, Duration poll, Address peer, Ledger incoming) {
-        board = Board.open(link, BoardConfig.create(config -> config.setPollInterval(poll)), new BoardListener() {
+        board = Board.open(link, config(poll), new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
                 if (message.from().equals(peer)) {
@@ -42,6 +44,11 @@ final class Endpoint implements AutoCloseable {
                 transmissions.finish(number, outcome);
             }
         });
+    }
+
+    /** As users have it, but for machines that have so much to do that boards fall behind: a lost port shows anyway. */
+    static BoardConfig config(Duration poll) {
+        return BoardConfig.create(config -> config.setPollInterval(poll).setAttempts(ATTEMPTS));
     }
 
     Board board() {

@@ -8,7 +8,6 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import javino.board.Board;
-import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.link.SerialLink;
@@ -24,6 +23,7 @@ import javino.protocol.Outcome;
  */
 final class HostProgram implements BoardListener {
 
+    private static final Duration POLL = Duration.ofMillis(20);
     private static final int WINDOW = 2;
     private static final int NUMBERS_A_RUN = 1_000_000;
     private static final int LENGTH = 16;
@@ -48,7 +48,7 @@ final class HostProgram implements BoardListener {
         this.to = to;
         this.log = log;
         next = log.begin() * NUMBERS_A_RUN;
-        board = Board.open(SerialLink.opener(port), BoardConfig.create(), this);
+        board = Board.open(SerialLink.opener(port), Endpoint.config(POLL), this);
     }
 
     /** Arguments: port, the device to send to, the device whose key is replaced, the log. */
