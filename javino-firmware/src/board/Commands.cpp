@@ -27,7 +27,11 @@ bool Commands::isAlwaysPerformed(const Frame &request) {
 }
 
 Status Commands::dispatch(const Frame &request, Reply &reply) {
-  if (!isAlwaysPerformed(request)) poll_.replyArrived();
+  if (isAlwaysPerformed(request)) {
+    poll_.hostArrived();
+  } else {
+    poll_.replyArrived();
+  }
   if (!isForBoard(request)) return transmit(request, reply);
   if (!request.origin.isSerial()) return Status::WRONG_ORIGIN;
   if (request.length == 0) return Status::UNKNOWN_COMMAND;

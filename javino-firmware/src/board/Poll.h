@@ -28,6 +28,12 @@ class Poll {
   /// The host has had the last reply: what it told of transmissions is forgotten.
   void replyArrived() { outcomes_.forgetTold(); }
 
+  /// The host begins anew, perhaps without having had the last reply: what it told of transmissions comes again.
+  void replyPerhapsLost() { outcomes_.tellAgain(); }
+
+  /// A host begins anew, who may not have had the last reply: what it told of transmissions is told again.
+  void hostArrived() { outcomes_.keepTold(); }
+
   /// Writes the reply's body.
   /// @param perceptsWanted bit 0 of the request's flags
   JAVINO_NOINLINE void answer(bool perceptsWanted, Reply &reply);

@@ -23,8 +23,6 @@ final class Inbox {
     private boolean owesTaken;
     /** Whether percepts came just now, so that the next poll, made at once, is for what may have had no room. */
     private boolean perceptsCrowd;
-    /** Whether the reply to the last poll has not come. */
-    private boolean unanswered;
 
     Inbox(Wishes wishes, BoardListener listener, Tally tally) {
         this.listener = listener;
@@ -35,17 +33,12 @@ final class Inbox {
 
     /** A board came online; after a boot it counts messages and transmissions anew. */
     void greeted(BoardInfo board) {
-        boolean booted = !board.equals(source);
-        if (booted) {
+        if (!board.equals(source)) {
             taken = Request.Poll.NOTHING_TAKEN;
             owesTaken = false;
             handedOn.booted();
-        }
-        // The outcomes in a reply that was lost for good do not come again.
-        if (booted || unanswered) {
             transmissions.abandon();
         }
-        unanswered = false;
         perceptsCrowd = false;
         source = board;
         perception.forget();
@@ -82,7 +75,6 @@ final class Inbox {
         if (percepts) {
             perception.asked();
         }
-        unanswered = true;
         return new Request.Poll(percepts, taken);
     }
 
@@ -121,7 +113,6 @@ final class Inbox {
     }
 
     private void answered() {
-        unanswered = false;
         owesTaken = false;
         handedOn.confirmed();
     }

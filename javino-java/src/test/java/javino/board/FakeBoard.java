@@ -94,17 +94,20 @@ public final class FakeBoard {
     private Bytes perform(Frame frame) {
         Bytes message = frame.message();
         if (!frame.destination().equals(Address.SERIAL)) {
+            mail.replyArrived();
             return greeted ? record("transmit " + frame.header(), Bytes.of(0, transmissions++))
                     : status(Status.NOT_GREETED);
         }
         int command = message.at(0);
         if (command == 'H') {
+            mail.hostArrived();
             greeted = true;
             hellos++;
             notifyAll();
             return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(bootCount, 3),
                     Bytes.ofText("fake"));
         }
+        mail.replyArrived();
         if (!greeted) {
             return status(Status.NOT_GREETED);
         }

@@ -12,6 +12,7 @@ final class FakeMail {
     private static final int ROOM = 509;
 
     private final List<Bytes> outcomes = new ArrayList<>();
+    private int told;
     private final List<Bytes> messages = new ArrayList<>();
     private int firstNumber;
 
@@ -33,9 +34,21 @@ final class FakeMail {
         }
     }
 
+    /** The host has had the last reply. */
+    void replyArrived() {
+        outcomes.subList(0, told).clear();
+        told = 0;
+    }
+
+    /** The host may not have had the last reply. */
+    void hostArrived() {
+        told = 0;
+    }
+
     /** Loses outcomes, and numbers messages anew: their senders repeat those that were not taken. */
     void boot() {
         outcomes.clear();
+        told = 0;
         firstNumber = 0;
     }
 
@@ -50,7 +63,7 @@ final class FakeMail {
         for (Bytes outcome : outcomes) {
             records = Bytes.join(records, record('T', outcome));
         }
-        outcomes.clear();
+        told = outcomes.size();
         for (Bytes percept : percepts) {
             Bytes longer = Bytes.join(records, record('P', percept));
             flags |= longer.length() > ROOM ? 2 : 0;
