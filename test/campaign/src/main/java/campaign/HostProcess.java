@@ -43,6 +43,7 @@ final class HostProcess implements AutoCloseable {
         finish();
         try {
             if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) throw new IOException("a host did not end: " + command);
+            if (process.exitValue() != 0) throw new IOException("a host ended with " + process.exitValue() + ": " + command);
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         } finally {

@@ -1,6 +1,7 @@
 package campaign;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
@@ -52,10 +53,17 @@ final class HostProgram implements BoardListener {
     }
 
     /** Arguments: port, the device to send to, the device whose key is replaced, the log. */
-    public static void main(String[] arguments) throws Exception {
-        HostProgram program = new HostProgram(arguments[0], Address.parse(arguments[1]), new HostLog(Path.of(arguments[3])));
-        program.run(Address.parse(arguments[2]));
-        System.exit(0);
+    public static void main(String[] arguments) {
+        int status = 1;
+        try {
+            new HostProgram(arguments[0], Address.parse(arguments[1]), new HostLog(Path.of(arguments[3]))).run(Address.parse(arguments[2]));
+            status = 0;
+        } catch (IOException | UncheckedIOException | InterruptedException failed) {
+            System.err.println("campaign: a host failed: " + failed);
+        } finally {
+            // Its threads would keep it alive after whoever started it.
+            System.exit(status);
+        }
     }
 
     private void run(Address spare) throws IOException, InterruptedException {
