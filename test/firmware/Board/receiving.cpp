@@ -184,11 +184,10 @@ TEST_F(BoardReceiving, keeps_messages_until_they_are_taken_and_counts_what_finds
 TEST_F(BoardReceiving, a_sealed_message_that_found_no_room_is_good_once_there_is_room) {
   const int room = javino::config::RECEIVE_BYTES / (2 + 15 + 60);
   for (int i = 0; i < room; i++) board.receive(plain("////", "ROMA", std::string(60, static_cast<char>('a' + i))));
-  board.receive(plain("////", "ROMA", std::string(30, 'x')));
   const Bytes frame = sealed(KEY, "SUHO", "SUPP", nonce(5, 5), std::string(53, 'y'));
   board.receive(frame);
   EXPECT_EQ(1u, board.counter(Counter::RADIO_QUEUE_FULL));
-  board.pollTaking(static_cast<uint8_t>(room));
+  board.pollTaking(static_cast<uint8_t>(room - 1));
   board.receive(frame);
   EXPECT_EQ(std::string(53, 'y'), board.messages().at(0).content);
 }

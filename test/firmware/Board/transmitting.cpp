@@ -68,6 +68,19 @@ TEST_F(BoardTransmitting, reports_each_outcome_once_and_in_order) {
   EXPECT_EQ(3u, board.counter(Counter::RADIO_SENT));
 }
 
+TEST_F(BoardTransmitting, tells_an_outcome_again_to_a_host_that_begins_anew) {
+  const std::vector<std::string> outcomes{std::string("\0\0", 2)};
+  board.transmit("////", "SUPP", "tell;x");
+  board.sendNext();
+  EXPECT_EQ(outcomes, board.poll().texts('T'));
+  board.hello();
+  board.request('R', {1});
+  EXPECT_EQ(outcomes, board.poll().texts('T'));
+  board.request('R', {1});
+  board.hello();
+  EXPECT_TRUE(board.poll().records.empty()) << "the request after the poll said that its reply had come";
+}
+
 TEST_F(BoardTransmitting, a_host_that_never_polls_loses_no_outcome) {
   unsigned accepted = 0;
   while (board.transmit("////", "SUPP", "tell;x").status == Status::OK) {

@@ -22,6 +22,16 @@ long Vector::number(const char *field) const {
   return static_cast<long>(json_integer_value(value));
 }
 
+std::vector<Bytes> Vector::bytesList(const char *field) const {
+  json_t *value = get(field);
+  if (!json_is_array(value)) throw std::runtime_error(std::string(field) + " is no list in " + toString());
+  std::vector<Bytes> all;
+  size_t index;
+  json_t *element;
+  json_array_foreach(value, index, element) all.push_back(fromHex(json_string_value(element)));
+  return all;
+}
+
 std::string Vector::toString() const {
   char *dump = json_dumps(object_, JSON_COMPACT);
   const std::string text = dump;

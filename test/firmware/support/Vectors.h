@@ -16,6 +16,7 @@ class Vector {
   std::string text(const char *field) const;
   Bytes bytes(const char *field) const { return fromHex(text(field)); }
   long number(const char *field) const;
+  std::vector<Bytes> bytesList(const char *field) const;
 
   /// The whole entry, for messages.
   std::string toString() const;

@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <delivery/Pieces.h>
+
+#include "support/Pieces.h"
+#include "support/Reference.h"
+#include "support/TestBoard.h"
+#include "support/Vectors.h"
+
+using javino::Counter;
+
+namespace {
+
+const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
+const Bytes NONCE = {0, 0, 5, 0, 1, 2};
+
+// A board SUHO that hears SUPP and sends to it.
+class InPieces : public testing::Test {
+ protected:
+  InPieces() {
+    board.start("SUHO");
+    board.setKey("SUPP", KEY);
+    board.setKey("//SU", KEY);
+  }
+
+  Bytes longFrame(uint8_t counter = 2, const std::string &to = "SUHO") {
+    return sealed(KEY, to, "SUPP", {0, 0, 5, 0, 1, counter}, content);
+  }
+
+  std::vector<Bytes> answers() {
+    board.passSending(500);
+    std::vector<Bytes> sent;
+    sent.swap(board.radio.sent);
+    return sent;
+  }
+
+  Bytes answer(uint8_t have) { return acknowledgement(KEY, "SUPP", "SUHO", NONCE, 7, {have}); }
+
+  const std::string content = std::string(494, 'x');
+  TestBoard board;
+};
+
+}  // namespace
+
+TEST(Pieces, are_cut_as_in_the_vectors) {
+  for (const Vector &vector : vectors("pieces.json", "valid")) {
+    const size_t id = std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(vector.text("id"));
+    EXPECT_EQ(vector.bytesList("pieces"), cut(vector.bytes("frame"), static_cast<uint8_t>(id))) << vector.toString();
+  }
+}
+
+TEST(Pieces, that_are_invalid_in_the_vectors_are_dropped_and_counted) {
+  TestBoard board;
+  board.start("SUPO");
+  board.setKey("ROMA", KEY);
+  for (const Vector &vector : vectors("pieces.json", "invalid")) {
+    const Bytes piece = vector.bytes("piece");
+    if (piece.size() > javino::MAX_RADIO_PAYLOAD) continue;
+    const uint32_t before = board.counter(Counter::RADIO_PIECES_DROPPED) + board.counter(Counter::RADIO_BAD_FRAMES);
+    board.receive(piece);
+    EXPECT_EQ(before + 1, board.counter(Counter::RADIO_PIECES_DROPPED) + board.counter(Counter::RADIO_BAD_FRAMES))
+        << vector.toString();
+  }
+  board.pass(6000);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED)) << "none of them was kept";
+}
+
+TEST_F(InPieces, a_message_is_put_together_in_any_order) {
+  RandomBytes random(21);
+  for (uint8_t round = 0; round < 20; round++) {
+    std::vector<Bytes> pieces = cut(longFrame(round), round);
+    for (size_t i = pieces.size() - 1; i > 0; i--) std::swap(pieces[i], pieces[random.number(static_cast<uint32_t>(i + 1))]);
+    for (const Bytes &piece : pieces) board.receive(piece);
+    ASSERT_EQ(1u, board.messages().size()) << int(round);
+    EXPECT_EQ(content, board.messages()[0].content);
+    board.pollTaking(round);
+  }
+}
+
+TEST_F(InPieces, a_piece_that_wants_an_answer_is_told_what_is_here) {
+  const std::vector<Bytes> pieces = cut(longFrame(), 9);
+  board.receive(wantingAnswer(pieces[3]));
+  EXPECT_TRUE(answers().empty()) << "without the first piece nobody knows whom it is for";
+  board.receive(pieces[0]);
+  EXPECT_TRUE(answers().empty());
+  board.receive(wantingAnswer(pieces[7]));
+  EXPECT_EQ(std::vector<Bytes>{answer(0x89)}, answers());
+  board.receive(wantingAnswer(pieces[0]));
+  EXPECT_EQ(std::vector<Bytes>{answer(0x89)}, answers());
+}
+
+TEST_F(InPieces, the_first_piece_of_the_last_message_taken_is_acknowledged_again) {
+  const std::vector<Bytes> pieces = cut(longFrame(), 9);
+  for (const Bytes &piece : pieces) board.receive(piece);
+  board.receive(wantingAnswer(pieces[0]));
+  EXPECT_TRUE(answers().empty()) << "it still waits for the host";
+  board.pollTaking(0);
+  answers();
+  board.receive(wantingAnswer(pieces[0]));
+  EXPECT_EQ(std::vector<Bytes>{acknowledgement(KEY, "SUPP", "SUHO", NONCE, 6)}, answers());
+  for (const Bytes &piece : pieces) board.receive(piece);
+  EXPECT_TRUE(board.messages().empty());
+  board.pass(6000);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED)) << "a repeat takes no memory";
+}
+
+TEST_F(InPieces, a_message_with_any_piece_changed_is_refused_whole_and_good_when_it_comes_right) {
+  const std::vector<Bytes> pieces = cut(longFrame(), 9);
+  for (size_t changed = 0; changed < pieces.size(); changed++) {
+    for (size_t i = 0; i < pieces.size(); i++) {
+      Bytes piece = pieces[i];
+      if (i == changed) piece.back() = static_cast<uint8_t>(piece.back() ^ 1);
+      board.receive(piece);
+    }
+  }
+  EXPECT_EQ(pieces.size(), board.counter(Counter::RADIO_BAD_TAG));
+  for (const Bytes &piece : pieces) board.receive(piece);
+  EXPECT_EQ(1u, board.messages().size());
+}
+
+TEST_F(InPieces, a_half_received_message_is_forgotten_5_s_after_its_last_new_piece) {
+  const std::vector<Bytes> pieces = cut(longFrame(), 9);
+  board.receive(pieces[0]);
+  board.pass(4900);
+  board.receive(pieces[1]);
+  board.pass(4900);
+  board.receive(pieces[1]);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED));
+  board.pass(200);
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_EXPIRED)) << "a piece that is here already is no new one";
+}
+
+TEST_F(InPieces, pieces_of_others_messages_take_no_memory_once_the_first_has_shown_it) {
+  const std::vector<Bytes> others = cut(sealed(KEY, "SUAM", "SUPO", NONCE, content), 3);
+  board.receive(others[1]);
+  for (const Bytes &piece : others) board.receive(piece);
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_NOT_FOR_US));
+  board.pass(10000);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED));
+}
+
+TEST_F(InPieces, messages_of_two_senders_may_interleave) {
+  board.setKey("SUAM", KEY);
+  const std::vector<Bytes> one = cut(longFrame(), 9);
+  const std::vector<Bytes> other = cut(sealed(KEY, "SUHO", "SUAM", NONCE, std::string(400, 'y')), 9);
+  for (size_t i = 0; i < 8; i++) {
+    board.receive(one[i]);
+    if (i < other.size()) board.receive(other[i]);
+    if (i == 6) board.pollTaking(0);
+  }
+  EXPECT_EQ(1, board.messages().at(0).number);
+  EXPECT_EQ(content, board.messages().at(0).content);
+}
+
+TEST_F(InPieces, a_flood_of_messages_that_never_end_stops_no_short_one_and_long_ones_for_5_s_at_most) {
+  for (int i = 0; i < 200; i++) {
+    const std::string origin = "AA" + std::string(1, static_cast<char>('A' + i % 26)) + static_cast<char>('A' + i / 26);
+    board.receive(cut(plain("////", origin, content), static_cast<uint8_t>(i % 64))[i % 2]);
+    board.pass(10);
+  }
+  EXPECT_GT(board.counter(Counter::RADIO_PIECES_DROPPED), 100u);
+  board.receive(plain("////", "SUPO", "tell;help"));
+  EXPECT_EQ(1u, board.messages().size());
+  board.pollTaking(0);
+  board.pass(5000);
+  for (const Bytes &piece : cut(longFrame(), 9)) board.receive(piece);
+  EXPECT_EQ(1u, board.messages().size());
+}
+
+TEST_F(InPieces, a_unicast_is_sent_again_only_where_pieces_are_lacking) {
+  board.transmit("SUPP", "SUHO", std::string(300, 'y'));
+  std::vector<Bytes> sent;
+  for (int i = 0; i < 5; i++) sent.push_back(board.sendNext());
+  const Bytes nonce(sent[0].begin() + 20, sent[0].begin() + 26);
+  EXPECT_EQ('M', sent[4][3]) << "only the last one wants an answer";
+  board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 7, {0x15}));
+  EXPECT_EQ(sent[1], board.sendNext());
+  EXPECT_EQ(wantingAnswer(sent[3]), board.sendNext());
+  EXPECT_EQ(wantingAnswer(sent[0]), board.sendNext()) << "no answer came: the first one asks";
+  board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 7, {0x17}));
+  EXPECT_EQ(wantingAnswer(sent[3]), board.sendNext());
+  board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 6));
+  EXPECT_EQ((std::vector<std::string>{std::string("\0\1", 2)}), board.poll().texts('T'));
+}
+
+TEST_F(InPieces, answers_without_a_new_piece_do_not_keep_a_message_alive) {
+  board.transmit("SUPP", "SUHO", std::string(100, 'y'));
+  board.sendNext();
+  const Bytes first = board.radio.sent[0];
+  const Bytes nonce(first.begin() + 20, first.begin() + 26);
+  int packets = 0;
+  while (board.poll().records.empty()) {
+    ASSERT_LT(packets++, 30);
+    board.sendNext();
+    board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 7, {1}));
+    board.pass(160);
+  }
+}

@@ -1,0 +1,38 @@
+#include "Pieces.h"
+
+#include <delivery/Pieces.h>
+#include <secure/Proof.h>
+
+#include "Reference.h"
+
+using namespace javino;
+
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id) {
+  std::vector<Bytes> all;
+  const uint16_t length = static_cast<uint16_t>(frame.size());
+  for (uint8_t index = 0; index < pieces::count(length); index++) {
+    Bytes piece(MAX_RADIO_PAYLOAD);
+    piece.resize(pieces::cut(frame.data(), length, id, index, piece.data()));
+    all.push_back(piece);
+  }
+  return all;
+}
+
+Bytes wantingAnswer(Bytes piece) {
+  piece.at(3) = static_cast<uint8_t>(piece.at(3) + pieces::WANTS_ANSWER);  // A…H become I…P
+  return piece;
+}
+
+Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::string &acknowledger, const Bytes &nonce,
+                      uint8_t type, const Bytes &body) {
+  DerivedKeys keys;
+  keys.derive(key.data());
+  Proof::Claim claim = {static_cast<Proof::Type>(type), nonce.data(), Address(), Address(), body.data()};
+  Address::parse(bytesOf(sender).data(), claim.sender);
+  Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
+  Bytes proof(PROOF_LENGTH);
+  Proof(keys).make(claim, proof.data());
+  Bytes address(4);
+  Address::acknowledgement(static_cast<uint16_t>((nonce[4] << 8 | nonce[5]) & 0xFFF)).write(address.data());
+  return reference::frame(textOf(address), acknowledger, body + proof);
+}

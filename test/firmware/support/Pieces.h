@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Bytes.h"
+
+/// The pieces of a whole frame, all without a wish for an answer.
+/// @param id 0…63
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id);
+
+/// A piece whose sender wants an answer.
+Bytes wantingAnswer(Bytes piece);
+
+/// What another board would send to acknowledge a frame with this nonce.
+/// @param type 6, 7 or 8 (SPEC 7.3)
+/// @param body what comes before the proof
+Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::string &acknowledger, const Bytes &nonce,
+                      uint8_t type, const Bytes &body = Bytes());
