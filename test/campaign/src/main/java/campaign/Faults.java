@@ -64,7 +64,7 @@ final class Faults implements Campaign {
     }
 
     private static String seconds(List<Double> sorted, int index) {
-        return Table.text("%.2f s", sorted.get(index));
+        return Double.isInfinite(sorted.get(index)) ? "not seen" : Table.text("%.2f s", sorted.get(index));
     }
 
     private static String within(List<Double> seconds) {
