@@ -16,7 +16,7 @@ enum class Status : uint8_t {
   WRONG_ORIGIN = 7,     ///< the frame's origin is not the board's RF id, or not `++++` in a request to the board
   BAD_DESTINATION = 8,  ///< reserved, or the board's own address
   NO_KEY = 9,           ///< no key is stored for this address: set one
-  TOO_LONG = 10,        ///< the content does not fit one radio packet
+  TOO_LONG = 10,        ///< the content has more bytes than MAX_CONTENT_LENGTH, 494 unless Config.h says less
   QUEUE_FULL = 11,      ///< the transmit queue is full, or too many outcomes wait: poll, and try again later
   STORE_FULL = 12,      ///< no place for another key: delete one
   STORE_FAILED = 13,    ///< the EEPROM did not keep what was written: it is worn out
