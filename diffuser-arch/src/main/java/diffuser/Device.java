@@ -1,6 +1,7 @@
 package diffuser;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
@@ -16,6 +17,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
+import javino.protocol.Counter;
 import javino.protocol.Outcome;
 
 /**
@@ -30,6 +32,7 @@ final class Device implements BoardListener {
     private final String port;
     private final Surroundings surroundings;
     private final Percepts percepts;
+    private final Channel channel;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
     private final Set<String> unknownActions = ConcurrentHashMap.newKeySet();
@@ -54,6 +57,7 @@ final class Device implements BoardListener {
         this.wishes = wishes;
         this.surroundings = surroundings;
         this.percepts = new Percepts(port, wishes.percepts(), surroundings.warnings());
+        this.channel = new Channel(this::packetsReceived, this::tellAgent, surroundings.warnings());
     }
 
     /** Starts to look for a board, and returns at once. */
@@ -63,9 +67,9 @@ final class Device implements BoardListener {
         device.session.complete(board);
         device.wish(wishes);
         // First in the board's queue, so that the agent's first message finds the address set.
-        wishes.rfId().ifPresent(board::setRfId);
+        wishes.rfId().ifPresent(device::setRfId);
         if (wishes.radio()) {
-            board.radio(true);
+            device.radio(true);
         }
         return device;
     }
@@ -83,6 +87,11 @@ final class Device implements BoardListener {
     /** Whether the board is there. */
     boolean isOnline() {
         return online;
+    }
+
+    /** Whether agents can communicate by the board's radio. */
+    boolean communicates() {
+        return channel.isUsable();
     }
 
     /** All that the board lets the agent perceive now; another state is another list. */
@@ -112,16 +121,17 @@ final class Device implements BoardListener {
         board.perceptInterval(wanted.limit());
         board.percepts(wanted.percepts());
         percepts.open(wanted.percepts());
+        channel.silence(wanted.silence());
     }
 
     /** Sets the board's address. */
     CompletableFuture<Void> setRfId(Address id) {
-        return bounded(session.join().setRfId(id));
+        return bounded(session.join().setRfId(id).thenRun(channel::addressed));
     }
 
     /** Opens or blocks the radio. */
     CompletableFuture<Void> radio(boolean open) {
-        return bounded(session.join().radio(open));
+        return bounded(session.join().radio(open).thenRun(() -> channel.radio(open)));
     }
 
     /** Has the board perform an action. */
@@ -143,8 +153,14 @@ final class Device implements BoardListener {
      */
     CompletableFuture<Void> close() {
         closed = true;
+        channel.close();
         decided.complete(null);
         return session.join().end();
+    }
+
+    private CompletableFuture<Long> packetsReceived() {
+        return session.thenCompose(Board::statistics).thenApply(counts ->
+                Objects.requireNonNull(counts.get(Counter.RADIO_RECEIVED), "the board does not count what it hears"));
     }
 
     private static <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
@@ -166,16 +182,17 @@ final class Device implements BoardListener {
                 if (thrown != null) {
                     surroundings.warnings().always(Failure.of(thrown).message());
                 }
-                nowOnline();
+                nowOnline(thrown == null || info.rfId().isPresent());
             });
         } else {
-            nowOnline();
+            nowOnline(info.rfId().isPresent());
         }
     }
 
-    /** Only now may the agent act: its address is set. */
-    private void nowOnline() {
+    /** Only now may the agent act: its address is set; and the session has opened the radio as wished. */
+    private void nowOnline(boolean hasAddress) {
         online = true;
+        channel.online(hasAddress, wishes.radio());
         percepts.port(true);
         decided.complete(null);
         tellAgent();
@@ -184,6 +201,7 @@ final class Device implements BoardListener {
     @Override
     public void offline(String why) {
         online = false;
+        channel.offline();
         percepts.port(false);
         if (!closed) {
             surroundings.warnings().always("the board is off: " + why);
@@ -202,6 +220,7 @@ final class Device implements BoardListener {
     public void message(ReceivedMessage message) {
         // After the end it is left to the next session, as the board was not told that it was taken.
         if (!closed) {
+            channel.heard();
             surroundings.inbox().put(message, surroundings.agent());
             tellAgent();
         }
@@ -210,6 +229,9 @@ final class Device implements BoardListener {
     /** {@inheritDoc} Also after the end, with which all that is under way is undelivered. */
     @Override
     public void transmitted(int number, Outcome outcome) {
+        if (outcome == Outcome.DELIVERED) {
+            channel.heard();
+        }
         transmissions.ended(number, outcome);
     }
 

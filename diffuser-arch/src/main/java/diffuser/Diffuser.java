@@ -1,11 +1,11 @@
 package diffuser;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -43,13 +43,11 @@ public class Diffuser extends AgArch {
     private transient Inbox inbox;
     private transient Outbox outbox;
     private transient ActionRouter router;
+    private transient Means means;
+    private transient Senses senses;
     private transient Wishes wishes = Wishes.NONE;
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
-
-    /** What the architectures behind this one perceive; they answer null as long as that has not changed. */
-    private transient Collection<Literal> othersPercepts = List.of();
-    private transient List<Literal> boardPercepts = List.of();
 
     /** {@inheritDoc} Called by Jason as soon as the agent around it is made. */
     @Override
@@ -58,6 +56,8 @@ public class Diffuser extends AgArch {
         warnings = new Warnings(() -> getTS().getLogger());
         inbox = new Inbox(warnings);
         outbox = new Outbox(warnings, this::signal);
+        means = new Means();
+        senses = new Senses();
         router = new ActionRouter(this, super::act, warnings);
     }
 
@@ -107,6 +107,24 @@ public class Diffuser extends AgArch {
     /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */
     public void limitPercepts(Duration least) {
         wish(old -> old.withLimit(least));
+    }
+
+    /**
+     * Sets for how long the radio may hear nobody until that counts as loss of communicability; zero, as at first, for
+     * as long as it likes.
+     */
+    public void limitSilence(Duration longest) {
+        wish(old -> old.withSilence(longest));
+    }
+
+    /** Remembers what an infrastructure other than the board's radio allows from now on. */
+    public void setInfrastructure(String name, Set<Ability> allows) {
+        means.infrastructure(name, Set.copyOf(allows));
+    }
+
+    /** How open the MAS is by this agent's board and the infrastructures that it knows of, as it last perceived. */
+    public Openness openness() {
+        return means.openness();
     }
 
     /** Sets the device's address: now where a board is there, or else as soon as one comes. */
@@ -168,18 +186,7 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} Null, as Jason has it, if nothing has changed, neither at the board nor elsewhere. */
     @Override
     public Collection<Literal> perceive() {
-        Collection<Literal> others = super.perceive();
-        List<Literal> board = boardPerceives();
-        if (others == null && board == boardPercepts) {
-            return null;
-        }
-        if (others != null) {
-            othersPercepts = new ArrayList<>(others);
-        }
-        boardPercepts = board;
-        Collection<Literal> all = new ArrayList<>(othersPercepts);
-        all.addAll(board);
-        return all;
+        return senses.perceive(super.perceive(), perceivedHere());
     }
 
     @Override
@@ -210,7 +217,7 @@ public class Diffuser extends AgArch {
 
     @Override
     public boolean canSleep() {
-        return super.canSleep() && inbox.isEmpty() && boardPerceives() == boardPercepts;
+        return super.canSleep() && inbox.isEmpty() && senses.knows(perceivedHere());
     }
 
     /** {@inheritDoc} Waits until the port is free, so that the agent can be started anew. */
@@ -224,6 +231,7 @@ public class Diffuser extends AgArch {
     @Override
     public Map<String, Object> getStatus() {
         Map<String, Object> status = super.getStatus();
+        status.put("openness", openness().atom());
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfDelivered", outbox.delivered());
@@ -236,8 +244,9 @@ public class Diffuser extends AgArch {
         return status;
     }
 
-    private List<Literal> boardPerceives() {
-        return device == null ? List.of() : device.perceived();
+    private Senses.Now perceivedHere() {
+        return device == null ? new Senses.Now(List.of(), means.belief(false))
+                : new Senses.Now(device.perceived(), means.belief(device.communicates()));
     }
 
     private Device requireDevice() throws JasonException {

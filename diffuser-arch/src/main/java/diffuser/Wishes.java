@@ -13,25 +13,30 @@ import javino.protocol.Address;
  * @param radio    whether radio messages are wanted; boards start without.
  * @param percepts whether sensors become beliefs; agents start without.
  * @param limit    the least time between two readings of the sensors; zero means as often as the board is polled.
+ * @param silence  the radio silence from which on communicability counts as lost; zero means that it never does.
  */
-record Wishes(Optional<Address> rfId, boolean radio, boolean percepts, Duration limit) {
+record Wishes(Optional<Address> rfId, boolean radio, boolean percepts, Duration limit, Duration silence) {
 
     /** What holds until the agent says otherwise. */
-    static final Wishes NONE = new Wishes(Optional.empty(), false, false, Duration.ZERO);
+    static final Wishes NONE = new Wishes(Optional.empty(), false, false, Duration.ZERO, Duration.ZERO);
 
     Wishes withRfId(Address id) {
-        return new Wishes(Optional.of(id), radio, percepts, limit);
+        return new Wishes(Optional.of(id), radio, percepts, limit, silence);
     }
 
     Wishes withRadio(boolean open) {
-        return new Wishes(rfId, open, percepts, limit);
+        return new Wishes(rfId, open, percepts, limit, silence);
     }
 
     Wishes withPercepts(boolean open) {
-        return new Wishes(rfId, radio, open, limit);
+        return new Wishes(rfId, radio, open, limit, silence);
     }
 
     Wishes withLimit(Duration least) {
-        return new Wishes(rfId, radio, percepts, least);
+        return new Wishes(rfId, radio, percepts, least, silence);
+    }
+
+    Wishes withSilence(Duration longest) {
+        return new Wishes(rfId, radio, percepts, limit, longest);
     }
 }

@@ -20,6 +20,7 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Packet;
@@ -33,7 +34,7 @@ final class FakeBoard implements LinkOpener {
     /** The most outcomes in a poll reply. */
     private static final int MOST_OUTCOMES = 32;
 
-    /** All requests but polls and hellos, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
+    /** All requests but polls, hellos and statistics, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
     final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
     private final String port;
     private final Map<String, Status> refusals = new ConcurrentHashMap<>();
@@ -46,6 +47,9 @@ final class FakeBoard implements LinkOpener {
     private volatile boolean silent;
     private volatile String swallowed = "";
     private volatile Outcome everyOutcome;
+    private volatile boolean hearing;
+    private volatile boolean uncounting;
+    private long packetsHeard;
     private volatile boolean greeted;
     private volatile int boots;
     private volatile int transmissionCount;
@@ -172,6 +176,24 @@ final class FakeBoard implements LinkOpener {
         swallowed = request;
     }
 
+    /** From here on there is a packet for somebody in the air whenever the board is asked for its counters, or none. */
+    FakeBoard hearing(boolean now) {
+        hearing = now;
+        return this;
+    }
+
+    /** The board has no counters. */
+    FakeBoard uncounting() {
+        uncounting = true;
+        return this;
+    }
+
+    /** It comes with this address. */
+    FakeBoard withRfId(String id) {
+        rfId = Address.parse(id);
+        return this;
+    }
+
     void unplug() {
         plugged = false;
         Link open = link;
@@ -263,6 +285,7 @@ final class FakeBoard implements LinkOpener {
             case 'A' -> recorded("A " + text(body), Bytes.EMPTY);
             case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
             case 'I' -> setRfId(text(body));
+            case 'S' -> statistics();
             default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
         };
     }
@@ -300,6 +323,14 @@ final class FakeBoard implements LinkOpener {
         requests.add(request);
         Status status = refusals.getOrDefault(request, Status.OK);
         return status == Status.OK ? ok(body) : Bytes.of(status.ordinal());
+    }
+
+    private Bytes statistics() {
+        if (uncounting) {
+            return Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
+        }
+        packetsHeard += hearing ? 1 : 0;
+        return ok(Bytes.join(Bytes.of(Counter.RADIO_RECEIVED.number()), Bytes.ofNumber(packetsHeard, 4)));
     }
 
     private Bytes poll(Bytes body) {

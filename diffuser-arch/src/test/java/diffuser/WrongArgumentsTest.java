@@ -33,6 +33,17 @@ class WrongArgumentsTest {
         ".limit(-1)                        | wrong_arguments | not '-1'",
         ".limit(3600001)                   | wrong_arguments | not '3600001'",
         ".limit(X)                         | wrong_arguments | milliseconds from 0 to 3600000",
+        ".silence                          | wrong_arguments | One argument is expected",
+        ".silence(long)                    | wrong_arguments | milliseconds from 0 to 3600000 were expected, not 'long'",
+        ".silence(-0.5)                    | wrong_arguments | not '-0.5'",
+        ".silence(3600001)                 | wrong_arguments | not '3600001'",
+        ".infrastructure(lte)              | wrong_arguments | 2 arguments are expected",
+        ".infrastructure(3,[com])          | wrong_arguments | a name for the infrastructure was expected, not '3'",
+        ".infrastructure(_,[com])          | wrong_arguments | a name for the infrastructure was expected",
+        ".infrastructure(lte,com)          | wrong_arguments | a list of com and mob, or [], was expected, not 'com'",
+        ".infrastructure(lte,[com,car])    | wrong_arguments | not '[com,car]'",
+        ".infrastructure(lte,[\"com\"])    | wrong_arguments | a list of com and mob, or [], was expected",
+        ".infrastructure(lte,X)            | wrong_arguments | a list of com and mob, or [], was expected",
         ".setMyRFId                        | wrong_arguments | One argument is expected",
         ".setMyRFId(\"ROM\")               | bad_address     | \"ROM\" has 3",
         ".setMyRFId(\"RO!A\")              | bad_address     | '!'",
@@ -75,6 +86,15 @@ class WrongArgumentsTest {
     }
 
     @Test
+    void infrastructure_listWithAnOpenEnd_failsThePlan() {
+        String program = PROGRAM.formatted(".infrastructure(lte,[com|X])");
+        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"))) {
+            String note = agent.nextNote();
+            assertTrue(note.contains("a list of com and mob, or [], was expected, not '[com|X]'"), note);
+        }
+    }
+
+    @Test
     void action_textTooLong_failsThePlan() {
         String atom = "a".repeat(520);
         String program = PROGRAM.formatted(".act(" + atom + ")") + "+!say <- .diffuse(broadcast,tell," + atom + ")."
@@ -100,6 +120,7 @@ class WrongArgumentsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {".port(desk)", ".percepts(open)", ".limit(1)", ".setMyRFId(ROMA)",
+        ".silence(1)", ".infrastructure(lte,[com])",
         ".getRFMessages(open)", ".diffuse(broadcast,tell,help)",
         ".deliver(\"ROMA\",tell,help)", ".act(stop)"})
     void action_agentHasNoDiffuser_failsAndSaysWhichArchitecture(String action) {

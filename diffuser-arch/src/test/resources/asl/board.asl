@@ -28,6 +28,17 @@
        .diffuse(S, tell, thanks);
        .send(S, achieve, go(1)).
 
++!test_openness_followsWhatIsThere
+    <- ?openness(totallyClosed)[source(percept)];
+       .infrastructure(lte, [mob]);
+       .wait(openness(limitedOpen), 5000);
+       .getRFMessages(open);
+       .wait(openness(open), 5000);
+       .infrastructure(lte, []);
+       .wait(openness(closed), 5000);
+       .getRFMessages(block);
+       .wait(openness(totallyClosed), 5000).
+
 +!test_act_unknownAction_errorCanBeMatched
     <- !attempt({ .act(fly) });
        ?failed(unknown_action).

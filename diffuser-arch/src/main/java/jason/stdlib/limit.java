@@ -1,13 +1,10 @@
 package jason.stdlib;
 
-import java.time.Duration;
-
-import jason.JasonException;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
-import jason.asSyntax.NumberTerm;
 import jason.asSyntax.Term;
 
+import diffuser.Arguments;
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
 
@@ -30,34 +27,15 @@ public class limit extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
-    private static final double LONGEST = Duration.ofHours(1).toMillis();
-
     /** Made by Jason, once for each agent. */
     public limit() {
         super(1);
     }
 
     @Override
-    protected void checkArguments(Term[] args) throws JasonException {
-        super.checkArguments(args);
-        if (!args[0].isNumeric()) {
-            throw wrong(args[0]);
-        }
-    }
-
-    @Override
     public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
         checkArguments(args);
-        double milliseconds = ((NumberTerm) args[0]).solve();
-        if (!(milliseconds >= 0 && milliseconds <= LONGEST)) {
-            throw wrong(args[0]);
-        }
-        Diffuser.of(ts).limitPercepts(Duration.ofMillis((long) milliseconds));
+        Diffuser.of(ts).limitPercepts(Arguments.milliseconds(this, args[0]));
         return true;
-    }
-
-    private JasonException wrong(Term found) {
-        return JasonException.createWrongArgument(this,
-                "milliseconds from 0 to " + (long) LONGEST + " were expected, not '" + found + "'.");
     }
 }

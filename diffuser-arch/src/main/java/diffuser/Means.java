@@ -1,0 +1,72 @@
+package diffuser;
+
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Set;
+
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+
+/**
+ * By what means the MAS communicates and its agents move, and how open it is by them: the board's radio, and other
+ * infrastructures as far as the agent tells. An ability is lost with the last means that gives it. For the agent's
+ * thread, but for {@link #openness}.
+ */
+final class Means {
+
+    private final Map<String, Set<Ability>> infrastructures = new HashMap<>();
+    private boolean radio;
+    private volatile Openness openness = Openness.TOTALLY_CLOSED;
+    private Literal belief = belief(openness);
+
+    /** Remembers what another infrastructure allows from now on. */
+    void infrastructure(String name, Set<Ability> allows) {
+        infrastructures.put(name, allows);
+        follow();
+    }
+
+    /**
+     * {@code openness(S)}; the same object as long as it says the same. Asked in each cycle, so quick where nothing has
+     * changed.
+     *
+     * @param byRadio whether agents can communicate by the board's radio.
+     */
+    Literal belief(boolean byRadio) {
+        if (byRadio != radio) {
+            radio = byRadio;
+            follow();
+        }
+        return belief;
+    }
+
+    /** How open the MAS was when its agent last asked. */
+    Openness openness() {
+        return openness;
+    }
+
+    private void follow() {
+        Openness now = openness;
+        Set<Ability> allowed = allowed();
+        for (Ability ability : Ability.values()) {
+            now = allowed.contains(ability) ? now.restored(ability) : now.lost(ability);
+        }
+        if (now != openness) {
+            openness = now;
+            belief = belief(now);
+        }
+    }
+
+    private Set<Ability> allowed() {
+        Set<Ability> all = EnumSet.noneOf(Ability.class);
+        infrastructures.values().forEach(all::addAll);
+        if (radio) {
+            all.add(Ability.COM);
+        }
+        return all;
+    }
+
+    private static Literal belief(Openness openness) {
+        return ASSyntax.createLiteral("openness", ASSyntax.createAtom(openness.atom()));
+    }
+}

@@ -1,0 +1,72 @@
+package jason.stdlib;
+
+import java.util.EnumSet;
+import java.util.Set;
+
+import jason.JasonException;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.Term;
+
+import diffuser.Ability;
+import diffuser.Diffuser;
+import diffuser.DiffuserAction;
+import diffuser.Names;
+
+/**
+ * <p>Internal action: <b><code>.infrastructure(<i>Name</i>,<i>Abilities</i>)</code></b>.
+ *
+ * <p>Description: tells what an infrastructure other than the board's radio allows from now on, such as the telephone
+ * network, for the belief <code>openness(S)</code>. Nothing is checked or used: who knows the infrastructure says it.
+ * An ability is lost with the last infrastructure that gives it.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ Name (atom or string): any name for it; what is said of the same name is replaced.
+ * <li>+ Abilities (list): of <code>com</code>, if agents of this MAS and another can exchange messages by it, and
+ * <code>mob</code>, if agents can move by it from one MAS to another; <code>[]</code> if it is out of order.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.infrastructure(lte,[com,mob])</code>
+ * <li> <code>.infrastructure(lte,[])</code>: that has broken down.
+ * </ul>
+ */
+public class infrastructure extends DiffuserAction {
+
+    private static final long serialVersionUID = 1L;
+
+    /** Made by Jason, once for each agent. */
+    public infrastructure() {
+        super(2);
+    }
+
+    @Override
+    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
+        checkArguments(args);
+        String name = Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
+                "a name for the infrastructure was expected, not '" + args[0] + "'."));
+        Diffuser.of(ts).setInfrastructure(name, abilities(args[1]));
+        return true;
+    }
+
+    private Set<Ability> abilities(Term argument) throws JasonException {
+        if (!argument.isList() || !argument.isGround()) {
+            throw wrong(argument);
+        }
+        Set<Ability> abilities = EnumSet.noneOf(Ability.class);
+        for (Term term : (ListTerm) argument) {
+            abilities.add(switch (term.toString()) {
+                case "com" -> Ability.COM;
+                case "mob" -> Ability.MOB;
+                default -> throw wrong(argument);
+            });
+        }
+        return abilities;
+    }
+
+    private JasonException wrong(Term found) {
+        return JasonException.createWrongArgument(this,
+                "a list of com and mob, or [], was expected, not '" + found + "'.");
+    }
+}

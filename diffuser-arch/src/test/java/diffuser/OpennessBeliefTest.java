@@ -1,0 +1,268 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import javino.protocol.Outcome;
+import javino.protocol.Status;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The belief {@code openness(S)} of agents with a board. */
+class OpennessBeliefTest {
+
+    /** Notes each change, and nothing else but that what was asked of it is done. */
+    private static final String PROGRAM = """
+            !start.
+            +!start <- .port(antenna); .setMyRFId("SUPO"); %s; diffuser.note(ready).
+            +!allow(Name, What) <- .infrastructure(Name, What).
+            +!radio(S) <- .getRFMessages(S).
+            +!silence(Ms) <- .silence(Ms).
+            +!send <- .diffuse("ROMA", tell, x).
+            +!other <- .port(missing).
+            +!probe <- diffuser.note(probed).
+            +openness(S) <- diffuser.note(S).
+            -openness(S) <- diffuser.note(no, S).
+            """;
+
+    /** An agent that has come from totally closed to a state. */
+    private static RunningAgent in(Openness state, FakeBoard board) {
+        RunningAgent agent = open(board);
+        if (state.allows(Ability.MOB)) {
+            agent.achieve("allow(lte,[mob])");
+            changes(agent, "closed", "open");
+        }
+        if (!state.allows(Ability.COM)) {
+            board.unplug();
+            changes(agent, state.allows(Ability.MOB) ? "open" : "closed", state.atom());
+        }
+        return agent;
+    }
+
+    private static RunningAgent open(FakeBoard board) {
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board);
+        agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
+        return agent;
+    }
+
+    private static void changes(RunningAgent agent, String from, String to) {
+        agent.notesAll("no " + from, to);
+    }
+
+    private static void unchanged(RunningAgent agent) {
+        agent.cycles(5);
+        agent.achieve("probe");
+        agent.notes("probed");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "OPEN,           -com, LIMITED_OPEN",
+        "OPEN,           -mob, CLOSED",
+        "CLOSED,         -com, TOTALLY_CLOSED",
+        "CLOSED,         +mob, OPEN",
+        "LIMITED_OPEN,   +com, OPEN",
+        "LIMITED_OPEN,   -mob, TOTALLY_CLOSED",
+        "TOTALLY_CLOSED, +com, CLOSED",
+        "TOTALLY_CLOSED, +mob, LIMITED_OPEN",
+    })
+    void figureOne_eachTransition_isAChangeOfTheBelief(Openness from, String symbol, Openness to) throws Exception {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = in(from, board)) {
+            assertEquals(from, agent.diffuser().openness());
+            switch (symbol) {
+                case "-com" -> board.unplug();
+                case "+com" -> board.plug();
+                case "-mob" -> agent.achieve("allow(lte,[])");
+                default -> agent.achieve("allow(lte,[mob])");
+            }
+            changes(agent, from.atom(), to.atom());
+            assertEquals(to, agent.diffuser().openness());
+            assertEquals(to.atom(), agent.diffuser().getStatus().get("openness"));
+        }
+    }
+
+    @Test
+    void belief_noPortOpened_isTotallyClosedFromTheFirst() {
+        String program = "!start. +!start : openness(totallyClosed)[source(percept)] <- diffuser.note(known).";
+        try (RunningAgent agent = RunningAgent.run(program)) {
+            agent.notes("known");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".percepts(open)", ".getRFMessages(block)"})
+    void radioNotOpened_staysTotallyClosed(String instead) {
+        try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(instead), new FakeBoard("antenna"))) {
+            agent.notesAll("totallyClosed", "ready");
+            unchanged(agent);
+        }
+    }
+
+    @Test
+    void boardHasNoAddress_staysTotallyClosedUntilItHas() {
+        String program = PROGRAM.replace("; .setMyRFId(\"SUPO\")", "").formatted(".getRFMessages(open)")
+                + "+!name <- .setMyRFId(\"SUPO\").";
+        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"))) {
+            agent.notesAll("totallyClosed", "ready");
+            unchanged(agent);
+            agent.achieve("name");
+            changes(agent, "totallyClosed", "closed");
+        }
+    }
+
+    @Test
+    void boardRefusesItsAddress_staysTotallyClosed() {
+        FakeBoard board = new FakeBoard("antenna").refusing("I SUPO", Status.STORE_FAILED);
+        String program = PROGRAM.formatted(".getRFMessages(open)") + "-!start <- .getRFMessages(open); !probe.";
+        try (RunningAgent agent = RunningAgent.run(program, board)) {
+            agent.notesAll("totallyClosed", "probed");
+            unchanged(agent);
+        }
+    }
+
+    @Test
+    void boardKnowsItsAddress_agentNeedNotSetIt() {
+        String program = PROGRAM.replace("; .setMyRFId(\"SUPO\")", "").formatted(".getRFMessages(open)");
+        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna").withRfId("SUPO"))) {
+            agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
+        }
+    }
+
+    @Test
+    void radioBlockedAndOpened_communicabilityIsLostAndRestored() {
+        try (RunningAgent agent = open(new FakeBoard("antenna"))) {
+            agent.achieve("radio(block)");
+            changes(agent, "closed", "totallyClosed");
+            agent.achieve("radio(open)");
+            changes(agent, "totallyClosed", "closed");
+        }
+    }
+
+    @Test
+    void boardFallsSilentAndAnswersAgain_communicabilityIsLostAndRestored() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = open(board)) {
+            board.silent(true);
+            changes(agent, "closed", "totallyClosed");
+            board.silent(false);
+            changes(agent, "totallyClosed", "closed");
+        }
+    }
+
+    @Test
+    void anotherPortOpened_onlyTheNewBoardCounts() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("other");
+            changes(agent, "closed", "totallyClosed");
+            unchanged(agent);
+        }
+    }
+
+    @Test
+    void communicability_severalMeans_isLostWithTheLast() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("allow(lte,[com])");
+            agent.achieve("allow(\"wifi\",[com])");
+            unchanged(agent);
+            board.unplug();
+            agent.warns("the board is off");
+            unchanged(agent);
+            agent.achieve("allow(wifi,[])");
+            unchanged(agent);
+            agent.achieve("allow(lte,[])");
+            changes(agent, "closed", "totallyClosed");
+            agent.achieve("allow(lte,[mob,com])");
+            changes(agent, "totallyClosed", "open");
+        }
+    }
+
+    @Test
+    void silence_nobodyIsHeardAndSomebodyAgain_communicabilityIsLostAndRestored() {
+        FakeBoard board = new FakeBoard("antenna").hearing(true);
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("silence(20)");
+            unchanged(agent);
+            board.hearing(false);
+            changes(agent, "closed", "totallyClosed");
+            board.hearing(true);
+            changes(agent, "totallyClosed", "closed");
+        }
+    }
+
+    @Test
+    void silence_setLaterAndTakenBack_counts() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("silence(20)");
+            changes(agent, "closed", "totallyClosed");
+            agent.achieve("silence(0)");
+            changes(agent, "totallyClosed", "closed");
+            unchanged(agent);
+        }
+    }
+
+    @Test
+    void silence_messageComes_isHeardAtOnceAndForAWhile() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("silence(20)");
+            changes(agent, "closed", "totallyClosed");
+            board.receive("////", "ROMA", "tell;x");
+            changes(agent, "totallyClosed", "closed");
+            changes(agent, "closed", "totallyClosed");
+        }
+    }
+
+    @Test
+    void silence_messageIsDelivered_isHeard() {
+        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("silence(20)");
+            changes(agent, "closed", "totallyClosed");
+            agent.achieve("send");
+            changes(agent, "totallyClosed", "closed");
+        }
+    }
+
+    @Test
+    void silence_messageIsUndelivered_isNotHeard() {
+        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
+        String program = PROGRAM + "+undelivered(_,_,_) <- diffuser.note(undelivered).";
+        try (RunningAgent agent = RunningAgent.run(program.formatted(".getRFMessages(open)"), board)) {
+            agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
+            agent.achieve("silence(20)");
+            changes(agent, "closed", "totallyClosed");
+            agent.achieve("send");
+            agent.notes("undelivered");
+            unchanged(agent);
+        }
+    }
+
+    @Test
+    void silence_boardHasNoCounters_isReportedAndMeansNothing() {
+        FakeBoard board = new FakeBoard("antenna").uncounting();
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("silence(5)");
+            agent.warns("cannot tell whether the radio hears anybody: statistics failed: UNKNOWN_COMMAND");
+            unchanged(agent);
+        }
+    }
+
+    @Test
+    void silence_boardGoesAndComes_listensAnew() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = open(board)) {
+            agent.achieve("silence(20)");
+            changes(agent, "closed", "totallyClosed");
+            board.unplug();
+            board.plug();
+            changes(agent, "totallyClosed", "closed");
+            changes(agent, "closed", "totallyClosed");
+        }
+    }
+}
