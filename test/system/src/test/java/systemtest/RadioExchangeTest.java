@@ -86,7 +86,7 @@ class RadioExchangeTest {
     }
 
     private void assertNotHeardByBus(String plaintext) {
-        assertEquals(1, bus.counter(Counter.RADIO_NOT_FOR_US));
+        assertTrue(bus.counter(Counter.RADIO_NOT_FOR_US) > 0);
         assertEquals(List.of(), bus.messages());
         assertFalse(onAir(plaintext), "the plaintext was on the air");
     }
