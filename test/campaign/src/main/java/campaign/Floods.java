@@ -1,0 +1,110 @@
+package campaign;
+
+import harness.Emulator;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Function;
+
+/** Unicasts of two boards beside a third one that floods the air with forged packets. */
+final class Floods {
+
+    private static final int LENGTH = 16;
+    private static final long PATIENCE_SECONDS = 600;
+    /** Attackers compute bits in loops: more in one emulator would make it fall behind. */
+    private static final int AT_ONCE = 2;
+
+    /** What is forged. */
+    private enum Kind {
+        NONE("nothing"), FRAMES("sealed frames"), PIECES("first pieces"), BROADCASTS("broadcasts");
+
+        private final String title;
+
+        Kind(String title) {
+            this.title = title;
+        }
+
+        Function<Random, byte[]> forger(List<Field.Post> pair, Field.Post attacker) {
+            Field.Post from = pair.get(0);
+            Field.Post to = pair.get(1);
+            return switch (this) {
+                case NONE -> throw new IllegalStateException("nothing is forged");
+                case FRAMES -> random -> Attacker.forgedFrame(from, to, random);
+                case PIECES -> random -> Attacker.forgedPiece(from, to, random);
+                case BROADCASTS -> random -> Attacker.noise(attacker, random);
+            };
+        }
+    }
+
+    /** @param share of the air that the attacker takes. */
+    private record Case(Kind kind, double share) { }
+
+    private static final List<Case> CAMPAIGN = List.of(new Case(Kind.NONE, 0), new Case(Kind.FRAMES, 0.25), new Case(Kind.FRAMES, 0.5),
+        new Case(Kind.PIECES, 0.25), new Case(Kind.PIECES, 0.5), new Case(Kind.BROADCASTS, 0.25), new Case(Kind.BROADCASTS, 0.5));
+    private static final List<Case> TEST = List.of(new Case(Kind.FRAMES, 0.25));
+
+    private final Table table = new Table("flood", "forged", "share of the air", "unicasts", "delivered", "a second");
+    private Ledger.Sum all = Ledger.Sum.ZERO;
+    private long stopped;
+
+    void run(Settings settings, Report report) throws Exception {
+        List<Case> cases = settings.choose(CAMPAIGN, TEST);
+        double seconds = settings.choose(120, 5);
+        report.text("""
+            **Floods**, on emulated boards: a third board in range of a pair sends forged packets, whatever is on the air, for %.0f s, at
+            random times that come to a share of it: frames from the sender that the receiver has to check, first pieces from the sender
+            that ask for an answer, and broadcasts that no host can read. The pair goes on with unicasts of %d bytes, two of them
+            waiting. *Share of the air*: of the attacker, as it came out.""".formatted(seconds, LENGTH));
+        for (int i = 0; i < cases.size(); i += AT_ONCE) {
+            run(cases.subList(i, Math.min(i + AT_ONCE, cases.size())), seconds, settings, report);
+        }
+        report.table(table);
+        all.report(report);
+        report.never("a unicast without an end under a flood", all.open());
+        report.never("a flood that stopped early", stopped);
+    }
+
+    private void run(List<Case> cases, double seconds, Settings settings, Report report) throws Exception {
+        Air air = new Air();
+        Timetable timetable = new Timetable();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
+            air.accept(event);
+            timetable.see(event);
+        });
+        timetable.join(scenario);
+        for (int cell = 0; cell < cases.size(); cell++) Attacker.join(scenario, cell);
+        try (Closing closing = new Closing()) {
+            closing.add(timetable);
+            Field field = closing.add(Field.start(scenario, Attacker.pairs(cases.size())));
+            List<Pair> pairs = new ArrayList<>();
+            List<Attacker> attackers = new ArrayList<>();
+            for (int cell = 0; cell < cases.size(); cell++) {
+                pairs.add(closing.add(new Pair(field, cell, LENGTH)));
+                attackers.add(closing.add(new Attacker(field, cell)));
+            }
+            double begun = timetable.now();
+            for (int cell = 0; cell < cases.size(); cell++) begin(cases.get(cell), pairs.get(cell), attackers.get(cell), timetable, field, settings);
+            List<Stream> streams = pairs.stream().map(pair -> pair.stream(2, Integer.MAX_VALUE, () -> timetable.now() < begun + seconds)).toList();
+            for (Stream stream : streams) stream.await(PATIENCE_SECONDS);
+            double lasted = timetable.now() - begun;
+            attackers.forEach(Attacker::close);
+            for (int cell = 0; cell < cases.size(); cell++) note(cases.get(cell), pairs.get(cell), attackers.get(cell), air, lasted, report);
+        }
+    }
+
+    private static void begin(Case each, Pair pair, Attacker attacker, Timetable timetable, Field field, Settings settings) {
+        if (each.kind == Kind.NONE) return;
+        attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed()), each.kind.forger(pair.posts(), attacker.post()));
+    }
+
+    private void note(Case each, Pair pair, Attacker attacker, Air air, double seconds, Report report) {
+        Ledger.Sum sum = pair.ledger().sum();
+        Air.Usage forged = air.of(List.of(attacker.post()));
+        table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds), sum.offered(),
+            Table.percent(sum.delivered(), sum.offered()), Table.text("%.2f", sum.delivered() / seconds));
+        report.progress("flood of %s at %.0f %%: %d of %d unicasts delivered %s", each.kind.title, 100 * each.share, sum.delivered(),
+            sum.offered(), attacker.failure());
+        all = all.plus(sum);
+        stopped += attacker.failure().isEmpty() ? 0 : 1;
+    }
+}

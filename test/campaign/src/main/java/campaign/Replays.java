@@ -1,0 +1,145 @@
+package campaign;
+
+import harness.Emulator;
+import harness.TraceEvent;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import javino.link.LinkException;
+
+/** All that a pair has sent is sent again by a third board: in the same boot, after a reset and after a loss of power. */
+final class Replays {
+
+    private static final int LENGTH = 16;
+    private static final long PATIENCE_SECONDS = 300;
+    /** Emulated seconds until the receivers are reset, and until they lose power: after each, as long again is left. */
+    private static final int RESET_AT = 60;
+    private static final int CUT_AT = 120;
+    private static final double CUT_SECONDS = 0.3;
+
+    void run(Settings settings, Report report) throws Exception {
+        int count = settings.choose(3, 1);
+        int messages = settings.choose(30, 3);
+        Timetable timetable = new Timetable();
+        Recorder recorder = new Recorder();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
+            recorder.see(event);
+            timetable.see(event);
+        });
+        timetable.join(scenario);
+        for (int cell = 0; cell < count; cell++) {
+            Attacker.join(scenario, cell);
+            String receiver = Field.posts(Attacker.pairs(count)).get(cell).get(1).name();
+            scenario.fault(Map.of("t", RESET_AT, "board", receiver, "do", "reset"));
+            scenario.fault(Map.of("t", CUT_AT, "board", receiver, "do", "power-cut", "duration", CUT_SECONDS));
+        }
+        try (Closing closing = new Closing()) {
+            closing.add(timetable);
+            Field field = closing.add(Field.start(scenario, Attacker.pairs(count)));
+            List<Scene> scenes = new ArrayList<>();
+            for (int cell = 0; cell < count; cell++) scenes.add(closing.add(new Scene(field, cell, messages, timetable, recorder)));
+            List<Thread> threads = scenes.stream().map(scene -> new Thread(scene::play, "replay")).toList();
+            threads.forEach(Thread::start);
+            for (Thread thread : threads) thread.join();
+            describe(scenes, report);
+        }
+    }
+
+    private static void describe(List<Scene> scenes, Report report) {
+        report.text("""
+            **Replays on the air**, with emulated boards: %d pairs, beside each a third board that sends again all that both boards have sent
+            (frames and acknowledgements): at once, after a reset of the receiver, and after it lost its power and RAM. After each of
+            the three the pair exchanges unicasts of %d bytes anew.""".formatted(scenes.size(), LENGTH));
+        Ledger.Sum all = scenes.stream().map(scene -> scene.pair.ledger().sum()).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
+        report.table(new Table("replayed packets", "number", "unicasts in between", "delivered").row("all",
+            scenes.stream().mapToLong(scene -> scene.replayed).sum(), all.offered(), all.delivered()));
+        all.report(report);
+        report.never("a replay that could not be carried out", scenes.stream().filter(scene -> scene.failure != null).count());
+        scenes.stream().filter(scene -> scene.failure != null).forEach(scene -> report.progress("%s", scene.failure));
+    }
+
+    /** What each board has sent. */
+    private static final class Recorder {
+
+        private final Map<String, List<byte[]>> packets = new HashMap<>();
+
+        synchronized void see(TraceEvent event) {
+            if (!event.name().equals("rf-tx")) return;
+            packets.computeIfAbsent(event.board(), board -> new ArrayList<>()).add(HexFormat.of().parseHex(event.text("payload")));
+        }
+
+        /** The last packets of a board. */
+        synchronized List<byte[]> last(String board, int count) {
+            List<byte[]> all = packets.getOrDefault(board, List.of());
+            return List.copyOf(all.subList(Math.max(0, all.size() - count), all.size()));
+        }
+    }
+
+    /** One pair and its attacker. */
+    private static final class Scene implements AutoCloseable {
+
+        private final Field field;
+        private final int messages;
+        private final Timetable timetable;
+        private final Recorder recorder;
+        private final Pair pair;
+        private final Attacker attacker;
+        private long replayed;
+        private Throwable failure;
+
+        Scene(Field field, int cell, int messages, Timetable timetable, Recorder recorder) throws LinkException {
+            this.field = field;
+            this.messages = messages;
+            this.timetable = timetable;
+            this.recorder = recorder;
+            pair = new Pair(field, cell, LENGTH);
+            attacker = new Attacker(field, cell);
+        }
+
+        void play() {
+            try {
+                exchange();
+                replay();
+                awaitBoot(RESET_AT);
+                replay();
+                exchange();
+                awaitBoot(CUT_AT);
+                replay();
+                exchange();
+                replay();
+            } catch (LinkException | InterruptedException | AssertionError failed) {
+                failure = failed;
+            }
+        }
+
+        private void exchange() throws InterruptedException {
+            long offered = pair.ledger().sum().offered();
+            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+            if (!pair.stream(1, (int) offered + messages, end).await(PATIENCE_SECONDS)) throw new AssertionError("the exchange stands still");
+        }
+
+        private void awaitBoot(double seconds) throws InterruptedException {
+            if (timetable.now() >= seconds) throw new AssertionError("the boards were reset before all was replayed");
+            if (!timetable.await(seconds + 1, field.emulator().process())) throw new AssertionError("the emulator ended");
+        }
+
+        /** Sends again what was sent last: more than one exchange, so that some is from before the last boot. */
+        private void replay() throws LinkException {
+            for (Field.Post post : pair.posts()) {
+                for (byte[] packet : recorder.last(post.name(), messages * 3 / 2)) {
+                    attacker.send(packet);
+                    replayed++;
+                }
+            }
+        }
+
+        @Override
+        public void close() {
+            attacker.close();
+            pair.close();
+        }
+    }
+}
