@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 /** A {@link HostProgram} in a Java virtual machine of its own. */
 final class HostProcess implements AutoCloseable {
 
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 300;
 
     private final List<String> command;
     private Process process;

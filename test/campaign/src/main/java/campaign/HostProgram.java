@@ -33,7 +33,8 @@ final class HostProgram implements BoardListener {
     private static final int LONG_LENGTH = 100;
     private static final Duration AFTER_REFUSAL = Duration.ofMillis(50);
     private static final Duration BETWEEN_KEYS = Duration.ofSeconds(3);
-    private static final long PATIENCE_SECONDS = 30;
+    /** Wall time for eight attempts each of two messages, where boards fall far behind. */
+    private static final long PATIENCE_SECONDS = 240;
 
     private final Address to;
     private final HostLog log;
