@@ -33,13 +33,15 @@ enum class Counter : uint8_t {
   RADIO_RESENT,
   RADIO_DEFERRED,
   RADIO_STALE,
-  RADIO_MENDED
+  RADIO_MENDED,
+  RADIO_BLOCKED,
+  RADIO_ANSWERS_DROPPED
 };
 
 /// What was done, damaged and dropped since the boot; nothing is dropped without a count.
 class Counters {
  public:
-  static const uint8_t COUNT = static_cast<uint8_t>(Counter::RADIO_MENDED);
+  static const uint8_t COUNT = static_cast<uint8_t>(Counter::RADIO_ANSWERS_DROPPED);
 
   Counters() : values_() {}
 

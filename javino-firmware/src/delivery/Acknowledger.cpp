@@ -15,7 +15,10 @@ void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, co
   for (uint8_t i = 0; i < count_; i++) {
     if (entries_[i].slot == slot && entries_[i].sender == sender) remove(i);  // a sender awaits one answer at a time
   }
-  if (count_ == CAPACITY) remove(0);
+  if (count_ == CAPACITY) {
+    counters_.count(Counter::RADIO_ANSWERS_DROPPED);
+    remove(0);
+  }
   Entry &entry = entries_[count_++];
   entry.type = type;
   entry.slot = slot;

@@ -21,7 +21,9 @@ void Receiver::accept(uint8_t *packet, uint8_t length) {
     counters_.count(Counter::RADIO_BAD_FRAMES);
   } else if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
     if (!courier_.acknowledged(frame)) counters_.count(Counter::RADIO_NOT_FOR_US);
-  } else if (open_) {
+  } else if (!open_) {
+    counters_.count(Counter::RADIO_BLOCKED);
+  } else {
     accept(frame, packet, length);
   }
 }

@@ -15,7 +15,7 @@ uint16_t Envelope::seal(const Frame &plain, const uint8_t *nonce, uint8_t *seale
   uint8_t *content = sealed + CONTENT_AT;
   Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
   memcpy(sealed + NONCE_AT, nonce, NONCE_LENGTH);
-  memcpy(content, plain.message, plain.length);
+  memmove(content, plain.message, plain.length);  // it may be there already
   uint8_t iv[Aes128::BLOCK_LENGTH];
   initialVector(sealed, iv);
   Cfb128(encryption_, iv).encrypt(content, plain.length);

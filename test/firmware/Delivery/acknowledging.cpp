@@ -103,6 +103,22 @@ TEST_F(Acknowledging, a_blocked_board_neither_receives_nor_acknowledges_but_sett
   EXPECT_EQ(std::vector<Bytes>{delivered()}, answers());
   board.receive(frame);
   EXPECT_TRUE(answers().empty());
+  EXPECT_EQ(2u, board.counter(Counter::RADIO_BLOCKED));
+}
+
+TEST_F(Acknowledging, six_wait_and_the_oldest_of_more_is_dropped_and_counted) {
+  board.radio.heard = true;
+  for (char last = 'A'; last <= 'G'; last++) {
+    const std::string sender = std::string("SUX") + last;
+    board.setKey(sender, KEY);
+    board.receive(sealed(KEY, "SUHO", sender, NONCE, "tell;x"));
+    board.pollTaking(static_cast<uint8_t>(last - 'A'));
+  }
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_DROPPED));
+  board.radio.heard = false;
+  board.passSending(2000);
+  ASSERT_EQ(6u, board.radio.sent.size());
+  EXPECT_EQ(acknowledgement(KEY, "SUXB", "SUHO", NONCE, 6), board.radio.sent.front());
 }
 
 TEST_F(Acknowledging, waits_for_the_carrier_to_end_and_is_counted_once) {

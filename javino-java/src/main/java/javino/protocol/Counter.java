@@ -59,7 +59,11 @@ public enum Counter {
     /** Sealed frames refused since they are not above the floor that a reboot left (SPEC 5.1). */
     RADIO_STALE("radioStale"),
     /** Packets of which one symbol was mended. */
-    RADIO_MENDED("radioMended");
+    RADIO_MENDED("radioMended"),
+    /** Frames, but acknowledgements, that came while the radio was blocked. */
+    RADIO_BLOCKED("radioBlocked"),
+    /** Acknowledgements that were not sent since too many waited; their senders ask again. */
+    RADIO_ANSWERS_DROPPED("radioAnswersDropped");
 
     private static final Counter[] VALUES = values();
 
