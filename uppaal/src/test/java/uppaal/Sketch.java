@@ -31,7 +31,7 @@ public final class Sketch {
 
     /**
      * Adds a template. Its locations are those that its edges name, the first one first;
-     * a name that ends in {@code !} is committed.
+     * a name that ends in {@code !} is committed, and what stands in braces behind one, without spaces, is its invariant.
      *
      * @param edges {@code a -> b; guard G; sync S; set A}, the last three optional
      */
@@ -63,8 +63,10 @@ public final class Sketch {
 
     private static String location(String written, Map<String, Location> locations) {
         boolean committed = written.endsWith("!");
-        String name = committed ? written.substring(0, written.length() - 1) : written;
-        locations.putIfAbsent(name, new Location(name, committed));
+        boolean invariant = written.endsWith("}");
+        String name = written.split("[!{]")[0];
+        String inside = invariant ? written.substring(name.length() + 1, written.length() - 1) : "";
+        locations.putIfAbsent(name, new Location(name, committed, inside));
         return name;
     }
 

@@ -69,6 +69,23 @@ public final class TinyNetworks {
                 2, 1, "A[] S.b imply x == 5", true),
             new Tiny("a counter counts to its guard",
                 Sketch.of("int[-2,3] x = -2;").template("P", "a -> a; guard x < 3; set x++"), 6, 1, "A[] deadlock imply x == 3", true),
+            new Tiny("time passes as far as an invariant lets it, and a clock is counted one past its largest number",
+                Sketch.of("clock x;").template("P", "a{x<=3} -> b; guard x >= 2"), 7, 1, "E<> P.b", true),
+            new Tiny("no step leads to where an invariant is false",
+                Sketch.of("clock x;").template("P", "a -> b{x<=1}; guard x >= 2"), 4, 1, "E<> P.b", false),
+            new Tiny("a reset comes before the invariant is asked, which may stop time",
+                Sketch.of("clock x;").template("P", "a -> b{x<=1}; guard x >= 2; set x = 0"), 6, 1, "E<> P.b && deadlock", true),
+            new Tiny("two clocks run at one speed",
+                Sketch.of("clock x, y;").template("P", "a -> b; guard x == 2; set x = 0", "b -> d; guard x == 1 && y == 3"),
+                12, 3, "E<> P.d", true),
+            new Tiny("no time passes at a committed location",
+                Sketch.of("clock x;").template("P", "a! -> b; guard x >= 1"), 1, 1, "E<> P.b", false),
+            new Tiny("an invariant may ask a variable, which a step of another may not make false",
+                Sketch.of("clock x; int[0,3] n = 2;").template("P", "a{x<=n} -> b; guard x >= 2")
+                    .template("Q", "a -> b; set n = 1"), 11, 2, "A[] !(P.a && Q.b && n == 2)", true),
+            new Tiny("a listener's invariant counts too",
+                Sketch.of("broadcast chan c; clock x;").template("P", "a -> b; guard x >= 2; sync c!")
+                    .template("Q", "a -> b{x<=1}; sync c?"), 4, 1, "E<> P.b", false),
             new Tiny("a loop has no deadlock",
                 Sketch.of("chan c;").template("P", "a -> b; sync c!", "b -> a")
                     .template("Q", "a -> a; sync c?"), 2, 0, "A[] not deadlock", true));

@@ -59,6 +59,23 @@ public final class Exploration {
         return settled[property] == NOWHERE ? Optional.empty() : Optional.of(traceTo(settled[property]));
     }
 
+    /**
+     * Explores until one of the properties is settled by a state, for the evidence alone: numbers of states and deadlocks,
+     * and verdicts of the others, say nothing.
+     */
+    public static Exploration untilSettled(Network network, List<Property> properties) {
+        Exploration exploration = new Exploration(network, properties);
+        exploration.store.add(network.initial(), NOWHERE);
+        for (int number = 0; number < exploration.store.size() && !exploration.anySettled(); number++) {
+            exploration.visit(number);
+        }
+        return exploration;
+    }
+
+    private boolean anySettled() {
+        return Arrays.stream(settled).anyMatch(state -> state != NOWHERE);
+    }
+
     private void run() {
         store.add(network.initial(), NOWHERE);
         for (int number = 0; number < store.size(); number++) {

@@ -9,9 +9,10 @@ import uppaal.network.Automaton;
 import uppaal.network.Transition;
 
 /**
- * What the network does in one step: one transition alone, or a sender's with those of its receivers.
+ * What the network does in one step: one transition alone, a sender's with those of its receivers, or waiting.
  *
- * @param parts the sender's part first, then the receivers' in the order of the system line
+ * @param parts the sender's part first, then the receivers' in the order of the system line; none where a unit of time
+ *     passes
  * @param target the state that it leads to
  */
 public record JointMove(List<Part> parts, int[] target) {
@@ -23,9 +24,14 @@ public record JointMove(List<Part> parts, int[] target) {
         }
     }
 
+    /** Whether nobody moves and one unit of time passes. */
+    public boolean passesTime() {
+        return parts.isEmpty();
+    }
+
     /** The channel that was used, if any. */
     public Optional<Symbol.Channel> channel() {
-        return parts.get(0).transition().synchronisation().map(Labels.Synchronisation::channel);
+        return passesTime() ? Optional.empty() : parts.get(0).transition().synchronisation().map(Labels.Synchronisation::channel);
     }
 
     @Override public String toString() {

@@ -2,6 +2,7 @@ package uppaal.check;
 
 import java.util.Optional;
 import uppaal.ModelException;
+import uppaal.language.Clocks;
 import uppaal.language.Expressions;
 import uppaal.language.Names;
 import uppaal.language.Operator;
@@ -28,12 +29,21 @@ public record Property(Quantifier quantifier, Term formula, String text) {
     public static Property parse(String text, Names names, String where) {
         String body = text.strip();
         if (body.startsWith(ALWAYS)) {
-            return always(Expressions.parse(body.substring(ALWAYS.length()), names, where), body);
+            return always(formula(body.substring(ALWAYS.length()), names, where), body);
         }
         if (body.startsWith(POSSIBLY)) {
-            return possibly(Expressions.parse(body.substring(POSSIBLY.length()), names, where), body);
+            return possibly(formula(body.substring(POSSIBLY.length()), names, where), body);
         }
         throw ModelException.outside(where, "a query that begins neither with A[] nor with E<>");
+    }
+
+    /** A clock that nobody will look at is not counted: its time must be asked for in the network, by a location. */
+    private static Term formula(String text, Names names, String where) {
+        Term term = Expressions.parse(text, names, where);
+        if (Clocks.isIn(term)) {
+            throw ModelException.outside(where, "a clock in a query");
+        }
+        return term;
     }
 
     /** {@code A[] formula} */

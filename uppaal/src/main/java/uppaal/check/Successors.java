@@ -1,6 +1,7 @@
 package uppaal.check;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import uppaal.ModelException;
 import uppaal.check.JointMove.Part;
@@ -18,15 +19,33 @@ import uppaal.network.Transition;
  * <li>on a binary channel one sender meets one receiver;</li>
  * <li>on a broadcast channel the sender never waits, and everyone who can hear it does;</li>
  * <li>the sender's assignments come first, then the receivers' in the order of the system line;</li>
- * <li>while an automaton is at a committed location, only steps that leave a committed location are possible.</li>
+ * <li>no step leads to where an invariant is false, and time passes only as long as all invariants stay true;</li>
+ * <li>while an automaton is at a committed location, only steps that leave a committed location are possible,
+ * and no time passes.</li>
  * </ul>
+ * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with, waiting
+ * changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.
  */
 public final class Successors {
+    private static final int ANY = -1;
+
     private final Network network;
+    private final List<Running> clocks = new ArrayList<>();
 
     /** The steps of one network. */
     public Successors(Network network) {
         this.network = network;
+        for (int i = 0; i < network.slots().size(); i++) {
+            if (network.slots().get(i).clock()) {
+                clocks.add(running(i));
+            }
+        }
+    }
+
+    private Running running(int clock) {
+        int high = network.slots().get(clock).high();
+        return network.owner(clock).map(owner -> new Running(clock, high, owner.slot(), owner.active(clock)))
+            .orElse(new Running(clock, high, ANY, List.of()));
     }
 
     /**
@@ -42,13 +61,39 @@ public final class Successors {
                 if ((transition.internal() || transition.sends()) && transition.guard().holds(state)) {
                     for (List<Part> parts : together(new Part(automaton, transition), state)) {
                         if (!hurry || parts.stream().anyMatch(part -> part.automaton().committed(state))) {
-                            moves.add(new JointMove(parts, perform(parts, state)));
+                            add(moves, parts, perform(parts, state));
                         }
                     }
                 }
             }
         }
+        if (!clocks.isEmpty() && !hurry) {
+            wait(state, moves);
+        }
         return moves;
+    }
+
+    private void add(List<JointMove> moves, List<Part> parts, int[] target) {
+        if (network.automata().stream().allMatch(automaton -> automaton.keepsInvariant(target))) {
+            moves.add(new JointMove(parts, target));
+        }
+    }
+
+    private void wait(int[] state, List<JointMove> moves) {
+        int[] later = state.clone();
+        for (Running clock : clocks) {
+            later[clock.slot] += clock.runs(state) ? 1 : 0;
+        }
+        if (!Arrays.equals(later, state)) {
+            add(moves, List.of(), later);
+        }
+    }
+
+    /** A clock, and where its automaton must be for it to run: anywhere for a global one. */
+    private record Running(int slot, int high, int automaton, List<Integer> locations) {
+        boolean runs(int[] state) {
+            return state[slot] < high && (automaton == ANY || locations.contains(state[automaton]));
+        }
     }
 
     /** All ways in which others can join the automaton that begins a step. */

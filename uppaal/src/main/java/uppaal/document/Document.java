@@ -28,6 +28,11 @@ public record Document(String file, String declarations, List<Template> template
         return new Document(file, changed, templates, system);
     }
 
+    /** This document with other instances and another {@code system} line. */
+    public Document withSystem(String changed) {
+        return new Document(file, declarations, templates, changed);
+    }
+
     /** This document with the template of the same name replaced. */
     public Document withTemplate(Template changed) {
         return new Document(file, declarations,

@@ -104,8 +104,8 @@ public final class DocumentReader {
         String name = given.isEmpty() ? element.getAttribute("id") : given;
         String where = template + ", location " + name;
         Xml.allow(element, where, "name", "label", "committed");
-        Xml.allowLabels(element, where, "comments");
-        return new Location(name, Xml.child(element, "committed").isPresent());
+        Xml.allowLabels(element, where, "invariant", "comments");
+        return new Location(name, Xml.child(element, "committed").isPresent(), Xml.label(element, "invariant"));
     }
 
     private static Edge edge(Element element, Map<String, Location> byId, String template) {

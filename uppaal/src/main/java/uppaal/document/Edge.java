@@ -20,6 +20,11 @@ public record Edge(String source, String target, String guard, String synchronis
         return new Edge(source, target, guard, changed, assignment);
     }
 
+    /** This edge with another assignment. */
+    public Edge withAssignment(String changed) {
+        return new Edge(source, target, guard, synchronisation, changed);
+    }
+
     /** Where it leads: {@code Idle -> Connected}. */
     public String path() {
         return source + " -> " + target;

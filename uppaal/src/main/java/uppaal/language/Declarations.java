@@ -5,7 +5,7 @@ import uppaal.ModelException;
 
 /**
  * Parses declarations: {@code const int}, {@code const bool}, {@code int}, {@code int[low,high]}, {@code bool},
- * and among the global ones {@code chan} and {@code broadcast chan}.
+ * {@code clock}, and among the global ones {@code chan} and {@code broadcast chan}.
  */
 public final class Declarations {
     private static final int INT_LOW = -32768;
@@ -17,10 +17,12 @@ public final class Declarations {
     private final boolean global;
 
     /** Gives each declared variable its place in the state. */
-    @FunctionalInterface
     public interface Memory {
         /** @return the new slot of a variable of this name, range (both ends included) and first value */
         int allocate(String name, int low, int high, int initial);
+
+        /** @return the new slot of a clock, which starts at 0 */
+        int allocateClock(String name);
     }
 
     private record Range(int low, int high) {
@@ -86,6 +88,8 @@ public final class Declarations {
                 tokens.expect("=");
                 constant(name, range, value());
             });
+        } else if (tokens.accept("clock")) {
+            list(name -> scope.declare(name, new Symbol.Clock(memory.allocateClock(name)), tokens.where()));
         } else if (global && (tokens.peek().is("broadcast") || tokens.peek().is("chan"))) {
             boolean broadcast = tokens.accept("broadcast");
             tokens.expect("chan");

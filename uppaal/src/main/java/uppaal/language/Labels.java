@@ -29,7 +29,28 @@ public final class Labels {
 
     /** @param text an expression, or nothing, which is always true */
     public static Term guard(String text, Scope scope, String where) {
-        return text.isBlank() ? Term.TRUE : Expressions.parse(text, scope, where);
+        return condition(text, scope, where);
+    }
+
+    /**
+     * Clocks are compared with {@code <=} only.
+     *
+     * @param text an expression, or nothing, which is always true
+     */
+    public static Term invariant(String text, Scope scope, String where) {
+        Term term = condition(text, scope, where);
+        for (Clocks.Bound bound : Clocks.bounds(term, where)) {
+            if (bound.operator() != Operator.AT_MOST) {
+                throw ModelException.outside(where, "an invariant that compares a clock by other than '<='");
+            }
+        }
+        return term;
+    }
+
+    private static Term condition(String text, Scope scope, String where) {
+        Term term = text.isBlank() ? Term.TRUE : Expressions.parse(text, scope, where);
+        Clocks.bounds(term, where);
+        return term;
     }
 
     /** @param text {@code channel!}, {@code channel?} or nothing */
@@ -66,6 +87,9 @@ public final class Labels {
 
     private static Assignment assignment(Tokens tokens, Scope scope) {
         String name = tokens.name();
+        if (scope.find(name).orElse(null) instanceof Symbol.Clock clock) {
+            return reset(tokens, clock);
+        }
         if (!(scope.find(name).orElse(null) instanceof Symbol.Variable variable)) {
             throw new ModelException(tokens.where(), "'" + name + "' is no variable");
         }
@@ -77,9 +101,25 @@ public final class Labels {
         if (tokens.accept("--")) {
             return new Assignment(variable.slot(), new Term.Binary(Operator.MINUS, now, one));
         }
+        expectAssignment(tokens);
+        Term value = new Expressions(tokens, scope).expression();
+        if (Clocks.isIn(value)) {
+            throw ModelException.outside(tokens.where(), "a clock whose time is stored");
+        }
+        return new Assignment(variable.slot(), value);
+    }
+
+    private static Assignment reset(Tokens tokens, Symbol.Clock clock) {
+        expectAssignment(tokens);
+        if (!tokens.accept("0")) {
+            throw ModelException.outside(tokens.where(), "a clock that is set to other than 0");
+        }
+        return new Assignment(clock.slot(), new Term.Constant(0));
+    }
+
+    private static void expectAssignment(Tokens tokens) {
         if (!tokens.accept("=")) {
             tokens.expect(":=");
         }
-        return new Assignment(variable.slot(), new Expressions(tokens, scope).expression());
     }
 }

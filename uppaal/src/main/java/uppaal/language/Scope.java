@@ -50,6 +50,9 @@ public final class Scope implements Names {
         if (symbol instanceof Symbol.Number number) {
             return Optional.of(new Term.Constant(number.value()));
         }
+        if (symbol instanceof Symbol.Clock clock) {
+            return Optional.of(new Term.Clock(clock.slot()));
+        }
         return symbol instanceof Symbol.Variable variable
             ? Optional.of(new Term.Variable(variable.slot())) : Optional.empty();
     }

@@ -10,6 +10,10 @@ public sealed interface Symbol {
     record Variable(int slot) implements Symbol {
     }
 
+    /** A clock: the slot of the state that holds its time. */
+    record Clock(int slot) implements Symbol {
+    }
+
     /**
      * A channel. Two channels are the same when they have the same name, since channels are global.
      *

@@ -27,6 +27,13 @@ public sealed interface Term {
         }
     }
 
+    /** The time that a clock shows. */
+    record Clock(int slot) implements Term {
+        @Override public int value(int[] state) {
+            return state[slot];
+        }
+    }
+
     /** Whether the automaton whose location a slot holds is at one location. */
     record At(int slot, int location) implements Term {
         @Override public int value(int[] state) {

@@ -2,31 +2,45 @@ package uppaal.network;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
 import uppaal.document.Location;
 import uppaal.language.Scope;
+import uppaal.language.Term;
 
 /** An instance of a template: what UPPAAL calls a process. */
 public final class Automaton {
     private final String name;
     private final int slot;
     private final List<Location> locations;
+    private final List<Term> invariants;
+    private final Set<Integer> clocks;
+    private final List<Set<Integer>> active;
     private final List<List<Transition>> outgoing;
     private final Scope scope;
 
     /**
      * @param slot where the state holds its location
+     * @param invariants one for each location
+     * @param clocks the slots of its own clocks
      * @param transitions in the order of the file
      * @param scope what the names in the template stand for in this instance
      */
-    Automaton(String name, int slot, List<Location> locations, List<Transition> transitions, Scope scope) {
+    Automaton(String name, int slot, List<Location> locations, List<Term> invariants, Set<Integer> clocks,
+              List<Transition> transitions, Scope scope) {
         this.name = name;
         this.slot = slot;
         this.locations = List.copyOf(locations);
+        this.invariants = List.copyOf(invariants);
+        this.clocks = Set.copyOf(clocks);
         this.scope = scope;
+        ActiveClocks analysis = new ActiveClocks(clocks, invariants, transitions);
+        this.active = analysis.byLocation();
+        List<Transition> resetting = analysis.resetting(active);
         this.outgoing = new ArrayList<>();
         for (int i = 0; i < locations.size(); i++) {
             int source = i;
-            outgoing.add(transitions.stream().filter(transition -> transition.source() == source).toList());
+            outgoing.add(resetting.stream().filter(transition -> transition.source() == source).toList());
         }
     }
 
@@ -58,6 +72,26 @@ public final class Automaton {
     /** Whether it is at a committed location in a state. */
     public boolean committed(int[] state) {
         return locations.get(state[slot]).committed();
+    }
+
+    /** Whether the clock of this slot is one of its own. */
+    boolean owns(int clock) {
+        return clocks.contains(clock);
+    }
+
+    /** The locations, by index, where the clock of this slot, one of its own, matters. */
+    public List<Integer> active(int clock) {
+        return IntStream.range(0, active.size()).filter(location -> active.get(location).contains(clock)).boxed().toList();
+    }
+
+    /** What must be true as long as it is at the location of this index. */
+    public Term invariant(int location) {
+        return invariants.get(location);
+    }
+
+    /** Whether the invariant of the location where it is in a state is true there. */
+    public boolean keepsInvariant(int[] state) {
+        return invariants.get(state[slot]).holds(state);
     }
 
     /** What the names in its template stand for. */

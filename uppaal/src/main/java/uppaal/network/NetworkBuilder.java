@@ -2,6 +2,9 @@ package uppaal.network;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import uppaal.ModelException;
 import uppaal.document.Document;
 import uppaal.document.Edge;
@@ -11,6 +14,7 @@ import uppaal.language.Declarations;
 import uppaal.language.Labels;
 import uppaal.language.Scope;
 import uppaal.language.SystemLine;
+import uppaal.language.Term;
 
 /** Makes a document into a network: parses all its texts and instantiates its templates. */
 public final class NetworkBuilder {
@@ -28,12 +32,25 @@ public final class NetworkBuilder {
     }
 
     private Network network() {
-        Declarations.global(document.declarations(), global, this::allocate, document.file() + ", declaration");
+        Declarations.global(document.declarations(), global, memory(""), document.file() + ", declaration");
         List<Automaton> automata = new ArrayList<>();
         for (SystemLine.Instance instance : SystemLine.parse(document.system(), global, document.file() + ", system")) {
             automata.add(automaton(instance));
         }
-        return new Network(document.file(), slots, automata, global);
+        return new Network(document.file(), new ClockRanges(slots, document.file()).of(automata), automata, global);
+    }
+
+    private Declarations.Memory memory(String prefix) {
+        return new Declarations.Memory() {
+            @Override public int allocate(String name, int low, int high, int initial) {
+                return NetworkBuilder.this.allocate(prefix + name, low, high, initial);
+            }
+
+            @Override public int allocateClock(String name) {
+                slots.add(Slot.clock(prefix + name, 0));
+                return slots.size() - 1;
+            }
+        };
     }
 
     private int allocate(String name, int low, int high, int initial) {
@@ -48,12 +65,13 @@ public final class NetworkBuilder {
         Declarations.parameters(template.parameters(), instance.arguments(), scope, where + ", parameter");
         List<String> locations = template.locations().stream().map(Location::name).toList();
         int slot = allocate(instance.name(), 0, locations.size() - 1, locations.indexOf(template.initial()));
-        Declarations.local(template.declarations(), scope,
-            (name, low, high, initial) -> allocate(instance.name() + "." + name, low, high, initial),
-            where + ", declaration");
+        Declarations.local(template.declarations(), scope, memory(instance.name() + "."), where + ", declaration");
+        List<Term> invariants = template.locations().stream().map(location ->
+            Labels.invariant(location.invariant(), scope, where + ", location " + location.name() + ", invariant")).toList();
         List<Transition> transitions = template.edges().stream()
             .map(edge -> transition(edge, locations, scope, where + ", edge " + edge.path())).toList();
-        return new Automaton(instance.name(), slot, template.locations(), transitions, scope);
+        Set<Integer> clocks = IntStream.range(slot, slots.size()).filter(i -> slots.get(i).clock()).boxed().collect(Collectors.toSet());
+        return new Automaton(instance.name(), slot, template.locations(), invariants, clocks, transitions, scope);
     }
 
     private static Transition transition(Edge edge, List<String> locations, Scope scope, String where) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.StringJoiner;
 import java.util.stream.Collectors;
 import uppaal.language.Labels.Assignment;
+import uppaal.language.Operator;
 import uppaal.language.Symbol;
 import uppaal.language.Term;
 import uppaal.network.Automaton;
@@ -46,6 +47,35 @@ final class Commands {
                 }
             }
         }
+        if (network.timed()) {
+            commands.add(waiting());
+        }
+    }
+
+    /** One unit of time passes, for all clocks that are not yet past all that they are compared with. */
+    private Command waiting() {
+        StringJoiner running = new StringJoiner(" || ", "(", ")");
+        StringJoiner effect = new StringJoiner("; ");
+        Aftermath after = new Aftermath(network);
+        for (int i = 0; i < network.slots().size(); i++) {
+            Slot slot = network.slots().get(i);
+            if (slot.clock()) {
+                String clock = terms.variable(i);
+                String runs = "(" + clock + " < " + slot.high() + " && " + active(i) + ")";
+                running.add(runs);
+                effect.add(clock + " = (" + runs + " -> " + clock + " + 1 : " + clock + ")");
+                after.assign(i, new Term.Binary(Operator.PLUS, new Term.Clock(i), new Term.Constant(1)));
+            }
+        }
+        StringJoiner guard = new StringJoiner(" && ").add(running.toString()).add("!committed");
+        after.invariants().forEach(invariant -> guard.add(terms.expression(invariant)));
+        return new Command(guard.toString(), effect.toString());
+    }
+
+    private String active(int clock) {
+        return network.owner(clock).map(owner -> owner.active(clock).stream()
+            .map(location -> terms.at(owner, location)).reduce((one, other) -> one + " || " + other).map(any -> "(" + any + ")")
+            .orElse("false")).orElse("true");
     }
 
     private void synchronised(Part sender, Symbol.Channel channel) {
@@ -86,6 +116,9 @@ final class Commands {
         if (parts.stream().noneMatch(part -> part.automaton().locations().get(part.transition().source()).committed())) {
             guard.add("!committed");
         }
+        Aftermath after = new Aftermath(network);
+        parts.forEach(part -> after.take(part.automaton(), part.transition()));
+        after.invariants().forEach(invariant -> guard.add(terms.expression(invariant)));
         StringJoiner effect = new StringJoiner("; ").setEmptyValue("skip");
         parts.forEach(part -> effect(part, effect));
         commands.add(new Command(guard.toString(), effect.toString()));
@@ -106,7 +139,9 @@ final class Commands {
         for (Assignment assignment : transition.assignments()) {
             Slot slot = network.slots().get(assignment.slot());
             String value = terms.expression(assignment.value());
-            effect.add("assert(" + slot.low() + " <= " + value + " && " + value + " <= " + slot.high() + ")");
+            if (!slot.clock()) {
+                effect.add("assert(" + slot.low() + " <= " + value + " && " + value + " <= " + slot.high() + ")");
+            }
             effect.add(terms.variable(assignment.slot()) + " = " + value);
         }
     }

@@ -27,6 +27,8 @@ final class Terms {
             return String.valueOf(constant.number());
         } else if (term instanceof Term.Variable variable) {
             return variable.slot() == network.deadlockSlot() ? Network.DEADLOCK : variable(variable.slot());
+        } else if (term instanceof Term.Clock clock) {
+            return variable(clock.slot());
         } else if (term instanceof Term.At at) {
             return "(" + variable(at.slot()) + " == " + at.location() + ")";
         } else if (term instanceof Term.Not not) {

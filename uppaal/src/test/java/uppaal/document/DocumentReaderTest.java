@@ -47,15 +47,15 @@ class DocumentReaderTest {
         assertEquals("const int n", template.parameters());
         assertEquals("int y;", template.declarations());
         assertEquals("b", template.initial());
-        assertEquals(new Location("First", false), template.locations().get(0));
-        assertEquals(new Location("b", true), template.locations().get(1));
+        assertEquals(new Location("First", false, ""), template.locations().get(0));
+        assertEquals(new Location("b", true, ""), template.locations().get(1));
         assertEquals(new Edge("First", "b", "x < 1", "c!", "x++"), template.edges().get(0));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "<location id='a'><urgent/></location>         | location a: <urgent>",
-        "<location id='a'><label kind='invariant'>x &lt; 1</label></location> | location a: a label of kind 'invariant'",
+        "<location id='a'><label kind='exponentialrate'>1</label></location> | location a: a label of kind 'exponentialrate'",
         "<location id='a'/><branchpoint id='p'/>       | <branchpoint>"})
     void read_locationOutsideTheSubset_isRefusedByName(String body, String what) {
         String where = what.startsWith("<") ? "m.xml, template T: " : "m.xml, template T, ";

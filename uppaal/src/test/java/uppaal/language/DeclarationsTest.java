@@ -15,21 +15,28 @@ class DeclarationsTest {
     private final List<String> allocated = new ArrayList<>();
     private final Scope scope = Scope.global();
 
-    private int allocate(String name, int low, int high, int initial) {
-        allocated.add(name + "[" + low + "," + high + "]=" + initial);
-        return allocated.size() - 1;
-    }
+    private final Declarations.Memory memory = new Declarations.Memory() {
+        @Override public int allocate(String name, int low, int high, int initial) {
+            allocated.add(name + "[" + low + "," + high + "]=" + initial);
+            return allocated.size() - 1;
+        }
+
+        @Override public int allocateClock(String name) {
+            allocated.add("clock " + name);
+            return allocated.size() - 1;
+        }
+    };
 
     private void declare(String text) {
-        Declarations.global(text, scope, this::allocate, "here");
+        Declarations.global(text, scope, memory, "here");
     }
 
     @Test
     void global_eachKind_isDeclared() {
         declare("const int N = 2 + 1, SQUARE = N * N; const bool YES = true;"
-            + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h;");
+            + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;");
 
-        assertEquals(List.of("a[0,3]=3", "b[0,3]=0", "c[-2,-1]=-1", "d[0,1]=0", "e[-32768,32767]=0"), allocated);
+        assertEquals(List.of("a[0,3]=3", "b[0,3]=0", "c[-2,-1]=-1", "d[0,1]=0", "e[-32768,32767]=0", "clock x"), allocated);
         assertEquals(Optional.of(new Symbol.Number(9)), scope.find("SQUARE"));
         assertEquals(Optional.of(new Symbol.Number(1)), scope.find("YES"));
         assertEquals(Optional.of(new Symbol.Variable(2)), scope.find("c"));
@@ -39,7 +46,7 @@ class DeclarationsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "clock x;               | 'clock' here, where a declaration is read, is outside the subset that this checker reads",
+        "clock x = 1;           | expected ';', not '='",
         "urgent chan a;         | 'urgent' here, where a declaration is read, is outside the subset that this checker reads",
         "typedef int[0,1] t;    | 'typedef' here, where a declaration is read, is outside the subset that this checker reads",
         "void f() { }           | 'void' here, where a declaration is read, is outside the subset that this checker reads",
@@ -60,7 +67,7 @@ class DeclarationsTest {
     @Test
     void local_channel_isRefused() {
         ModelException refused = assertThrows(ModelException.class,
-            () -> Declarations.local("chan a;", scope, this::allocate, "here"));
+            () -> Declarations.local("chan a;", scope, memory, "here"));
         assertEquals("here: 'chan' here, where a declaration is read, is outside the subset that this checker reads",
             refused.getMessage());
     }
