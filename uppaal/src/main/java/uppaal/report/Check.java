@@ -9,6 +9,7 @@ import uppaal.check.Exploration;
 import uppaal.check.Property;
 import uppaal.check.Query;
 import uppaal.check.QueryFile;
+import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
@@ -47,6 +48,15 @@ record Check(Network network, List<Query> queries, Exploration own, Optional<Spi
             ? Optional.of(Spin.check(network, properties, folder)) : Optional.empty();
         return new Check(network, queries, Exploration.of(network, properties), spin,
             engine.map(found -> verdicts));
+    }
+
+    /**
+     * Checks a scene of delivery, by our checker alone: {@code verifyta} has no file for it, and SPIN would take minutes to
+     * compile its joint moves.
+     */
+    static Check of(Document document, List<Query> queries) {
+        Network network = NetworkBuilder.build(document);
+        return new Check(network, queries, Exploration.of(network, properties(network, queries)), Optional.empty(), Optional.empty());
     }
 
     /** The queries' properties, parsed for a network. */

@@ -14,15 +14,19 @@ public final class Main {
     /**
      * Ends with 0 when everything is as expected, 1 when a verdict is not, 2 when a model cannot be checked.
      *
-     * @param arguments the folder of the models, and one for generated files
+     * @param arguments the folder of the models, one for generated files, and that of the firmware's sources
      */
     public static void main(String[] arguments) {
-        if (arguments.length != 2) {
-            System.err.println("usage: Main MODELS OUTPUT (the folder of the models, and one for generated files)");
+        if (arguments.length != 3) {
+            System.err.println("usage: Main MODELS OUTPUT FIRMWARE (the folder of the models, one for generated files, and"
+                + " javino-firmware/src)");
             System.exit(2);
         }
         try {
-            List<String> wrong = run(new Suite(Path.of(arguments[0])), Path.of(arguments[1]), new Report(System.out));
+            Report report = new Report(System.out);
+            Path output = Path.of(arguments[1]);
+            List<String> wrong = new ArrayList<>(run(new Suite(Path.of(arguments[0])), output, report));
+            wrong.addAll(deliver(Path.of(arguments[0]), new Firmware(Path.of(arguments[2])), report));
             wrong.forEach(System.err::println);
             System.exit(wrong.isEmpty() ? 0 : 1);
         } catch (ModelException | IOException problem) {
@@ -31,7 +35,23 @@ public final class Main {
         }
     }
 
-    /** Prints everything; returns what is not as expected, a line each. */
+    /** Prints what is found of delivery; returns what is not as expected, a line each. */
+    static List<String> deliver(Path models, Firmware firmware, Report report) {
+        List<String> wrong = new ArrayList<>();
+        for (Scene scene : Scene.ALL) {
+            Check check = Check.of(scene.document(models), scene.queries(models));
+            report.scene(scene, check);
+            wrong.addAll(check.disagreements());
+        }
+        Scene unicast = Scene.ALL.get(0);
+        wrong.addAll(Scene.differences(unicast.document(models), firmware));
+        for (Flaw flaw : Flaw.ALL) {
+            report.flaw(flaw, flaw.counterexample(unicast.document(models), unicast.queries(models)));
+        }
+        return wrong;
+    }
+
+    /** Prints everything of the paper's network; returns what is not as expected, a line each. */
     static List<String> run(Suite suite, Path folder, Report report) throws IOException {
         Check paper = Check.of(suite.paperModel(), suite.paperFiles(), folder.resolve("paper"));
         Check quiet = Check.of(suite.quietModel(), suite.quietFiles(), folder.resolve("quiet"));

@@ -3,6 +3,7 @@ package uppaal.report;
 import java.io.PrintStream;
 import java.util.List;
 import uppaal.check.Query;
+import uppaal.check.Trace;
 
 /** Prints the tables. */
 final class Report {
@@ -61,6 +62,24 @@ final class Report {
         long missed = kills.stream().filter(kill -> kill.paper().isEmpty()).count();
         out.printf("%d faults; %d pass all eight properties of the paper; %d pass all.%n", kills.size(), missed,
             kills.stream().filter(kill -> !kill.caught()).count());
+    }
+
+    /** What our checker says of a scene of delivery. */
+    void scene(Scene scene, Check check) {
+        heading("Delivery: " + scene.title());
+        out.printf("%-6s%-10s%-10s%s%n", "", "expected", "checker", "says");
+        for (int i = 0; i < check.queries().size(); i++) {
+            Query query = check.queries().get(i);
+            out.printf("%-6s%-10s%-10s%s%n", query.name(), Check.word(query.expected()), Check.word(check.own().holds(i)),
+                query.sentence());
+        }
+        out.printf("%-16s%d states%n", "", check.own().states());
+    }
+
+    /** What one missing check of a board leads to. */
+    void flaw(Flaw flaw, Trace counterexample) {
+        heading("Delivery with a fault, against " + flaw.query() + ": " + flaw.fault().sentence());
+        counterexample.lines().forEach(out::println);
     }
 
     private void heading(String title) {

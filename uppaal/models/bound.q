@@ -1,0 +1,2 @@
+/* B1 holds: a unicast ends within the bound. */
+A[] !Clock.Late
