@@ -1,0 +1,155 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
+import harness.Transmitter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The attacks that the model of delivery finds where one check of a board is taken away (uppaal/README.md): the same
+ * frames, played to boards that have them all.
+ */
+class CounterexampleTest {
+
+    private static final int ADDRESS_LENGTH = 4;
+    private static final int NONCE_END = 16;
+    /** Of eight attempts: each one is answered while the sender waits, unless it has begun the next one meanwhile. */
+    private static final int ANSWERED_ATTEMPTS = 4;
+
+    private Emulator emulator;
+    private Transmitter thief;
+    private Host police;
+    private Host support;
+
+    @BeforeEach
+    void switchOn(@TempDir Path folder) throws Exception {
+        emulator = new Emulator.Scenario()
+            .board("police", "Station").board("thief", "Transmitter").board("support", "Station")
+            .start(folder);
+        thief = Transmitter.of(emulator, "thief");
+        police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR));
+        support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
+    }
+
+    @AfterEach
+    void switchOff() {
+        List.of(police, support).forEach(Host::close);
+        thief.close();
+        emulator.close();
+    }
+
+    /** Faults "no nonce check" and "no duplicate check". */
+    @Test
+    void replay_afterItsMessageAndAfterALaterOne_isRefused() throws Exception {
+        police.send("SUPP", "tell;first");
+        byte[] first = overheard("police", 1);
+        thief.send(first);
+        overheard("support", 2); // the acknowledgement, which is sent again: the thief would send into it
+        thief.send(first);
+        overheard("support", 3);
+        assertEquals("tell;first", support.message().content().toString());
+
+        police.send("SUPP", "tell;second");
+        thief.send(first);
+        assertEquals("tell;second", support.message().content().toString());
+        assertEquals(2, support.counter(Counter.RADIO_REPEATS));
+        assertEquals(1, support.counter(Counter.RADIO_REPLAYED));
+        assertEquals(List.of(), support.messages());
+    }
+
+    /** Fault "no tag check". */
+    @Test
+    void forgery_withALaterNonce_isRefused() throws Exception {
+        police.send("SUPP", "tell;first");
+        byte[] forged = overheard("police", 1);
+        forged[NONCE_END - 1]++;
+        thief.send(forged);
+
+        assertEquals("tell;first", support.message().content().toString());
+        assertEquals(1, support.counter(Counter.RADIO_BAD_TAG));
+        assertEquals(List.of(), support.messages());
+    }
+
+    /** Fault "no proof check". */
+    @Test
+    void acknowledgement_withAForgedProof_isRefused() throws Exception {
+        Host.get(support.board.radio(false));
+        CompletableFuture<Void> sending = sendUnheard();
+        byte[] forged = (address(overheard("police", 1)) + "SUPPBA12345678").getBytes(StandardCharsets.US_ASCII);
+        for (int attempt = 1; attempt <= ANSWERED_ATTEMPTS; attempt++) {
+            overheard("police", attempt);
+            thief.send(forged);
+        }
+        assertUndelivered(sending);
+    }
+
+    /** Fault "proof without nonce". */
+    @Test
+    void acknowledgement_ofAnEarlierMessage_isRefused() throws Exception {
+        police.send("SUPP", "tell;first");
+        byte[] replayed = overheard("support", 1);
+        Host.get(support.board.radio(false));
+        int before = emulator.sentBy("police").size();
+        CompletableFuture<Void> sending = sendUnheard();
+        byte[] addressed = replayed.clone();
+        byte[] address = address(overheard("police", before + 1)).getBytes(StandardCharsets.US_ASCII);
+        System.arraycopy(address, 0, addressed, 0, address.length);
+        for (int attempt = 1; attempt <= ANSWERED_ATTEMPTS; attempt++) {
+            overheard("police", before + attempt);
+            thief.send(attempt % 2 == 0 ? replayed : addressed);
+        }
+        sending.get(60, TimeUnit.SECONDS);
+        assertEquals(1, police.counter(Counter.RADIO_ACKNOWLEDGED), "the first one alone");
+        assertEquals(1, police.counter(Counter.RADIO_UNDELIVERED));
+        assertTrue(police.counter(Counter.RADIO_BAD_PROOFS) > 0, "no forgery reached the sender");
+        assertTrue(police.counter(Counter.RADIO_NOT_FOR_US) > 0, "no replay reached the sender");
+    }
+
+    private CompletableFuture<Void> sendUnheard() {
+        return CompletableFuture.runAsync(() -> {
+            try {
+                police.send("SUPP", "tell;unheard");
+            } catch (InterruptedException stop) {
+                throw new AssertionError(stop);
+            }
+        });
+    }
+
+    private void assertUndelivered(CompletableFuture<Void> sending) throws Exception {
+        sending.get(60, TimeUnit.SECONDS);
+        assertEquals(0, police.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertEquals(1, police.counter(Counter.RADIO_UNDELIVERED));
+        assertTrue(police.counter(Counter.RADIO_BAD_PROOFS) > 0, "no forgery reached the sender");
+    }
+
+    /** The n-th packet that a board has sent, waited for. */
+    private byte[] overheard(String board, int nth) throws InterruptedException {
+        TraceEvent sent = emulator.await("packet " + nth + " of " + board, nth, event -> event.is("rf-tx", board));
+        return HexFormat.of().parseHex(sent.text("payload"));
+    }
+
+    /** Where an acknowledgement of a sealed frame goes (SPEC 7.3): the last 12 bits of its nonce as two digits. */
+    private static String address(byte[] sealed) {
+        String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        int bits = (sealed[NONCE_END - 2] & 0xF) << 8 | sealed[NONCE_END - 1] & 0xFF;
+        String address = "+K" + digits.charAt(bits >> 6) + digits.charAt(bits & 63);
+        if (address.length() != ADDRESS_LENGTH) throw new AssertionError(address);
+        return address;
+    }
+}
