@@ -15,14 +15,15 @@ final class Replays {
 
     private static final int LENGTH = 16;
     private static final long PATIENCE_SECONDS = 300;
-    /** Emulated seconds until the receivers are reset, and until they lose power: after each, as long again is left. */
+    /** Emulated seconds until the receivers are reset; as long again, and they lose power. */
     private static final int RESET_AT = 60;
-    private static final int CUT_AT = 120;
+    private static final int TEST_RESET_AT = 12;
     private static final double CUT_SECONDS = 0.3;
 
     void run(Settings settings, Report report) throws Exception {
         int count = settings.choose(3, 1);
         int messages = settings.choose(30, 3);
+        int resetAt = settings.choose(RESET_AT, TEST_RESET_AT);
         Timetable timetable = new Timetable();
         Recorder recorder = new Recorder();
         Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
@@ -33,14 +34,14 @@ final class Replays {
         for (int cell = 0; cell < count; cell++) {
             Attacker.join(scenario, cell);
             String receiver = Field.posts(Attacker.pairs(count)).get(cell).get(1).name();
-            scenario.fault(Map.of("t", RESET_AT, "board", receiver, "do", "reset"));
-            scenario.fault(Map.of("t", CUT_AT, "board", receiver, "do", "power-cut", "duration", CUT_SECONDS));
+            scenario.fault(Map.of("t", resetAt, "board", receiver, "do", "reset"));
+            scenario.fault(Map.of("t", 2 * resetAt, "board", receiver, "do", "power-cut", "duration", CUT_SECONDS));
         }
         try (Closing closing = new Closing()) {
             closing.add(timetable);
             Field field = closing.add(Field.start(scenario, Attacker.pairs(count)));
             List<Scene> scenes = new ArrayList<>();
-            for (int cell = 0; cell < count; cell++) scenes.add(closing.add(new Scene(field, cell, messages, timetable, recorder)));
+            for (int cell = 0; cell < count; cell++) scenes.add(closing.add(new Scene(field, cell, messages, resetAt, timetable, recorder)));
             List<Thread> threads = scenes.stream().map(scene -> new Thread(scene::play, "replay")).toList();
             threads.forEach(Thread::start);
             for (Thread thread : threads) thread.join();
@@ -83,6 +84,7 @@ final class Replays {
 
         private final Field field;
         private final int messages;
+        private final int resetAt;
         private final Timetable timetable;
         private final Recorder recorder;
         private final Pair pair;
@@ -90,9 +92,10 @@ final class Replays {
         private long replayed;
         private Throwable failure;
 
-        Scene(Field field, int cell, int messages, Timetable timetable, Recorder recorder) throws LinkException {
+        Scene(Field field, int cell, int messages, int resetAt, Timetable timetable, Recorder recorder) throws LinkException {
             this.field = field;
             this.messages = messages;
+            this.resetAt = resetAt;
             this.timetable = timetable;
             this.recorder = recorder;
             pair = new Pair(field, cell, LENGTH);
@@ -103,10 +106,10 @@ final class Replays {
             try {
                 exchange();
                 replay();
-                awaitBoot(RESET_AT);
+                awaitBoot(resetAt);
                 replay();
                 exchange();
-                awaitBoot(CUT_AT);
+                awaitBoot(2 * resetAt);
                 replay();
                 exchange();
                 replay();
