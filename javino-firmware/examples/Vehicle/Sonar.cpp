@@ -47,7 +47,8 @@ void Sonar::update() {
   const uint32_t now = millis();
   if (now - lastTriggerMs_ < PERIOD_MS) return;
   lastTriggerMs_ = now;
-  const uint32_t echo = takeEcho() / MICROS_PER_CM;
+  // To the nearest centimetre: another interrupt may hold up either edge for some microseconds.
+  const uint32_t echo = (takeEcho() + MICROS_PER_CM / 2) / MICROS_PER_CM;
   centimetres_ = echo <= MAX_CM ? echo : 0;
   digitalWrite(triggerPin_, HIGH);
   delayMicroseconds(TRIGGER_MICROS);
