@@ -31,6 +31,7 @@ class CounterexampleTest {
     private static final int NONCE_END = 16;
     /** Of eight attempts: each one is answered while the sender waits, unless it has begun the next one meanwhile. */
     private static final int ANSWERED_ATTEMPTS = 4;
+    private static final int MOST_PLAYS = 10;
 
     private Emulator emulator;
     private Transmitter thief;
@@ -59,17 +60,13 @@ class CounterexampleTest {
     void replay_afterItsMessageAndAfterALaterOne_isRefused() throws Exception {
         police.send("SUPP", "tell;first");
         byte[] first = overheard("police", 1);
-        thief.send(first);
-        overheard("support", 2); // the acknowledgement, which is sent again: the thief would send into it
-        thief.send(first);
-        overheard("support", 3);
+        playUntilCounted(first, Counter.RADIO_REPEATS);
+        playUntilCounted(first, Counter.RADIO_REPEATS);
         assertEquals("tell;first", support.message().content().toString());
 
         police.send("SUPP", "tell;second");
-        thief.send(first);
+        playUntilCounted(first, Counter.RADIO_REPLAYED);
         assertEquals("tell;second", support.message().content().toString());
-        assertEquals(2, support.counter(Counter.RADIO_REPEATS));
-        assertEquals(1, support.counter(Counter.RADIO_REPLAYED));
         assertEquals(List.of(), support.messages());
     }
 
@@ -79,10 +76,9 @@ class CounterexampleTest {
         police.send("SUPP", "tell;first");
         byte[] forged = overheard("police", 1);
         forged[NONCE_END - 1]++;
-        thief.send(forged);
+        playUntilCounted(forged, Counter.RADIO_BAD_TAG);
 
         assertEquals("tell;first", support.message().content().toString());
-        assertEquals(1, support.counter(Counter.RADIO_BAD_TAG));
         assertEquals(List.of(), support.messages());
     }
 
@@ -119,6 +115,16 @@ class CounterexampleTest {
         assertEquals(1, police.counter(Counter.RADIO_UNDELIVERED));
         assertTrue(police.counter(Counter.RADIO_BAD_PROOFS) > 0, "no forgery reached the sender");
         assertTrue(police.counter(Counter.RADIO_NOT_FOR_US) > 0, "no replay reached the sender");
+    }
+
+    /** Plays a frame until the support's board has counted it: while that board answers somebody, it hears nothing. */
+    private void playUntilCounted(byte[] frame, Counter counter) throws Exception {
+        long before = support.counter(counter);
+        for (int play = 0; play < MOST_PLAYS; play++) {
+            thief.send(frame);
+            if (support.counter(counter) > before) return;
+        }
+        throw new AssertionError(counter + " did not rise");
     }
 
     private CompletableFuture<Void> sendUnheard() {
