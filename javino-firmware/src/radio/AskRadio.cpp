@@ -106,7 +106,7 @@ void AskRadio::onEdge(uint16_t now, bool level) {
   } else {
     hear(now);
   }
-  if (decoder_.isHunting()) carrier_.addEdge(now);
+  if (!decoder_.inPacket()) carrier_.addEdge(now);
   level_ = level;
   silentAlarms_ = 0;
   askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));

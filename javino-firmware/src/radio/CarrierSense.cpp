@@ -18,6 +18,12 @@ const uint8_t PERIODS_OF_NO_NOISE = 14;
 // allowed for training to be taken up again, 24 for start symbol and count.
 const uint16_t BITS_TO_COUNT = 35;
 
+// Edges in pairs that are whole bits apart, one after the other: of a packet whose training was not heard. Two edges in
+// noise are that by half, where they are two bits apart or more.
+const uint8_t PERIODS_OF_PACKET = 13;
+const uint8_t MAX_PERIOD_BITS = 8;
+const uint16_t BITS_TO_NEXT_PERIODS = 24;
+
 // All after training.
 const uint16_t BITS_OF_LONGEST_PACKET =
     12 + 2 * linecode::BITS_PER_SYMBOL * (MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD);
@@ -25,10 +31,11 @@ const uint16_t BITS_OF_LONGEST_PACKET =
 }  // namespace
 
 CarrierSense::CarrierSense(uint16_t bitTicks)
-    : periodTicks_(2 * bitTicks),
+    : bitTicks_(bitTicks),
       toleranceTicks_(bitTicks / 4),
       edge_(0),
       edgeBefore_(0),
+      training_(0),
       periods_(0),
       trained_(false),
       bitsLeft_(0) {}
@@ -37,23 +44,51 @@ void CarrierSense::addEdge(uint16_t now) {
   const uint16_t period = static_cast<uint16_t>(now - edgeBefore_);
   edgeBefore_ = edge_;
   edge_ = now;
-  const uint16_t aboveLeast = static_cast<uint16_t>(period - (periodTicks_ - toleranceTicks_));
-  if (aboveLeast > 2 * toleranceTicks_) {
-    periods_ = 0;
-    return;
+  const uint8_t bits = wholeBits(period);
+  if (bits == 2) {
+    addTrainingPeriod();
+  } else {
+    training_ = 0;
   }
-  if (periods_ < PERIODS_OF_NO_NOISE) periods_++;
-  if (periods_ == PERIODS_OF_NO_NOISE) {
+  if (bits >= 2) {
+    addPeriod();
+  } else {
+    // One edge that is off does not end what is known to be there.
+    periods_ = isHeard() ? periods_ / 2 : 0;
+  }
+}
+
+// How many bits a period is long, 1…8; 0 where it is not a whole number of them.
+uint8_t CarrierSense::wholeBits(uint16_t period) const {
+  for (uint8_t bits = 1; bits <= MAX_PERIOD_BITS; bits++) {
+    period = static_cast<uint16_t>(period - bitTicks_);
+    if (static_cast<uint16_t>(period + toleranceTicks_) <= 2 * toleranceTicks_) return bits;
+  }
+  return 0;
+}
+
+void CarrierSense::addTrainingPeriod() {
+  if (training_ < PERIODS_OF_NO_NOISE) training_++;
+  if (training_ == PERIODS_OF_NO_NOISE) {
     bitsLeft_ = BITS_OF_LONGEST_PACKET;
-  } else if (periods_ >= PERIODS_OF_TRAINING && bitsLeft_ < BITS_TO_COUNT) {
-    bitsLeft_ = BITS_TO_COUNT;
+  } else if (training_ >= PERIODS_OF_TRAINING) {
+    expectAtLeast(BITS_TO_COUNT);
   }
+}
+
+void CarrierSense::addPeriod() {
+  if (periods_ < PERIODS_OF_PACKET) periods_++;
+  if (periods_ == PERIODS_OF_PACKET) expectAtLeast(BITS_TO_NEXT_PERIODS);
+}
+
+void CarrierSense::expectAtLeast(uint16_t bits) {
+  if (bitsLeft_ < bits) bitsLeft_ = bits;
 }
 
 void CarrierSense::expect(uint16_t bits) {
   trained_ = bitsLeft_ != 0;
   bitsLeft_ = bits;
-  periods_ = 0;
+  training_ = 0;
 }
 
 void CarrierSense::doubt() {
@@ -62,6 +97,7 @@ void CarrierSense::doubt() {
 
 void CarrierSense::reset() {
   bitsLeft_ = 0;
+  training_ = 0;
   periods_ = 0;
 }
 

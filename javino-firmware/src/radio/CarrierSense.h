@@ -13,6 +13,9 @@ namespace javino {
 /// once, or where the receiver makes its pulses too long. From there a packet's count tells how long it lasts. Where no
 /// count is understood after that much training as noise never holds, the carrier may last as long as the longest
 /// packet. Ten bits without an edge end it in any case.
+///
+/// A packet whose training was not heard, since this board or a third one sent meanwhile, is taken up on its way, after
+/// some 30 bits: there too edges are whole bits apart, which noise rarely holds for long.
 class CarrierSense {
  public:
   /// @param bitTicks the length of a bit in ticks, 16…13107
@@ -39,11 +42,17 @@ class CarrierSense {
   bool isHeard() const { return bitsLeft_ != 0; }
 
  private:
-  const uint16_t periodTicks_;     // of training: two bits
-  const uint16_t toleranceTicks_;  // either way
+  uint8_t wholeBits(uint16_t period) const;
+  void addTrainingPeriod();
+  void addPeriod();
+  void expectAtLeast(uint16_t bits);
+
+  const uint16_t bitTicks_;
+  const uint16_t toleranceTicks_;  // of a period, either way
   uint16_t edge_;                  // when the line changed last
   uint16_t edgeBefore_;            // and before that
-  uint8_t periods_;                // in training, one after the other
+  uint8_t training_;               // periods of training, one after the other
+  uint8_t periods_;                // periods of whole bits, one after the other
   bool trained_;                   // the packet that is expected had training
   uint16_t bitsLeft_;              // for which a carrier is expected
 };

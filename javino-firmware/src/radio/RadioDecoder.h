@@ -21,8 +21,8 @@ class RadioDecoder {
   /// Takes the next bit from the air.
   JAVINO_OUT_OF_LINE void add(bool bit);
 
-  /// @return whether no packet is under way.
-  bool isHunting() const { return hunting_; }
+  /// @return whether a packet is under way whose count has come.
+  bool inPacket() const { return count_ != 0; }
 
   /// The line has been silent for longer than the line code allows: a packet under way is damaged.
   void endOfSignal();

@@ -152,3 +152,36 @@ TEST(AskRadio, hearsNoCarrierInItsOwnSending) {
   modem.hardware.play(AirLine().bits(Bits(bits.begin(), bits.begin() + 80), Modem::BIT));
   EXPECT_TRUE(modem.radio.carrier());
 }
+
+// Now and then bits in the midst of a packet look like the beginning of one, and hide the rest for a moment.
+TEST(AskRadio, hearsTheRestOfACarrierWhoseBeginningItSentOver) {
+  std::mt19937 random(45);
+  const size_t own = 96;  // bits
+  int heard = 0;
+  for (double skew : {-0.03, -0.02, 0.0, 0.02, 0.03}) {
+    for (int i = 0; i < 100; i++) {
+      Modem modem;
+      CarrierLog log(modem);
+      Bytes payload(77);
+      for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
+      modem.send({9});
+      modem.hardware.play(packetLine(payload, Modem::BIT * (1 + skew)).jitter(50, random).silence(30 * Modem::BIT));
+      const double bits = (84 + 12 * 77) * (1 + skew);
+      if (log.covers(own + 55, bits - 4)) heard++;
+      EXPECT_LT(log.spans().back().end, bits + 11) << "skew " << skew;
+    }
+  }
+  EXPECT_GE(heard, 485) << "of 500";
+}
+
+TEST(AskRadio, hearsTheRestOfACarrierWhoseBeginningAnotherSentOver) {
+  const Bits first = reference::packetBits(Bytes(10, 'f'));
+  const Bits second = reference::packetBits(Bytes(77, 's'));
+  for (int tenths = 200; tenths < 1000; tenths += 7) {
+    Modem modem;
+    CarrierLog log(modem);
+    modem.hardware.play(bothOf(first, second, tenths / 10.0 * Modem::BIT));
+    EXPECT_TRUE(log.covers(36, first.size() - 5)) << "shift " << tenths / 10.0;
+    EXPECT_TRUE(log.covers(first.size() + 32, second.size() + tenths / 10.0 - 5)) << "shift " << tenths / 10.0;
+  }
+}
