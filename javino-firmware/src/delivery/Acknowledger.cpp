@@ -9,6 +9,8 @@ namespace javino {
 
 const uint8_t Acknowledger::CAPACITY;
 
+static const uint8_t LEAST_PUT_OFF_SLOTS = 2;
+static const uint16_t FURTHER_SLOTS_MASK = 3;
 static const uint8_t MILLIS_A_UNIT = 100;  // of the uptime in a stale notice
 
 void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have) {
@@ -30,7 +32,9 @@ void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, co
 void Acknowledger::remove(uint8_t index) {
   count_--;
   memmove(entries_ + index, entries_ + index + 1, (count_ - index) * sizeof(Entry));
-  if (index == 0) deferred_ = false;
+  if (index != 0) return;
+  deferred_ = false;
+  slots_ = FRESH_SLOTS;
 }
 
 void Acknowledger::keysChanged() {
@@ -41,14 +45,22 @@ void Acknowledger::keysChanged() {
 
 void Acknowledger::run() {
   if (count_ == 0) return;
+  noteBusyAir();
+  if (channel_.quietSlots() < slots_) return;
+  uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
+  const uint8_t length = build(entries_[0], frame);
+  if (length == 0 || channel_.send(frame, length)) remove(0);
+}
+
+void Acknowledger::noteBusyAir() {
   if (channel_.hearsCarrier() && !deferred_) {
     deferred_ = true;
     counters_.count(Counter::RADIO_DEFERRED);
   }
-  if (channel_.quietSlots() == 0) return;
-  uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
-  const uint8_t length = build(entries_[0], frame);
-  if (length == 0 || channel_.send(frame, length)) remove(0);
+  const bool isBusy = channel_.hearsCarrier() || channel_.isSending();
+  if (isBusy && slots_ == FRESH_SLOTS) {
+    slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + random_.next(FURTHER_SLOTS_MASK));
+  }
 }
 
 // Returns 0 where the key can no longer be read.

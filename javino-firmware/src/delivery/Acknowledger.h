@@ -10,6 +10,7 @@
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
 #include "../support/NoInline.h"
+#include "../support/Random.h"
 #include "Channel.h"
 
 namespace javino {
@@ -20,13 +21,16 @@ namespace javino {
 /// A few wait at a time; when more come the oldest is dropped, as its sender will ask again.
 class Acknowledger {
  public:
-  Acknowledger(Channel &channel, const RfId &id, const KeyStore &keys, const ReplayMemory &replays, Counters &counters)
+  Acknowledger(Channel &channel, const RfId &id, const KeyStore &keys, const ReplayMemory &replays, Random &random,
+               Counters &counters)
       : channel_(channel),
         id_(id),
         keys_(keys),
         replays_(replays),
+        random_(random),
         counters_(counters),
         count_(0),
+        slots_(FRESH_SLOTS),
         deferred_(false) {}
 
   /// The host has a message.
@@ -49,11 +53,13 @@ class Acknowledger {
   /// To be called when keys were deleted: what was to be proved with them is dropped.
   void keysChanged();
 
-  /// Sends what waits, as soon as the air has been quiet for one slot.
+  /// Sends what waits, as soon as the air has been quiet for one slot; if it had to wait for the air, for a random number
+  /// of slots, since others wait for the end of the same packet.
   void run();
 
  private:
   static const uint8_t CAPACITY = 6;
+  static const uint8_t FRESH_SLOTS = 1;
 
   struct Entry {
     Proof::Type type;
@@ -65,6 +71,7 @@ class Acknowledger {
 
   JAVINO_NOINLINE void add(Proof::Type type, uint8_t slot, const Address &sender, const uint8_t *nonce, uint8_t have);
   JAVINO_NOINLINE void remove(uint8_t index);
+  void noteBusyAir();
   JAVINO_NOINLINE uint8_t build(const Entry &entry, uint8_t *frame) const;
   void writeBody(const Entry &entry, uint8_t *body) const;
 
@@ -72,9 +79,11 @@ class Acknowledger {
   const RfId &id_;
   const KeyStore &keys_;
   const ReplayMemory &replays_;
+  Random &random_;
   Counters &counters_;
   uint8_t count_;
-  bool deferred_;  // the first one has been counted as deferred
+  uint8_t slots_;  // of quiet air that the first one waits for
+  bool deferred_;  // it has been counted as deferred
   Entry entries_[CAPACITY];  // the first is the oldest
 };
 

@@ -2,10 +2,10 @@
 
 namespace javino {
 
-static const uint8_t LONG_QUIET = 20;
-static const uint8_t FIRST_SLOTS = 4;
+static const uint8_t LONG_QUIET = 15;
+static const uint8_t FIRST_SLOTS = 6;
 static const uint8_t FIRST_MASK = 7;
-static const uint8_t LAST_DOUBLING = 3;  // 0…63
+static const uint8_t LAST_DOUBLING = 2;  // 0…31
 
 void Backoff::begin(uint8_t attempt, uint8_t quietSlots, Random &random) {
   const uint8_t doublings = attempt < LAST_DOUBLING ? attempt : LAST_DOUBLING;

@@ -11,7 +11,7 @@ class Backoff {
  public:
   Backoff() : left_(0), counted_(0) {}
 
-  /// Begins a wait: 4 quiet slots and a random number of further ones; none where what is to be sent is new and the
+  /// Begins a wait: 6 quiet slots and a random number of further ones; none where what is to be sent is new and the
   /// air has been quiet for long.
   /// @param attempt 0 for what is new
   /// @param quietSlots how long the air has been quiet by now

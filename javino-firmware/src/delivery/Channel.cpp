@@ -4,7 +4,9 @@
 
 namespace javino {
 
-static const uint16_t SLOT_BITS = 12;
+// A carrier is heard from its twelfth bit on, and seen by the loop within 1 ms: another that begins a slot later is
+// put off.
+static const uint16_t SLOT_BITS = 16;
 static const uint16_t PACKET_BITS = 84;  // of a packet without payload (SPEC 6)
 static const uint16_t BITS_A_BYTE = 12;
 

@@ -7,7 +7,7 @@
 
 namespace javino {
 
-/// The air as a sender sees it: whether it is busy, and for how many slots of 12 bits it has been quiet (SPEC 7.4).
+/// The air as a sender sees it: whether it is busy, and for how many slots of 16 bits it has been quiet (SPEC 7.4).
 class Channel {
  public:
   explicit Channel(Radio &radio)

@@ -31,7 +31,7 @@ class Delivery {
         epoch_(epoch),
         keys_(keys),
         channel_(radio),
-        acknowledger_(channel_, id, keys, replays, counters),
+        acknowledger_(channel_, id, keys, replays, random_, counters),
         inbox_(replays, acknowledger_),
         admission_(id, keys, replays, inbox_, acknowledger_, counters),
         courier_(channel_, keys, nonces, random_, counters),

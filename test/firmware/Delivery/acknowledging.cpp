@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "support/Pieces.h"
 #include "support/TestBoard.h"
 
@@ -129,6 +131,29 @@ TEST_F(Acknowledging, waits_for_the_carrier_to_end_and_is_counted_once) {
   EXPECT_EQ(1u, board.counter(Counter::RADIO_DEFERRED));
   board.radio.heard = false;
   EXPECT_EQ(1u, answers().size());
+}
+
+TEST_F(Acknowledging, goes_at_once_where_the_air_is_quiet_and_after_2_to_5_slots_where_it_was_not) {
+  std::set<uint32_t> waits;
+  for (uint8_t number = 0; number < 100; number++) {
+    const bool isBusy = number != 0;
+    board.radio.heard = isBusy;
+    board.receive(sealed(KEY, "SUHO", "SUPP", {0, 0, 5, 0, 1, number}, "tell;x"));
+    board.pollTaking(number);
+    board.pass(1);
+    board.radio.heard = false;
+    const uint32_t from = board.clock.millis;
+    board.nextSent();
+    const uint32_t wait = board.clock.millis - from;
+    if (isBusy) {
+      waits.insert(wait / 8);
+    } else {
+      EXPECT_LE(wait, 1u);
+    }
+    board.finishSending();
+    board.pass(200);
+  }
+  EXPECT_EQ((std::set<uint32_t>{2, 3, 4, 5}), waits);
 }
 
 TEST_F(Acknowledging, goes_first_even_while_the_board_awaits_an_acknowledgement_itself) {

@@ -28,7 +28,7 @@ record Scene(String name, String title, Map<String, Integer> constants) {
         new Scene("crossing", "Two boards that send to each other at the same time (three attempts only)",
             Map.of("MESSAGES", 1, "ATTEMPTS", 3)),
         new Scene("bound", "How long a unicast may take",
-            Map.of("MESSAGES", 1, "PATIENCE", 4, "DATA_TIME", 5, "ACK_TIME", 4)));
+            Map.of("MESSAGES", 1, "PATIENCE", 3, "DATA_TIME", 4, "ACK_TIME", 3)));
 
     /** The document. */
     Document document(Path models) {
