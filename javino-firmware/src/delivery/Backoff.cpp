@@ -4,8 +4,8 @@ namespace javino {
 
 static const uint8_t LONG_QUIET = 15;
 static const uint8_t FIRST_SLOTS = 6;
-static const uint8_t FIRST_MASK = 7;
-static const uint8_t LAST_DOUBLING = 2;  // 0…31
+static const uint8_t FIRST_MASK = 15;
+static const uint8_t LAST_DOUBLING = 1;  // 0…31: who retries must not wait much longer than who is new, or would starve
 
 void Backoff::begin(uint8_t attempt, uint8_t quietSlots, Random &random) {
   const uint8_t doublings = attempt < LAST_DOUBLING ? attempt : LAST_DOUBLING;

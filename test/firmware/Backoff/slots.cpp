@@ -29,11 +29,11 @@ std::set<int> allFrom(uint8_t quiet, uint8_t attempt) {
 
 TEST(Backoff, what_is_new_goes_at_once_after_15_quiet_slots_and_not_before) {
   EXPECT_EQ(std::set<int>{15}, allFrom(15, 0));
-  EXPECT_EQ(8u, allFrom(14, 0).size());
+  EXPECT_EQ(16u, allFrom(14, 0).size());
 }
 
 TEST(Backoff, waits_6_quiet_slots_and_as_many_as_the_attempt_says) {
-  const size_t windows[] = {8, 16, 32, 32, 32, 32, 32, 32};
+  const size_t windows[] = {16, 32, 32, 32, 32, 32, 32, 32};
   for (uint8_t attempt = 0; attempt < 8; attempt++) {
     const std::set<int> seen = allFrom(0, attempt);
     EXPECT_EQ(windows[attempt], seen.size()) << int(attempt);

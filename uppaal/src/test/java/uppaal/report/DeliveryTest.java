@@ -58,7 +58,7 @@ class DeliveryTest {
     @Test
     void bound_oneUnitLess_isExceeded() {
         Scene scene = Scene.ALL.stream().filter(candidate -> candidate.name().equals("bound")).findFirst().orElseThrow();
-        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 93));
+        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 96));
         assertFalse(Exploration.of(network, Check.properties(network, scene.queries(MODELS))).holds(0));
     }
 
@@ -67,7 +67,7 @@ class DeliveryTest {
         for (String file : List.of("delivery/Courier.cpp", "delivery/Backoff.cpp", "delivery/Channel.cpp", "Config.h")) {
             Files.createDirectories(folder.resolve(file).getParent());
             Files.writeString(folder.resolve(file), Files.readString(FIRMWARE.resolve(file))
-                .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 2", "LAST_DOUBLING = 3"));
+                .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 1", "LAST_DOUBLING = 2"));
         }
         Document document = Scene.ALL.get(0).document(MODELS);
         assertEquals(List.of("delivery.xml: ATTEMPTS is 8, by the firmware's sources it must be 9",
