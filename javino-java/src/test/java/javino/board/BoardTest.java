@@ -2,7 +2,6 @@ package javino.board;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,7 +12,6 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -22,49 +20,20 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Content;
 import javino.protocol.Counter;
-import javino.protocol.Force;
 import javino.protocol.Key;
 import javino.protocol.Status;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
-class BoardTest {
-
-    private static final Content HELP = new Content(Force.TELL, "help");
-
-    private final FakeBoard fake = new FakeBoard();
-    private final FakePort port = new FakePort(fake);
-    private final RecordingListener listener = new RecordingListener();
-    private Board board;
-
-    @AfterEach
-    void close() {
-        if (board != null) {
-            board.close();
-        }
-    }
-
-    static BoardConfig.Builder quick(BoardConfig.Builder builder) {
-        return builder.setPollInterval(Duration.ofMillis(2)).setReplyTimeout(Duration.ofMillis(20))
-                .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
-                .setPatience(Duration.ofSeconds(30)).setAttempts(20);
-    }
+class BoardTest extends BoardFixture {
 
     private void open() {
-        board = Board.open(port, BoardConfig.create(BoardTest::quick), listener);
+        open(listener);
     }
 
     private void openAndAwaitOnline() throws InterruptedException {
         open();
         listener.until("online");
-    }
-
-    static <T extends Throwable> T failure(Class<T> type, CompletableFuture<?> future) {
-        return assertInstanceOf(type, assertThrows(ExecutionException.class, future::get).getCause());
     }
 
     /** Asks for an action that does not arrive, and waits until it was sent. */
@@ -126,8 +95,7 @@ class BoardTest {
     @Test
     void open_silentBoard_tellsAfterItsPatienceAndFailsRequests() throws Exception {
         fake.setSilent(true);
-        board = Board.open(port, BoardConfig.create(
-                builder -> quick(builder).setPatience(Duration.ofMillis(50))), listener);
+        open(listener, config -> config.setPatience(Duration.ofMillis(50)));
         CompletableFuture<Void> action = board.act("stop");
         assertTrue(listener.next().contains("no Javino board answers"));
         failure(BoardOfflineException.class, action);
@@ -150,14 +118,14 @@ class BoardTest {
     void requests_eachKind_bringTheirAnswers() throws Exception {
         openAndAwaitOnline();
         Key key = Key.ofHex("00".repeat(16));
-        assertEquals(key.check(), board.setKey(Address.parse("SUPO"), key).get());
+        assertEquals(key.check(), board.setKey(SUPO, key).get());
         assertEquals("SUPO", board.keys().get().get(0).address().toString());
         assertEquals(9, board.statistics().get().get(Counter.SERIAL_REQUESTS));
-        assertEquals(key.check(), board.renewKey(Address.parse("SUPO"), key).get());
-        board.finishRenewal(Address.parse("SUPO")).get();
-        board.deleteKey(Address.parse("SUPO")).get();
+        assertEquals(key.check(), board.renewKey(SUPO, key).get());
+        board.finishRenewal(SUPO).get();
+        board.deleteKey(SUPO).get();
         assertEquals(Status.NO_KEY,
-                failure(RequestFailedException.class, board.deleteKey(Address.parse("SUPO"))).status());
+                failure(RequestFailedException.class, board.deleteKey(SUPO)).status());
     }
 
     @Test
@@ -386,7 +354,7 @@ class BoardTest {
                 public String name() {
                     return "broken";
                 }
-            }, BoardConfig.create(BoardTest::quick), listener);
+            }, quick(config -> { }), listener);
             assertEquals("thrown by a test", uncaught.get().getMessage());
             failure(BoardOfflineException.class, board.act("stop"));
         } finally {
@@ -399,7 +367,7 @@ class BoardTest {
         Logger log = Logger.getLogger(Board.class.getName());
         log.setLevel(Level.OFF);
         CountDownLatch called = new CountDownLatch(2);
-        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+        open(new BoardListener() {
             @Override
             public void online(BoardInfo info) {
                 called.countDown();
@@ -421,7 +389,7 @@ class BoardTest {
 
     @Test
     void listener_interruptingItsThread_doesNoHarm() throws Exception {
-        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+        open(new BoardListener() {
             @Override
             public void online(BoardInfo info) {
                 Thread.currentThread().interrupt();
@@ -434,7 +402,7 @@ class BoardTest {
     @Test
     void act_queueFull_failsClearly() {
         port.unplug();
-        board = Board.open(port, BoardConfig.create(builder -> quick(builder).setQueueCapacity(2)), listener);
+        open(listener, config -> config.setQueueCapacity(2));
         board.act("one");
         board.act("two");
         QueueFullException full = failure(QueueFullException.class, board.act("three"));
@@ -459,7 +427,7 @@ class BoardTest {
     @Test
     void close_fromTheListener_endsTheSession() throws Exception {
         CountDownLatch closed = new CountDownLatch(1);
-        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+        open(new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
                 board.close();
@@ -485,7 +453,7 @@ class BoardTest {
     void end_boardSilent_returnsAtOnceAndCompletesWhenThePortIsFree() throws Exception {
         CountDownLatch inside = new CountDownLatch(1);
         CountDownLatch leave = new CountDownLatch(1);
-        board = Board.open(port, BoardConfig.create(BoardTest::quick), new BoardListener() {
+        open(new BoardListener() {
             @Override
             public void online(BoardInfo info) {
                 inside.countDown();
@@ -500,14 +468,6 @@ class BoardTest {
         end.get();
         assertFalse(port.isOpen());
         assertEquals(BoardState.CLOSED, board.state());
-    }
-
-    static void await(CountDownLatch latch) {
-        try {
-            latch.await();
-        } catch (InterruptedException e) {
-            throw new IllegalStateException(e);
-        }
     }
 
     @Test

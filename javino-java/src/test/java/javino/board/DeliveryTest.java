@@ -11,37 +11,17 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import javino.protocol.Bytes;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What a session does with messages so that its board can acknowledge them (SPEC 4.3, 7.2). */
-@Timeout(60)
-class DeliveryTest {
+class DeliveryTest extends BoardFixture {
 
     private static final String POLL = "5000";
     private static final String POLL_PERCEPTS = "5001";
 
-    private final FakeBoard fake = new FakeBoard();
-    private final FakePort port = new FakePort(fake);
-    private final RecordingListener listener = new RecordingListener();
-    private Board board;
-
-    @AfterEach
-    void close() {
-        if (board != null) {
-            board.close();
-        }
-    }
-
-    private void open(BoardListener told) {
-        board = Board.open(port, BoardConfig.create(BoardTest::quick), told);
-    }
-
     /** Polls by itself only once, after the greeting; all further ones have a cause. */
     private void openRarelyPolling(BoardListener told) {
-        board = Board.open(port, BoardConfig.create(
-                config -> BoardTest.quick(config).setPollInterval(Duration.ofHours(1))), told);
+        open(told, config -> config.setPollInterval(Duration.ofHours(1)));
     }
 
     /** Loses the next request that says what is taken, by a reset. */
@@ -82,7 +62,7 @@ class DeliveryTest {
             @Override
             public void message(ReceivedMessage message) {
                 inside.countDown();
-                BoardTest.await(leave);
+                await(leave);
             }
         });
         inside.await();

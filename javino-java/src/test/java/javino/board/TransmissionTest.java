@@ -11,32 +11,13 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Force;
 import javino.protocol.Outcome;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What a session tells of the ends of transmissions (SPEC 4.3, 7.2). */
-@Timeout(60)
-class TransmissionTest {
-
-    private static final Address SUPO = Address.parse("SUPO");
-    private static final Content HELP = new Content(Force.TELL, "help");
-
-    private final FakeBoard fake = new FakeBoard();
-    private final FakePort port = new FakePort(fake);
-    private final RecordingListener listener = new RecordingListener();
-    private Board board;
-
-    @AfterEach
-    void close() {
-        if (board != null) {
-            board.close();
-        }
-    }
+class TransmissionTest extends BoardFixture {
 
     private void openAndAwaitOnline(Duration pollInterval) throws Exception {
-        board = Board.open(port, BoardConfig.create(
-                config -> BoardTest.quick(config).setPollInterval(pollInterval)), listener);
+        open(listener, config -> config.setPollInterval(pollInterval));
         listener.until("online");
         board.setRfId(Address.parse("ROMA")).get();
     }
@@ -132,7 +113,7 @@ class TransmissionTest {
         board.transmit(SUPO, HELP).get();
         fake.end(0, Outcome.DELIVERED);
         fake.setLoses(message -> message.at(0) == 'A');
-        BoardTest.failure(OutcomeUnknownException.class, board.act("stop"));
+        failure(OutcomeUnknownException.class, board.act("stop"));
         assertEquals(List.of("offline fake: the board left a request unanswered", "online 1",
                 "transmitted 0 DELIVERED"), listener.until("transmitted"));
         assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
