@@ -15,6 +15,8 @@ final class FakeMail {
     private int told;
     private final List<Bytes> messages = new ArrayList<>();
     private int firstNumber;
+    /** How many of the messages a reply has brought: only these can be taken, whatever numbers come again later. */
+    private int offered;
 
     void receive(String destination, String origin, int id, String content) {
         messages.add(Bytes.join(Bytes.ofText(destination), Bytes.ofText(origin), Bytes.ofNumber(id, 3),
@@ -28,8 +30,9 @@ final class FakeMail {
     /** Forgets the message of this number and all before it. */
     void taken(int number) {
         int index = number - firstNumber & 0xFF;
-        if (index < messages.size()) {
+        if (index < offered) {
             messages.subList(0, index + 1).clear();
+            offered -= index + 1;
             firstNumber = number + 1 & 0xFF;
         }
     }
@@ -50,6 +53,7 @@ final class FakeMail {
         outcomes.clear();
         told = 0;
         firstNumber = 0;
+        offered = 0;
     }
 
     boolean isEmpty() {
@@ -76,6 +80,7 @@ final class FakeMail {
                 break;
             }
             records = longer;
+            offered = Math.max(offered, i + 1);
         }
         return Bytes.join(Bytes.of(0, flags), records);
     }
