@@ -147,7 +147,7 @@ final class Service {
         // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
         Thread.interrupted();
         Duration timeout = context.config().replyTimeout();
-        Reply reply = exchange.ask(request, request.writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout,
+        Reply reply = exchange.ask(request, request instanceof Request.EepromWrite ? timeout.plus(EEPROM_TIME) : timeout,
                 attempts -> attempts < context.config().attempts() && !context.queue().isClosed()).orElse(null);
         if (reply == null && context.queue().isClosed()) {
             throw new LostException(context.name() + ": the session was closed");

@@ -9,11 +9,8 @@ public sealed interface Request {
     /** The frame that carries the request. */
     Frame frame();
 
-    /** Whether the board writes to its EEPROM before it answers, which takes up to 270 ms. */
-    default boolean writesEeprom() {
-        return this instanceof SetRfId || this instanceof SetKey || this instanceof RenewKey
-                || this instanceof FinishRenewal || this instanceof DeleteKey;
-    }
+    /** A request for which the board writes to its EEPROM before it answers; that takes up to 270 ms. */
+    sealed interface EepromWrite extends Request { }
 
     private static Frame command(char command, Bytes body) {
         return new Frame(Address.SERIAL, Address.SERIAL, Bytes.join(Bytes.of(command), body));
@@ -91,7 +88,7 @@ public sealed interface Request {
     }
 
     /** @param id the device address that the board is to have. */
-    record SetRfId(Address id) implements Request {
+    record SetRfId(Address id) implements EepromWrite {
 
         /** @throws IllegalArgumentException if the address is no device's. */
         public SetRfId {
@@ -133,7 +130,7 @@ public sealed interface Request {
      * @param address the device or group that the key is shared with.
      * @param key     the shared key.
      */
-    record SetKey(Address address, Key key) implements Request {
+    record SetKey(Address address, Key key) implements EepromWrite {
 
         /** @throws IllegalArgumentException if the address is neither a device's nor a group's. */
         public SetKey {
@@ -157,7 +154,7 @@ public sealed interface Request {
      * @param address the device or group that the key is shared with.
      * @param key     the new shared key.
      */
-    record RenewKey(Address address, Key key) implements Request {
+    record RenewKey(Address address, Key key) implements EepromWrite {
 
         /** @throws IllegalArgumentException if the address is neither a device's nor a group's. */
         public RenewKey {
@@ -176,7 +173,7 @@ public sealed interface Request {
     }
 
     /** @param address the device or group whose previous key is to be forgotten. */
-    record FinishRenewal(Address address) implements Request {
+    record FinishRenewal(Address address) implements EepromWrite {
         @Override
         public Frame frame() {
             return command('F', address.toBytes());
@@ -189,7 +186,7 @@ public sealed interface Request {
     }
 
     /** @param address the device or group whose keys, current and previous, are to be forgotten. */
-    record DeleteKey(Address address) implements Request {
+    record DeleteKey(Address address) implements EepromWrite {
         @Override
         public Frame frame() {
             return command('D', address.toBytes());
