@@ -67,11 +67,7 @@ final class Floods {
     private void run(List<Case> cases, double seconds, Settings settings, Report report) throws Exception {
         Air air = new Air();
         Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
-            air.accept(event);
-            timetable.see(event);
-        });
-        timetable.join(scenario);
+        Emulator.Scenario scenario = timetable.scenario(settings.seed(), air);
         for (int cell = 0; cell < cases.size(); cell++) Attacker.join(scenario, cell);
         try (Closing closing = new Closing()) {
             closing.add(timetable);

@@ -88,11 +88,7 @@ final class Load implements Campaign {
     private void run(List<Case> group, Settings settings) throws Exception {
         Air air = new Air();
         Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
-            air.accept(event);
-            timetable.see(event);
-        });
-        timetable.join(scenario);
+        Emulator.Scenario scenario = timetable.scenario(settings.seed(), air);
         try (Closing closing = new Closing()) {
             closing.add(timetable);
             Field field = closing.add(Field.start(scenario, group.stream().map(Case::cell).toList()));

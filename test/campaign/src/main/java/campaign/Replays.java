@@ -26,11 +26,7 @@ final class Replays {
         int resetAt = settings.choose(RESET_AT, TEST_RESET_AT);
         Timetable timetable = new Timetable();
         Recorder recorder = new Recorder();
-        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).forgetful().listener(event -> {
-            recorder.see(event);
-            timetable.see(event);
-        });
-        timetable.join(scenario);
+        Emulator.Scenario scenario = timetable.scenario(settings.seed(), recorder::see);
         for (int cell = 0; cell < count; cell++) {
             Attacker.join(scenario, cell);
             String receiver = Field.posts(Attacker.pairs(count)).get(cell).get(1).name();

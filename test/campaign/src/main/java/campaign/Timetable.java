@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.Consumer;
 
 /**
  * Has things happen at times of the boards, which go by more slowly than ours where the machine has too much to do. The
@@ -24,13 +25,14 @@ final class Timetable implements AutoCloseable {
     private final ExecutorService performer = Executors.newSingleThreadExecutor();
     private double now;
 
-    /** Adds the board that beats the time. The scenario's listener has to pass everything on to {@link #see}. */
-    void join(Emulator.Scenario scenario) {
-        scenario.board(METRONOME, "Metronome", Map.of("position", List.of(FAR_METRES, 0), "watch", List.of(Map.of("pin", 5, "name", "beat"))));
+    /** A forgetful scenario with the board that beats the time; of each event the listener hears first. */
+    Emulator.Scenario scenario(long seed, Consumer<TraceEvent> listener) {
+        return new Emulator.Scenario().seed(seed).forgetful().listener(listener.andThen(this::see))
+            .board(METRONOME, "Metronome", Map.of("position", List.of(FAR_METRES, 0), "watch", List.of(Map.of("pin", 5, "name", "beat"))));
     }
 
     /** Takes notice of an event of the trace. */
-    synchronized void see(TraceEvent event) {
+    private synchronized void see(TraceEvent event) {
         now = event.seconds();
         while (!entries.isEmpty() && entries.peek().second <= now) performer.execute(entries.poll().what);
         notifyAll();
