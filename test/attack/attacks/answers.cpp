@@ -133,19 +133,18 @@ Bytes forged(const Bytes &nonce, RandomBytes &random) {
 Tally forgeAcknowledgements(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Errand errand(victim);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     for (int i = 0; i < 500; i++) victim.suffer(forged(errand.nonce(), victim.random));
     errand.checkUndecided();
     errand.end(delivered(errand.nonce()));
-  }
-  return victim.tally;
+  });
 }
 
 Tally replayAcknowledgements(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Errand errand(victim);
   std::vector<Bytes> recorded;
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     for (const Bytes &earlier : recorded) {
       victim.suffer(earlier);
       victim.suffer(readdressed(earlier, errand.nonce()));
@@ -155,15 +154,14 @@ Tally replayAcknowledgements(uint32_t seed, uint64_t tries) {
     recorded.push_back(genuine(Proof::PIECES, errand.nonce(), {1}));
     if (recorded.size() > 200) recorded.erase(recorded.begin(), recorded.begin() + 2);
     errand.end(delivered(errand.nonce()));
-  }
-  return victim.tally;
+  });
 }
 
 Tally forgeStaleNotices(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Errand errand(victim);
   std::vector<Bytes> recorded;
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const Bytes nonce = errand.nonce();
     for (int i = 0; i < 100; i++) {
       const Bytes floor = raised(nonce, 1 + victim.random.number(31));
@@ -184,6 +182,5 @@ Tally forgeStaleNotices(uint32_t seed, uint64_t tries) {
     if (recorded.size() > 100) recorded.erase(recorded.begin());
     errand.end(delivered(nonce));
     victim.tally.accepted += errand.nonce() != raised(nonce, 1);
-  }
-  return victim.tally;
+  });
 }

@@ -30,17 +30,18 @@ void setSize(Bytes &frame) {
 
 Tally changeEachBit(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  for (unsigned i = 0; victim.tally.tries < tries; i++) {
+  unsigned i = 0;
+  return victim.endure(tries, [&] {
     const Bytes frame = victim.genuine(LENGTHS[i % 5], i / 5 % 2 != 0);
+    i++;
     for (size_t bit = 0; bit < 8 * frame.size(); bit++) victim.suffer(withBit(frame, bit));
     victim.deliver(frame);
-  }
-  return victim.tally;
+  });
 }
 
 Tally changeEachBitOfPieces(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const Bytes frame = victim.genuine(54 + victim.random.number(441), victim.random.number(2) != 0);
     for (size_t bit = 0; bit < 8 * frame.size() && victim.tally.tries < tries; bit++) {
       victim.tally.tries++;
@@ -48,13 +49,12 @@ Tally changeEachBitOfPieces(uint32_t seed, uint64_t tries) {
       victim.skip(5000);
     }
     victim.deliver(frame);
-  }
-  return victim.tally;
+  });
 }
 
 Tally changeManyBits(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const Bytes frame = anyFrame(victim);
     for (int i = 0; i < 500; i++) {
       Bytes changed = frame;
@@ -64,13 +64,12 @@ Tally changeManyBits(uint32_t seed, uint64_t tries) {
       if (changed != frame && !isPlain) victim.suffer(changed);
     }
     victim.deliver(frame);
-  }
-  return victim.tally;
+  });
 }
 
 Tally guessTags(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const Bytes frame = anyFrame(victim);
     for (int i = 0; i < 500; i++) {
       Bytes forged = frame;
@@ -79,13 +78,12 @@ Tally guessTags(uint32_t seed, uint64_t tries) {
       victim.suffer(forged);
     }
     victim.deliver(frame);
-  }
-  return victim.tally;
+  });
 }
 
 Tally changeLengths(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const Bytes frame = anyFrame(victim);
     for (size_t length = 0; length <= javino::MAX_RADIO_PAYLOAD; length++) {
       if (length == frame.size() || length == 0) continue;
@@ -97,14 +95,13 @@ Tally changeLengths(uint32_t seed, uint64_t tries) {
       victim.suffer(other);
     }
     victim.deliver(frame);
-  }
-  return victim.tally;
+  });
 }
 
 Tally changeAddresses(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   const char *const others[] = {"SUPO", "//SU", "ROMA", "SUHO", "//RO", "AAAA", "+FAA", "+KAA", "++++"};
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const Bytes frame = anyFrame(victim);
     const std::string destination(frame.begin(), frame.begin() + 4);
     for (const char *to : others) {
@@ -114,13 +111,12 @@ Tally changeAddresses(uint32_t seed, uint64_t tries) {
       }
     }
     victim.deliver(frame);
-  }
-  return victim.tally;
+  });
 }
 
 Tally sealWithOtherKeys(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     for (int i = 0; i < 500; i++) {
       // Each key for what the other is for, then keys that are near to the right one, then any.
       const bool toGroup = victim.random.number(2) != 0;
@@ -131,6 +127,5 @@ Tally sealWithOtherKeys(uint32_t seed, uint64_t tries) {
       victim.suffer(sealed(key, toGroup ? "//SU" : "SUPO", "ROMA", nonce, "tell;forged"));
     }
     victim.deliver(anyFrame(victim));
-  }
-  return victim.tally;
+  });
 }

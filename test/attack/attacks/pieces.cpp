@@ -27,7 +27,7 @@ Bytes forgedFirst(const std::string &origin, unsigned id, unsigned bytes, Random
 
 Tally mixPieces(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     const size_t length = 60 + victim.random.number(430);
     const bool toGroup = victim.random.number(3) == 0;
     const Bytes first = victim.genuine(length, toGroup);
@@ -47,13 +47,12 @@ Tally mixPieces(uint32_t seed, uint64_t tries) {
     }
     victim.deliver(first);
     victim.deliver(second);
-  }
-  return victim.tally;
+  });
 }
 
 Tally forgePieces(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     for (int i = 0; i < 100; i++) {
       const std::string origin = anyOrigin(victim.random);
       const unsigned id = victim.random.number(4);
@@ -70,13 +69,12 @@ Tally forgePieces(uint32_t seed, uint64_t tries) {
     }
     victim.skip(EXPIRY);
     victim.deliver(longFrame(victim));
-  }
-  return victim.tally;
+  });
 }
 
 Tally floodWithFirstPieces(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     for (int i = 0; i < 20; i++) {
       for (int k = 0; k < 20; k++) {
         victim.suffer(forgedFirst(anyOrigin(victim.random), victim.random.number(64), 68 + victim.random.number(444), victim.random));
@@ -86,6 +84,5 @@ Tally floodWithFirstPieces(uint32_t seed, uint64_t tries) {
     }
     victim.skip(EXPIRY);
     victim.deliver(longFrame(victim));
-  }
-  return victim.tally;
+  });
 }

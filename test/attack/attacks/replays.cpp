@@ -44,14 +44,14 @@ void exchange(Victim &victim, Recording &recording) {
 Tally replayAcross(bool keepsRam, uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Recording recording(victim);
-  while (victim.tally.tries < tries) {
+  victim.endure(tries, [&] {
     exchange(victim, recording);
     victim.reset(keepsRam);
     recording.replayAll();
     victim.disallow();
     recording.replayAll();
     if (!keepsRam) victim.raiseCounter(RAISE);
-  }
+  });
   victim.deliver(recording.next());
   return victim.tally;
 }
@@ -76,7 +76,7 @@ void cutPower(Victim &victim, Recording &recording) {
 Tally replayWithinABoot(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Recording recording(victim);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     victim.deliver(recording.next());
     const Bytes waiting = recording.next();
     victim.allow(waiting);
@@ -84,8 +84,7 @@ Tally replayWithinABoot(uint32_t seed, uint64_t tries) {
     victim.take();
     for (int i = 0; i < 100; i++) recording.replayAny();
     victim.take();
-  }
-  return victim.tally;
+  });
 }
 
 Tally replayAcrossResets(uint32_t seed, uint64_t tries) { return replayAcross(true, seed, tries); }
@@ -95,7 +94,7 @@ Tally replayAcrossPowerLoss(uint32_t seed, uint64_t tries) { return replayAcross
 Tally replayAcrossCutWrites(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Recording recording(victim);
-  while (victim.tally.tries < tries) {
+  return victim.endure(tries, [&] {
     cutPower(victim, recording);
     victim.reset(false);
     recording.replayAll();  // what came as power failed may come once
@@ -103,6 +102,5 @@ Tally replayAcrossCutWrites(uint32_t seed, uint64_t tries) {
     recording.replayAll();
     victim.raiseCounter(RAISE);
     victim.deliver(recording.next());
-  }
-  return victim.tally;
+  });
 }

@@ -23,6 +23,13 @@ class Victim {
   /// Hears a hostile packet, which counts as a try.
   void suffer(const Bytes &packet);
 
+  /// Has an attack go on, turn by turn, until there were this many tries or a few more.
+  template <typename Turn>
+  const Tally &endure(uint64_t tries, Turn turn) {
+    while (tally.tries < tries) turn();
+    return tally;
+  }
+
   /// A new sealed frame of ROMA, with a content of this length, to SUPO or its group.
   Bytes genuine(size_t contentLength, bool toGroup);
 
