@@ -1,12 +1,11 @@
 #include <Arduino.h>
 #include <gtest/gtest.h>
 
+#include "support/Keys.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
 namespace {
-
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 
 // All secrets that the board has or had.
 std::vector<Bytes> secrets() {

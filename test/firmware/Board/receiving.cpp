@@ -1,13 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "support/Keys.h"
 #include "support/TestBoard.h"
 
 using javino::Counter;
 
 namespace {
-
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
-const Bytes OTHER_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 
 Bytes nonce(uint8_t epoch, uint8_t counter) { return {0, 0, epoch, 0, 0, counter}; }
 

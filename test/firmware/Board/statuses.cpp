@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <storage/EepromLayout.h>
 
+#include "support/Keys.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 #include "support/Vectors.h"
@@ -10,8 +11,6 @@ using javino::Status;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
-const Bytes OTHER_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 const Bytes KEY_CHECK = fromHex("dcc75b");
 
 Status statusOf(const std::string &name) {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "support/Keys.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -10,7 +11,6 @@ using javino::Status;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 const std::string SENT("\0", 1);
 
 class BoardTransmitting : public testing::Test {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "support/Keys.h"
 #include "support/Pieces.h"
 #include "support/TestBoard.h"
 
@@ -9,8 +10,6 @@ using javino::Counter;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
-const Bytes OTHER_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 const Bytes NONCE = {0, 0, 5, 0, 1, 2};
 
 // A board SUHO that hears SUPP.

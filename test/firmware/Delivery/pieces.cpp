@@ -2,6 +2,7 @@
 
 #include <delivery/Pieces.h>
 
+#include "support/Keys.h"
 #include "support/Pieces.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
@@ -11,7 +12,6 @@ using javino::Counter;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 const Bytes NONCE = {0, 0, 5, 0, 1, 2};
 
 // A board SUHO that hears SUPP and sends to it.

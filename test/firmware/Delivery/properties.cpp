@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "support/Air.h"
+#include "support/Keys.h"
 
 using javino::Counter;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 const Bytes GROUP_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 
 // A content of its own, of at least 12 bytes.

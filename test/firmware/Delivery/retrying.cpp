@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "support/Keys.h"
 #include "support/Pieces.h"
 #include "support/TestBoard.h"
 
@@ -7,7 +8,6 @@ using javino::Counter;
 
 namespace {
 
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 const Bytes NONCE = {0, 0, 2, 0, 0, 0};
 const std::string DELIVERED("\0\1", 2);
 const std::string UNDELIVERED("\0\2", 2);

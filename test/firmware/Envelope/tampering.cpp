@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 #include <secure/Envelope.h>
 
+#include "support/Keys.h"
 #include "support/TestBoard.h"
 
 using javino::Envelope;
 
 namespace {
-
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
 
 bool isAuthentic(const Bytes &frame) {
   javino::DerivedKeys keys;

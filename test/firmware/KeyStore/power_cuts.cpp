@@ -3,19 +3,13 @@
 
 #include <functional>
 
+#include "support/Addresses.h"
 #include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::Address;
 using javino::KeyStore;
 
 namespace {
-
-const Address SUPO(0x4943ce);
-const Address SUPP(0x4943cf);
-const Bytes FIRST = fromHex("000102030405060708090a0b0c0d0e0f");
-const Bytes SECOND = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
-const Bytes THIRD = fromHex("ffeeddccbbaa99887766554433221100");
 
 struct Keys {
   Bytes current;
@@ -32,7 +26,7 @@ bool is(const KeyStore &store, const Keys &keys) {
 
 void begin(KeyStore &store, const Keys &keys) {
   store.begin();
-  store.set(SUPP, THIRD.data());
+  store.set(SUPP, THIRD_KEY.data());
   if (!keys.previous.empty()) store.set(SUPO, keys.previous.data());
   if (!keys.current.empty()) store.renew(SUPO, keys.current.data());
 }
@@ -62,7 +56,7 @@ void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)
         KeyStore booted;
         booted.begin();
         ASSERT_TRUE(is(booted, before) || is(booted, after)) << cut << " " << int(garbage) << " " << cutOfBoot;
-        ASSERT_TRUE(holds(booted, booted.current(SUPP), THIRD)) << cut;
+        ASSERT_TRUE(holds(booted, booted.current(SUPP), THIRD_KEY)) << cut;
         change(booted);
         ASSERT_TRUE(is(booted, after)) << "done again: " << cut << " " << int(garbage) << " " << cutOfBoot;
       }
@@ -73,32 +67,32 @@ void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)
 }  // namespace
 
 TEST(KeyStorePowerCuts, while_setting_the_first_key_leave_none_or_it) {
-  expectAllOrNothing({{}, {}}, [](KeyStore &store) { store.set(SUPO, FIRST.data()); }, {FIRST, {}});
+  expectAllOrNothing({{}, {}}, [](KeyStore &store) { store.set(SUPO, KEY.data()); }, {KEY, {}});
 }
 
 TEST(KeyStorePowerCuts, while_replacing_a_key_leave_the_old_or_the_new) {
-  expectAllOrNothing({FIRST, {}}, [](KeyStore &store) { store.set(SUPO, SECOND.data()); }, {SECOND, {}});
+  expectAllOrNothing({KEY, {}}, [](KeyStore &store) { store.set(SUPO, OTHER_KEY.data()); }, {OTHER_KEY, {}});
 }
 
 TEST(KeyStorePowerCuts, while_replacing_two_keys_leave_both_or_the_new) {
-  expectAllOrNothing({SECOND, FIRST}, [](KeyStore &store) { store.set(SUPO, THIRD.data()); }, {THIRD, {}});
+  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) { store.set(SUPO, THIRD_KEY.data()); }, {THIRD_KEY, {}});
 }
 
 TEST(KeyStorePowerCuts, while_renewing_leave_the_old_or_both) {
-  expectAllOrNothing({FIRST, {}}, [](KeyStore &store) { store.renew(SUPO, SECOND.data()); }, {SECOND, FIRST});
+  expectAllOrNothing({KEY, {}}, [](KeyStore &store) { store.renew(SUPO, OTHER_KEY.data()); }, {OTHER_KEY, KEY});
 }
 
 TEST(KeyStorePowerCuts, while_renewing_again_leave_the_old_pair_or_the_new) {
-  expectAllOrNothing({SECOND, FIRST}, [](KeyStore &store) { store.renew(SUPO, THIRD.data()); }, {THIRD, SECOND});
+  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) { store.renew(SUPO, THIRD_KEY.data()); }, {THIRD_KEY, OTHER_KEY});
 }
 
 TEST(KeyStorePowerCuts, while_going_back_to_the_previous_key_leave_both_or_it) {
-  expectAllOrNothing({SECOND, FIRST}, [](KeyStore &store) { store.set(SUPO, FIRST.data()); }, {FIRST, {}});
+  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) { store.set(SUPO, KEY.data()); }, {KEY, {}});
 }
 
 TEST(KeyStorePowerCuts, while_finishing_leave_both_or_the_new) {
-  expectAllOrNothing({SECOND, FIRST}, [](KeyStore &store) {
+  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) {
     const uint8_t previous = store.previous(SUPO);
     if (previous != KeyStore::NO_SLOT) store.erase(previous);
-  }, {SECOND, {}});
+  }, {OTHER_KEY, {}});
 }

@@ -2,6 +2,7 @@
 #include <storage/EepromLayout.h>
 #include <storage/KeyStore.h>
 
+#include "support/Addresses.h"
 #include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
@@ -10,10 +11,6 @@ using javino::DerivedKeys;
 using javino::KeyStore;
 
 namespace {
-
-const Address SUPO(0x4943ce);
-const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
-const Bytes OTHER_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 
 bool holdsSecretsOf(const SimulatedEeprom &eeprom, const Bytes &key) {
   DerivedKeys derived;

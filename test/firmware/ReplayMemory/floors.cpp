@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 #include <storage/EepromLayout.h>
 
+#include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
 using javino::Address;
 using javino::ReplayMemory;
 
 namespace {
-
-const Address SUPO(0x4943ce);
 
 int writesOfFloors(const ReplayRig &rig) {
   int writes = 0;

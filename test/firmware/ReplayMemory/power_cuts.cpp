@@ -2,17 +2,11 @@
 
 #include <map>
 
+#include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
 using javino::Address;
 using javino::ReplayMemory;
-
-namespace {
-
-const Address SUPO(0x4943ce);
-const Address SUPP(0x4943cf);
-
-}  // namespace
 
 TEST(ReplayMemoryPowerCuts, at_any_write_leave_the_old_floor_or_the_new) {
   for (int cut = 0, cuts = 1; cuts > 0; cut++) {

@@ -2,17 +2,11 @@
 
 #include <cstring>
 
+#include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
 using javino::Address;
 using javino::ReplayMemory;
-
-namespace {
-
-const Address SUPO(0x4943ce);
-const Address SUPP(0x4943cf);
-
-}  // namespace
 
 TEST(ReplayMemoryReset, keeps_what_was_taken_exactly) {
   ReplayRig rig;

@@ -1,16 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
 using javino::Address;
 using javino::ReplayMemory;
-
-namespace {
-
-const Address SUPO(0x4943ce);
-const Address SUPP(0x4943cf);
-
-}  // namespace
 
 TEST(ReplayMemory, takes_only_higher_nonces) {
   ReplayRig rig;

@@ -2,16 +2,13 @@
 #include <storage/EepromLayout.h>
 #include <storage/RfId.h>
 
+#include "support/Addresses.h"
 #include "support/SimulatedEeprom.h"
 
 using javino::Address;
 using javino::RfId;
 
 namespace {
-
-const Address ROMA(0x44e300);
-const Address SUPO(0x4943ce);
-const Address SUPP(0x4943cf);
 
 int places() {
   int whole = 0;
