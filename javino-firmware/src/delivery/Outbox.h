@@ -16,7 +16,7 @@ class Outbox {
  public:
   Outbox() : records_(block_, sizeof block_) {}
 
-  /// Whether a content of this length can be taken in.
+  /// Whether a frame of this length, in bytes with its header and, if it is to be sealed, SEAL_LENGTH, can be taken in.
   bool fits(uint16_t frameLength) const { return !outcomes_.isFull() && records_.fits(frameLength); }
 
   /// Takes in a broadcast as it is. Only while HEADER_LENGTH and its message fit.
