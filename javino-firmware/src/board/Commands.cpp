@@ -59,10 +59,13 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'R':
       return openRadio(body, length);
     case 'K':
+      return keysChanged(keys_.set(body, length, reply));
     case 'N':
+      return keysChanged(keys_.renew(body, length, reply));
     case 'F':
+      return keysChanged(keys_.finish(body, length));
     case 'D':
-      return changeKeys(name, body, length, reply);
+      return keysChanged(keys_.erase(body, length));
     case 'L':
       return keys_.list(length, reply);
     case 'S':
@@ -93,11 +96,7 @@ Status Commands::poll(const uint8_t *body, uint16_t length, Reply &reply) {
 }
 
 // What was sealed with a key that is gone must not be opened, acknowledged or sealed anew with the next one in its place.
-Status Commands::changeKeys(char name, const uint8_t *body, uint16_t length, Reply &reply) {
-  const Status status = name == 'K'   ? keys_.set(body, length, reply)
-                        : name == 'N' ? keys_.renew(body, length, reply)
-                        : name == 'F' ? keys_.finish(body, length)
-                                      : keys_.erase(body, length);
+Status Commands::keysChanged(Status status) {
   delivery_.keysChanged();
   return status;
 }

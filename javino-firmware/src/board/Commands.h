@@ -48,7 +48,7 @@ class Commands {
   Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
   Status hello(const uint8_t *body, uint16_t length, Reply &reply);
   Status poll(const uint8_t *body, uint16_t length, Reply &reply);
-  JAVINO_NOINLINE Status changeKeys(char name, const uint8_t *body, uint16_t length, Reply &reply);
+  JAVINO_NOINLINE Status keysChanged(Status status);
   Status setRfId(const uint8_t *body, uint16_t length);
   Status openRadio(const uint8_t *body, uint16_t length);
   Status statistics(uint16_t length, Reply &reply);
