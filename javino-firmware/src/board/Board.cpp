@@ -22,9 +22,10 @@ bool Board::begin() {
   return radioStarted && epoch_.isStored();
 }
 
+// The host first: what it asks for is then sent before the CPU sleeps. A packet that comes in the very round of a poll
+// waits for the next one.
 void Board::run() {
   radio_.update();
-  delivery_.run();
   session_.run();
   delivery_.run();
 }
