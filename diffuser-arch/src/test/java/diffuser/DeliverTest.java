@@ -44,20 +44,14 @@ class DeliverTest {
         return agent;
     }
 
-    private static void nothingElse(RunningAgent agent) {
-        agent.cycles(5);
-        agent.achieve("probe");
-        agent.notes("probed");
-    }
-
     @Test
     void deliver_delivered_goesOnWithoutAnEvent() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = waiting(PROGRAM, board)) {
-            nothingElse(agent);
+            agent.notesNothingElse();
             board.end("ROMA tell;help", Outcome.DELIVERED);
             agent.notes("done");
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -67,7 +61,7 @@ class DeliverTest {
         try (RunningAgent agent = waiting(PROGRAM, board)) {
             board.end("ROMA tell;help", Outcome.UNDELIVERED);
             agent.notes(UNDELIVERED);
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -108,7 +102,7 @@ class DeliverTest {
     void deliver_boardIsReset_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = waiting(PROGRAM, board)) {
-            nothingElse(agent);
+            agent.notesNothingElse();
             board.reset();
             agent.notes(UNDELIVERED);
             agent.achieve("do");
@@ -122,7 +116,7 @@ class DeliverTest {
     void deliver_boardIsUnpluggedAndComesBackReset_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = waiting(PROGRAM, board)) {
-            nothingElse(agent);
+            agent.notesNothingElse();
             board.unplug();
             agent.warns("the board is off");
             board.reset();
@@ -145,7 +139,7 @@ class DeliverTest {
     void deliver_anotherPortIsOpened_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = waiting(PROGRAM, board)) {
-            nothingElse(agent);
+            agent.notesNothingElse();
             agent.achieve("other");
             agent.notes(UNDELIVERED);
         }
@@ -158,14 +152,14 @@ class DeliverTest {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!drop <- diffuser.note(dropping); " + drop + ".";
         try (RunningAgent agent = waiting(program, board)) {
-            nothingElse(agent);
+            agent.notesNothingElse();
             assertEquals(1, agent.body().getTS().getC().getPendingIntentions().size());
             agent.achieve("drop");
             agent.notes("dropping");
-            nothingElse(agent);
+            agent.notesNothingElse();
             assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
             board.end("ROMA tell;help", Outcome.DELIVERED);
-            nothingElse(agent);
+            agent.notesNothingElse();
             agent.achieve("do");
             RunningAgent.asked(board, "ROMA tell;help");
             board.end("ROMA tell;help", Outcome.UNDELIVERED);
@@ -179,11 +173,11 @@ class DeliverTest {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "-!do <- diffuser.note(failed). +!drop <- .fail_goal(do).";
         try (RunningAgent agent = waiting(program, board)) {
-            nothingElse(agent);
+            agent.notesNothingElse();
             agent.achieve("drop");
             agent.notes("failed");
             board.end("ROMA tell;help", Outcome.UNDELIVERED);
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -191,7 +185,7 @@ class DeliverTest {
     void deliver_agentStopsMeanwhile_sessionEnds() throws Exception {
         FakeBoard board = new FakeBoard("antenna");
         RunningAgent agent = waiting(PROGRAM, board);
-        nothingElse(agent);
+        agent.notesNothingElse();
         Thread session = PortTest.thread("javino antenna");
         agent.close();
         session.join(RunningAgent.PATIENCE_SECONDS * 1000L);

@@ -7,7 +7,6 @@ import javino.protocol.Status;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The belief {@code openness(S)} of agents with a board. */
@@ -51,23 +50,8 @@ class OpennessBeliefTest {
         agent.notesAll("no " + from, to);
     }
 
-    private static void unchanged(RunningAgent agent) {
-        agent.cycles(5);
-        agent.achieve("probe");
-        agent.notes("probed");
-    }
-
     @ParameterizedTest
-    @CsvSource({
-        "OPEN,           -com, LIMITED_OPEN",
-        "OPEN,           -mob, CLOSED",
-        "CLOSED,         -com, TOTALLY_CLOSED",
-        "CLOSED,         +mob, OPEN",
-        "LIMITED_OPEN,   +com, OPEN",
-        "LIMITED_OPEN,   -mob, TOTALLY_CLOSED",
-        "TOTALLY_CLOSED, +com, CLOSED",
-        "TOTALLY_CLOSED, +mob, LIMITED_OPEN",
-    })
+    @FigureOne
     void figureOne_eachTransition_isAChangeOfTheBelief(Openness from, String symbol, Openness to) throws Exception {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = in(from, board)) {
@@ -97,7 +81,7 @@ class OpennessBeliefTest {
     void radioNotOpened_staysTotallyClosed(String instead) {
         try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(instead), new FakeBoard("antenna"))) {
             agent.notesAll("totallyClosed", "ready");
-            unchanged(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -107,7 +91,7 @@ class OpennessBeliefTest {
                 + "+!name <- .setMyRFId(\"SUPO\").";
         try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"))) {
             agent.notesAll("totallyClosed", "ready");
-            unchanged(agent);
+            agent.notesNothingElse();
             agent.achieve("name");
             changes(agent, "totallyClosed", "closed");
         }
@@ -119,7 +103,7 @@ class OpennessBeliefTest {
         String program = PROGRAM.formatted(".getRFMessages(open)") + "-!start <- .getRFMessages(open); !probe.";
         try (RunningAgent agent = RunningAgent.run(program, board)) {
             agent.notesAll("totallyClosed", "probed");
-            unchanged(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -158,7 +142,7 @@ class OpennessBeliefTest {
         try (RunningAgent agent = open(board)) {
             agent.achieve("other");
             changes(agent, "closed", "totallyClosed");
-            unchanged(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -168,12 +152,12 @@ class OpennessBeliefTest {
         try (RunningAgent agent = open(board)) {
             agent.achieve("allow(lte,[com])");
             agent.achieve("allow(\"wifi\",[com])");
-            unchanged(agent);
+            agent.notesNothingElse();
             board.unplug();
             agent.warns("the board is off");
-            unchanged(agent);
+            agent.notesNothingElse();
             agent.achieve("allow(wifi,[])");
-            unchanged(agent);
+            agent.notesNothingElse();
             agent.achieve("allow(lte,[])");
             changes(agent, "closed", "totallyClosed");
             agent.achieve("allow(lte,[mob,com])");
@@ -186,7 +170,7 @@ class OpennessBeliefTest {
         FakeBoard board = new FakeBoard("antenna").hearing(true);
         try (RunningAgent agent = open(board)) {
             agent.achieve("silence(20)");
-            unchanged(agent);
+            agent.notesNothingElse();
             board.hearing(false);
             changes(agent, "closed", "totallyClosed");
             board.hearing(true);
@@ -202,7 +186,7 @@ class OpennessBeliefTest {
             changes(agent, "closed", "totallyClosed");
             agent.achieve("silence(0)");
             changes(agent, "totallyClosed", "closed");
-            unchanged(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -239,7 +223,7 @@ class OpennessBeliefTest {
             changes(agent, "closed", "totallyClosed");
             agent.achieve("send");
             agent.notes("undelivered");
-            unchanged(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -249,7 +233,7 @@ class OpennessBeliefTest {
         try (RunningAgent agent = open(board)) {
             agent.achieve("silence(5)");
             agent.warns("cannot tell whether the radio hears anybody: statistics failed: UNKNOWN_COMMAND");
-            unchanged(agent);
+            agent.notesNothingElse();
         }
     }
 

@@ -36,16 +36,7 @@ class OpennessTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "OPEN,           -com, LIMITED_OPEN",
-        "OPEN,           -mob, CLOSED",
-        "CLOSED,         -com, TOTALLY_CLOSED",
-        "CLOSED,         +mob, OPEN",
-        "LIMITED_OPEN,   +com, OPEN",
-        "LIMITED_OPEN,   -mob, TOTALLY_CLOSED",
-        "TOTALLY_CLOSED, +com, CLOSED",
-        "TOTALLY_CLOSED, +mob, LIMITED_OPEN",
-    })
+    @FigureOne
     void symbol_changesTheStateAsInFigureOne(Openness from, String symbol, Openness to) {
         assertSame(to, after(from, symbol));
     }

@@ -44,13 +44,6 @@ class OutcomeTest {
         return agent;
     }
 
-    /** Nothing more has come: what the agent is asked now it notes next. */
-    private static void nothingElse(RunningAgent agent) {
-        agent.cycles(5);
-        agent.achieve("probe");
-        agent.notes("probed");
-    }
-
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
         ".diffuse(\"ROMA\",tell,help)             | ROMA tell;help             | quoted(\"ROMA\") tell help",
@@ -71,7 +64,7 @@ class OutcomeTest {
             agent.notes("taken");
             board.end(request, Outcome.UNDELIVERED);
             agent.notes("undelivered " + event + " undelivered");
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -138,7 +131,7 @@ class OutcomeTest {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board)) {
             board.end(200, Outcome.DELIVERED);
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -148,7 +141,7 @@ class OutcomeTest {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board)) {
             board.end(address + " tell;a", Outcome.SENT);
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -225,7 +218,7 @@ class OutcomeTest {
             board.receive("////", "ROMA", "tell;[undelivered(\"ROMA\",tell,c)[source(percept),error(undelivered)]]");
             board.receive("////", "ROMA", "tell;seen");
             agent.notes("seen");
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 
@@ -260,7 +253,7 @@ class OutcomeTest {
             agent.notes("ready");
             agent.achieve("do");
             agent.notes("failed queue_full");
-            nothingElse(agent);
+            agent.notesNothingElse();
         }
     }
 

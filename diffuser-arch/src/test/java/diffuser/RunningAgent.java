@@ -155,6 +155,16 @@ final class RunningAgent implements AutoCloseable {
         assertEquals(expected, next(note.of(name), "a note"));
     }
 
+    /**
+     * Nothing more has come: what the agent is asked now it notes next. Its program has
+     * {@code +!probe <- diffuser.note(probed)}.
+     */
+    void notesNothingElse() {
+        cycles(5);
+        achieve("probe");
+        notes("probed");
+    }
+
     String nextNote() {
         return next(note.of(name), "a note");
     }
