@@ -19,8 +19,8 @@ final class Faults implements Campaign {
         List<Fault> faults = FaultPlan.of(settings.seed(), pairs, each, settings.choose(45, 12));
         report.text("""
             %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a reset as a Mega's).
-            All hosts send to their peers without a pause, four contents of 16 bytes to one of 100, replace a key every 3 s, so that
-            much is written to the EEPROM, and log what they are handed before their board learns that they have it. Every %.0f s something
+            All hosts send to their peers without a pause, nine contents of 16 bytes to one of 60 in two pieces, replace a key every
+            3 s, so that much is written to the EEPROM, and log what they are handed before their board learns that they have it. Every %.0f s something
             befalls each pair. A power cut comes at the 1st to 30th byte that the board writes from then on, leaves that byte torn and the
             RAM random, and lasts 0.2 s. *First* and *both*: emulated time from the end of the cause until a unicast
             was proved delivered by either of the two boards, and by both; a killed host's cause ends when its successor opens the port.

@@ -29,8 +29,8 @@ final class HostProgram implements BoardListener {
     private static final int NUMBERS_A_RUN = 1_000_000;
     private static final int LENGTH = 16;
     /** Each so-manieth content does not fit one packet. */
-    private static final int LONG_EACH = 5;
-    private static final int LONG_LENGTH = 100;
+    private static final int LONG_EACH = 10;
+    private static final int LONG_LENGTH = 60;
     private static final Duration AFTER_REFUSAL = Duration.ofMillis(50);
     private static final Duration BETWEEN_KEYS = Duration.ofSeconds(3);
     /** Wall time for eight attempts each of two messages, where boards fall far behind. */
