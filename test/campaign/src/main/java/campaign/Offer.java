@@ -1,12 +1,12 @@
 package campaign;
 
-import java.util.Random;
+import java.util.SplittableRandom;
 
 /** Something that happens at random times, as often as told on average, each time independent of the others (Poisson). */
 final class Offer {
 
     private final Timetable timetable;
-    private final Random random;
+    private final SplittableRandom random;
     private final double meanSeconds;
     private final double end;
     private final Runnable what;
@@ -18,7 +18,8 @@ final class Offer {
      */
     Offer(Timetable timetable, long seed, double meanSeconds, double end, Runnable what) {
         this.timetable = timetable;
-        this.random = new Random(seed);
+        // Unlike those of Random, its first numbers for seeds in a row are independent of each other.
+        this.random = new SplittableRandom(seed);
         this.meanSeconds = meanSeconds;
         this.end = end;
         this.what = what;

@@ -32,7 +32,7 @@ final class Timetable implements AutoCloseable {
     }
 
     /** Takes notice of an event of the trace. */
-    private synchronized void see(TraceEvent event) {
+    synchronized void see(TraceEvent event) {
         now = event.seconds();
         while (!entries.isEmpty() && entries.peek().second <= now) performer.execute(entries.poll().what);
         notifyAll();

@@ -2,11 +2,15 @@ package campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.TraceEvent;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 /** The small instruments. */
@@ -34,6 +38,23 @@ class MeasuresTest {
         pace.see(8, 1);
         pace.see(9, 2);
         assertEquals(5, pace.longest());
+    }
+
+    @Test
+    void offer_seedsInARow_beginAtTimesOfTheirOwn() throws InterruptedException {
+        CountDownLatch first = new CountDownLatch(550);
+        AtomicInteger begun = new AtomicInteger();
+        try (Timetable timetable = new Timetable()) {
+            for (int seed = 0; seed < 1000; seed++) {
+                new Offer(timetable, seed, 1, 1, () -> {
+                    begun.incrementAndGet();
+                    first.countDown();
+                });
+            }
+            timetable.see(TraceEvent.parse("{\"t\": 1, \"event\": \"pin\"}"));
+            assertTrue(first.await(10, TimeUnit.SECONDS), () -> "of 1000, whose first times are a second away on average, " + begun + " came within it");
+        }
+        assertTrue(begun.get() < 720, () -> "632 were to be expected, not " + begun);
     }
 
     @Test
