@@ -3,9 +3,13 @@
 
 #include <string.h>
 
+#include "crc_x25.h"
+
 // 0x38 and 0x2C, six bits each, least significant bit first.
 #define START_SYMBOL (0x38u | 0x2Cu << 6)
 #define WINDOW_BITS 12
+// From the first carrier of the training to the end of the start symbol: the first bit is a 0.
+#define LEAD_BITS 47
 
 static const uint8_t SYMBOLS[16] = {0x0D, 0x0E, 0x13, 0x15, 0x16, 0x19, 0x1A, 0x1C,
                                     0x23, 0x25, 0x26, 0x29, 0x2A, 0x2C, 0x32, 0x34};
@@ -16,18 +20,6 @@ static int nibble_of(unsigned symbol)
         if (SYMBOLS[nibble] == symbol)
             return nibble;
     return -1;
-}
-
-// CRC-16/X-25 (SPEC 4.1).
-static uint16_t crc_x25(const uint8_t *bytes, size_t length)
-{
-    uint16_t crc = 0xFFFF;
-    for (size_t i = 0; i < length; i++) {
-        crc ^= bytes[i];
-        for (int bit = 0; bit < 8; bit++)
-            crc = (uint16_t)(crc & 1 ? crc >> 1 ^ 0x8408 : crc >> 1);
-    }
-    return (uint16_t)~crc;
 }
 
 void line_decoder_init(line_decoder *decoder, double bit_rate, line_listener listener)
@@ -53,7 +45,7 @@ static void finish_packet(line_decoder *decoder)
         return;
     }
     decoder->receiving = false;
-    line_packet packet = {decoder->bytes + 1, checked - 1, decoder->start,
+    line_packet packet = {decoder->bytes + 1, checked - 1, decoder->start > 0 ? (cycles_t)decoder->start : 0,
                           (cycles_t)(decoder->next_sample + decoder->bit_cycles / 2)};
     decoder->listener.packet(decoder->listener.context, &packet);
 }
@@ -79,6 +71,8 @@ static void take_bit(line_decoder *decoder, bool bit)
     decoder->window = (uint16_t)(decoder->window >> 1 | (unsigned)bit << (WINDOW_BITS - 1));
     if (!decoder->receiving) {
         decoder->receiving = decoder->window == START_SYMBOL;
+        // Not when the carrier came: it may have been another packet's, close before.
+        decoder->start = decoder->next_sample - (LEAD_BITS - 0.5) * decoder->bit_cycles;
         decoder->bit_count = 0;
         decoder->byte_count = 0;
         return;
@@ -111,8 +105,6 @@ void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at)
     line_decoder_advance(decoder, at);
     if (level == decoder->level)
         return;
-    if (level && decoder->idle_bits >= LINE_IDLE_BITS)
-        decoder->start = at;
     decoder->level = level;
     // Each edge is the border of two bits, and puts the sampling back into their middle.
     decoder->next_sample = (double)at + decoder->bit_cycles / 2;

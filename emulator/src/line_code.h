@@ -37,7 +37,7 @@ typedef struct {
     bool level;
     double next_sample; // cycle at which the level is read next: the middle of a bit
     unsigned idle_bits; // zeros in a row, up to LINE_IDLE_BITS
-    cycles_t start;
+    double start;       // of the packet being received, in cycles
     uint16_t window;    // the last 12 bits, first one lowest
     bool receiving;     // the start symbol has been seen
     unsigned bit_count; // bits of the current byte, 0…11

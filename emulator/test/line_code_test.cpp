@@ -30,7 +30,7 @@ struct Receiver {
     }
 
     // `jitter` moves each edge by up to so many cycles; `stretch` makes the sender's bits longer.
-    void send(const std::string &bits, int jitter = 0, double stretch = 1)
+    void send(const std::string &bits, int jitter = 0, double stretch = 1, int pause_bits = 20)
     {
         std::mt19937 random(1);
         double begin = static_cast<double>(now);
@@ -41,7 +41,7 @@ struct Receiver {
         }
         now = static_cast<cycles_t>(begin + static_cast<double>(bits.size()) * bit_cycles * stretch);
         line_decoder_edge(&decoder, false, now);
-        rest(20);
+        rest(pause_bits);
     }
 
     void rest(int bits)
@@ -114,6 +114,19 @@ TEST(LineCode, decodes_the_next_packet_after_a_damaged_one)
     receiver.send(good);
     EXPECT_FALSE(receiver.errors.empty()); // the rest of the bad one may look like a start again
     EXPECT_EQ(receiver.packets.size(), 1u);
+    json_decref(root);
+}
+
+TEST(LineCode, a_packet_close_behind_another_starts_where_it_does)
+{
+    json_t *root = load_vectors("radio.json");
+    std::string bits = text_of(json_array_get(json_object_get(root, "packets"), 0), "bits");
+    Receiver receiver;
+    receiver.send(bits, 0, 1, 6);
+    cycles_t second = receiver.now;
+    receiver.send(bits);
+    ASSERT_EQ(receiver.packets.size(), 2u);
+    EXPECT_EQ(receiver.start, second + 8000u);
     json_decref(root);
 }
 
