@@ -37,6 +37,7 @@ static void board_was_reset(void *context, reset_cause cause)
     static const char *const CAUSES[] = {"power", "external", "watchdog"};
     node *n = context;
     uart_reset(&n->serial);
+    serial_sniffer_reset(&n->line);
     n->resets += cause != RESET_POWER;
     trace_begin(n->owner->out, board_now(&n->mega), n->config->name, "reset");
     trace_text(n->owner->out, "why", n->reset_why ? n->reset_why : CAUSES[cause]);
@@ -70,6 +71,12 @@ static void uart_line(void *context, const uint8_t *bytes, size_t length)
     else
         trace_hex(out, "hex", bytes, length);
     trace_end(out);
+}
+
+static void uart_byte(void *context, bool from_host, uint8_t byte)
+{
+    node *n = context;
+    serial_sniffer_byte(&n->line, from_host, byte, board_now(&n->mega));
 }
 
 static void level_arrives(void *context, size_t receiver, bool level, cycles_t at)
@@ -117,7 +124,8 @@ static int open_node(emulation *e, node *n)
         snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
         return -1;
     }
-    uart_init(&n->serial, n->mega.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line});
+    serial_sniffer_init(&n->line, e->out, n->config->name);
+    uart_init(&n->serial, n->mega.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
     n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
     if (!n->sensors)
         return out_of_memory(e);

@@ -16,6 +16,7 @@
 #include "rf_bus.h"
 #include "scenario.h"
 #include "sensor.h"
+#include "serial_sniffer.h"
 #include "sniffer.h"
 #include "trace.h"
 #include "uart.h"
@@ -31,6 +32,7 @@ typedef struct {
     board mega;
     pty port;
     uart serial;
+    serial_sniffer line;
     eeprom_file eeprom;
     sensor *sensors;
     prng noise; // what RAM and torn EEPROM bytes hold after a power cut

@@ -18,10 +18,12 @@ static void byte_sent(struct avr_irq_t *irq, uint32_t value, void *context)
 {
     uart *u = context;
     (void)irq;
-    if (u->port)
-        pty_put(u->port, (uint8_t)value);
-    else
+    if (!u->port) {
         line_byte(u, (uint8_t)value);
+        return;
+    }
+    u->listener.byte(u->listener.context, false, (uint8_t)value);
+    pty_put(u->port, (uint8_t)value);
 }
 
 static void ready(struct avr_irq_t *irq, uint32_t value, void *context)
@@ -64,8 +66,10 @@ void uart_reset(uart *u)
 void uart_pump(uart *u)
 {
     uint8_t byte;
-    while (u->port && !u->stopped && pty_take(u->port, &byte))
+    while (u->port && !u->stopped && pty_take(u->port, &byte)) {
+        u->listener.byte(u->listener.context, true, byte);
         avr_raise_irq(u->input, byte);
+    }
 }
 
 void uart_flush(uart *u)

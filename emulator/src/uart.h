@@ -18,6 +18,8 @@ typedef struct {
     void *context;
     // A line without its end, or UART_MAX_LINE bytes of a longer one. NULL where there is a pty.
     void (*line)(void *context, const uint8_t *bytes, size_t length);
+    // A byte has come from the host, or is on its way to it. NULL where there is no pty.
+    void (*byte)(void *context, bool from_host, uint8_t byte);
 } uart_listener;
 
 typedef struct {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host
+// and how transmissions ended: host-id, host-transmit, host-handed, host-taking, host-taken and host-outcome events.
+#ifndef JAVINO_SERIAL_SNIFFER_H
+#define JAVINO_SERIAL_SNIFFER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clock.h"
+#include "trace.h"
+
+// The longest packet on the line, without its closing 0x00.
+#define SERIAL_MAX_PACKET 527
+
+// The bytes of a packet, as they come.
+typedef struct {
+    uint8_t bytes[SERIAL_MAX_PACKET];
+    size_t length; // more than SERIAL_MAX_PACKET: too long
+} serial_line;
+
+typedef struct {
+    uint8_t sequence;
+    uint16_t crc;
+    char command; // 0: a frame to be transmitted
+    int taken;    // of a poll that says something new, or -1
+    uint8_t address[4]; // that becomes the RF id, or that is to be sent to
+    cycles_t at;
+} serial_request;
+
+typedef struct {
+    trace *out;
+    const char *board;
+    serial_line from_host, from_board;
+    serial_request request; // the last one
+    bool waiting;    // it has no reply yet
+    bool remembered; // the board answers its repeats from memory
+    bool greeted;    // the board performs requests
+    int taken;       // the last message that the board knows to be taken, or -1
+} serial_sniffer;
+
+// `out` and `board` must outlive the sniffer.
+void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board);
+
+// The board has begun anew.
+void serial_sniffer_reset(serial_sniffer *s);
+
+// A byte has reached the board, or left it.
+void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at);
+
+#endif
