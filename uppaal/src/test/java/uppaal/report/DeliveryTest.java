@@ -58,7 +58,7 @@ class DeliveryTest {
     @Test
     void bound_oneUnitLess_isExceeded() {
         Scene scene = Scene.ALL.stream().filter(candidate -> candidate.name().equals("bound")).findFirst().orElseThrow();
-        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 96));
+        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 122));
         assertFalse(Exploration.of(network, Check.properties(network, scene.queries(MODELS))).holds(0));
     }
 
