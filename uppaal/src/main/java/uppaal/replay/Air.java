@@ -1,0 +1,339 @@
+package uppaal.replay;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Collection;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
+final class Air {
+    private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
+    /** How exactly starts and ends of packets are known, in seconds: some bits. */
+    private static final double DISORDER = 0.002;
+    /** Bytes of a nonce that a message's id has: the last of the epoch, and the last two of the counter. */
+    private static final int EPOCH_AT = 4;
+    private static final int COUNTER_AT = 8;
+
+    private final Map<String, Station> boards = new LinkedHashMap<>();
+    private final Map<String, Message> messages = new Recent<>();
+    private final Map<String, Message> byPayload = new Recent<>();
+    private final Map<String, List<Message>> answers = new Recent<>();
+    private long broadcasts;
+
+    private Station board(String name) {
+        return boards.computeIfAbsent(name, Station::new);
+    }
+
+    private boolean isOurs(String address) {
+        return boards.values().stream().anyMatch(board -> board.hasBeen(address));
+    }
+
+    /** A board has begun anew, with its RAM as it was or without. */
+    void reset(Event event) throws RefusedException {
+        Station board = board(event.board());
+        String receiver = event.text("why").equals("power") ? "receiver_power" : "receiver_reset";
+        board.reset();
+        for (Message message : messages.values()) {
+            if (board.hasBeen(message.origin)) {
+                message.sender("sender_reset");
+            } else if (message.concerns(board)) {
+                message.receiver(board, receiver);
+            }
+            message.forgetPieces(board);
+        }
+    }
+
+    void named(Event event) {
+        board(event.board()).name(event.text("id"));
+    }
+
+    void transmit(Event event) {
+        board(event.board()).transmit(new Transmission((int) event.number("number"), event.text("destination")));
+    }
+
+    /** A board, or somebody's transmitter, begins to send. */
+    void begin(Event event) throws RefusedException {
+        Station board = board(event.board());
+        Payload payload = Payload.of(event);
+        double start = event.number("start");
+        if (start < board.lastEnd() - DISORDER) {
+            throw new RefusedException(board.name() + " begins to send, but expected was that it ends what it is sending");
+        }
+        if (board.isNamed() && !board.hasBeen(payload.origin())) {
+            throw new RefusedException(board.name() + " sends as '" + payload.origin() + "', but expected was its own id");
+        }
+        Packet packet = new Packet(board.name(), payload, start, event.number("end"), null, List.of(), "");
+        if (payload.isData()) {
+            Message message = board.isNamed() ? own(board, payload) : strange(payload);
+            packet = new Packet(board.name(), payload, start, event.number("end"), message, List.of(), "");
+        } else if (payload.isAcknowledgement()) {
+            String answer = ANSWERS.getOrDefault(payload.message().length, "");
+            List<Message> answered = board.isNamed() ? acknowledge(board, payload, answer) : answers.getOrDefault(payload.hex(), List.of());
+            packet = new Packet(board.name(), payload, start, event.number("end"), null, answered, answer);
+        } else if (board.isNamed()) {
+            throw new RefusedException(board.name() + " sends what no board sends, but expected was a message or an acknowledgement");
+        }
+        board.send(packet);
+    }
+
+    /** What a board of ours sends of its own. */
+    private Message own(Station board, Payload payload) throws RefusedException {
+        Message message = known(board, payload);
+        if (message == null) {
+            message = begun(board, payload);
+        }
+        if (!message.isSame(payload)) {
+            throw new RefusedException(board.name() + " sends other bytes under the nonce of an earlier message, but expected was: " + message);
+        }
+        byPayload.put(payload.identity(), message);
+        boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
+        message.sender(attempt ? "send" : "part");
+        return message;
+    }
+
+    /** The message that this is, or is a piece of; null where it is a new one. */
+    private Message known(Station board, Payload payload) throws RefusedException {
+        Optional<Message> current = board.current().map(transmission -> transmission.message);
+        if (payload.index() == 0) {
+            Payload whole = payload.whole();
+            if (!whole.kind().equals("broadcast")) {
+                return messages.get(key(whole));
+            }
+            return current.filter(message -> payload.isPiece() && message == byPayload.get(payload.identity())).orElse(null);
+        }
+        return current.orElseThrow(() -> new RefusedException(board.name()
+            + " sends a piece of what it has not begun to send, but expected was a first piece"));
+    }
+
+    private static String key(Payload whole) {
+        return whole.origin() + whole.destination() + whole.nonce();
+    }
+
+    private Message entered(Payload payload, String prefix) {
+        Payload whole = payload.whole();
+        String content = payload.isPiece() ? "" : HexFormat.of().formatHex(payload.message());
+        Message message = new Message(whole, payload.pieces(), content);
+        messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
+        for (Station board : boards.values()) {
+            String highest = board.highest.get(message.origin + message.destination);
+            if (!message.isBroadcast() && message.concerns(board) && highest != null && highest.compareTo(message.nonce) > 0) {
+                message.perhaps(board, "newer");
+            }
+        }
+        return message;
+    }
+
+    private Message begun(Station board, Payload payload) throws RefusedException {
+        Payload whole = payload.whole();
+        Transmission current = board.current().orElse(null);
+        boolean anew = current != null && current.message != null && current.before == null && current.outcome.isEmpty()
+            && current.destination.equals(whole.destination()) && current.message.mayDo("reseal");
+        if (anew) {
+            current.message.perhaps("reseal");
+            current.before = current.message;
+        } else {
+            if (current != null && current.message != null) {
+                current.message.sender("next");
+            }
+            current = board.takeUp(whole.destination()).orElseThrow(() -> new RefusedException(board.name() + " sends a message to "
+                + whole.destination() + ", but expected was that its host has it send one"));
+        }
+        current.message = entered(payload, "");
+        return current.message;
+    }
+
+    /** What somebody sends who is no board of ours: again what was sent before, something of its own, or a forgery. */
+    private Message strange(Payload payload) throws RefusedException {
+        Payload whole = payload.whole();
+        if (byPayload.containsKey(payload.identity()) && !whole.kind().equals("broadcast")) {
+            return byPayload.get(payload.identity());
+        }
+        boolean broadcast = whole.kind().equals("broadcast");
+        boolean honest = broadcast || !isOurs(payload.origin());
+        boolean begins = payload.index() == 0 && whole.isData() && (broadcast || !whole.nonce().isEmpty());
+        if (!begins || !honest && !payload.isPiece()) {
+            return honest && payload.isPiece() ? later(payload) : null;
+        }
+        // A nonce that an attacker makes up may be that of a later message.
+        String prefix = honest ? "" : "forged ";
+        Message known = broadcast ? null : messages.get(prefix + key(whole));
+        Message message = known == null ? entered(payload, prefix) : known;
+        if (!message.isSame(payload)) {
+            return null;
+        }
+        message.sender(honest ? "strange" : "forge");
+        byPayload.put(payload.identity(), message);
+        return message;
+    }
+
+    /** A later piece of a stranger belongs to the last that it has begun. */
+    private Message later(Payload payload) {
+        Message last = null;
+        for (Message message : messages.values()) {
+            last = message.origin.equals(payload.origin()) ? message : last;
+        }
+        return last != null && last.isSame(payload) ? last : null;
+    }
+
+    /** A board of ours answers. Twelve bits of a nonce may be those of several messages: then any of them may be meant. */
+    private List<Message> acknowledge(Station board, Payload payload, String answer) throws RefusedException {
+        List<Message> meant = answers.getOrDefault(payload.hex(), messages.values().stream().filter(message -> isAnswered(message, board, payload, answer)).toList());
+        List<Message> able = answer.isEmpty() ? List.of() : meant.stream().filter(message -> message.mayDo(board, answer)).toList();
+        if (able.isEmpty()) {
+            if (!meant.isEmpty() && !answer.isEmpty()) {
+                throw meant.get(meant.size() - 1).refusal(board, answer);
+            }
+            throw new RefusedException(board.name() + " acknowledges, but expected was that a message for it is on its way with this nonce");
+        }
+        for (Message message : able) {
+            if (able.size() == 1) {
+                message.receiver(board, answer);
+            } else {
+                message.perhaps(board, answer);
+            }
+        }
+        answers.put(payload.hex(), able);
+        return able;
+    }
+
+    private static boolean isAnswered(Message message, Station board, Payload acknowledgement, String answer) {
+        boolean kind = message.isUnicast() || message.kind.equals("multicast") && answer.equals("stale");
+        return kind && board.isConcernedBy(message.destination) && Payload.lastBits(message.nonce) == acknowledgement.answered();
+    }
+
+    /** A packet has come to a board undamaged; or so that it may have mended it. */
+    void reach(Event event) throws RefusedException {
+        Station board = board(event.board());
+        Packet packet = source(event).orElseThrow(() -> new RefusedException(board.name()
+            + " hears a packet, but expected was that a board has sent it"));
+        if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
+            throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
+        }
+        if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
+            throw new RefusedException(board.name() + " hears a packet again or from itself, but expected was that each comes once to each other board");
+        }
+        if (packet.message() != null && packet.message().concerns(board)) {
+            for (String step : packet.message().arrivals(board, packet.payload())) {
+                packet.message().perhaps(board, step);
+            }
+        }
+        for (Message message : packet.answered()) {
+            if (board.hasBeen(message.origin)) {
+                message.perhaps(packet.answer().equals("pieces") ? "pieces_arrive" : packet.answer() + "_arrives");
+            }
+        }
+    }
+
+    private Optional<Packet> source(Event event) {
+        double start = event.number("start");
+        Collection<Station> from = event.fields().has("from") ? List.of(board(event.text("from"))) : boards.values();
+        return from.stream().flatMap(board -> board.sentAt(start).stream()).findFirst();
+    }
+
+    /** A board has handed a message to its host. */
+    void hand(Event event) throws RefusedException {
+        Station board = board(event.board());
+        int number = (int) event.number("number");
+        Message before = board.handed.get(number);
+        if (before != null && isHanded(before, event)) {
+            before.receiver(board, "again");
+            return;
+        }
+        List<Message> sent = messages.values().stream().filter(message -> isHanded(message, event)).toList();
+        if (before != null || sent.isEmpty()) {
+            throw new RefusedException(board.name() + " hands to its host what nobody has sent, but expected was: "
+                + (before == null ? "nothing" : before.toString()));
+        }
+        Message message = sent.stream().filter(each -> each.mayDo(board, "hand")).findFirst().orElse(sent.get(sent.size() - 1));
+        message.receiver(board, "hand");
+        board.handed.put(number, message);
+    }
+
+    private static boolean isHanded(Message message, Event event) {
+        if (!message.origin.equals(event.text("origin")) || !message.destination.equals(event.text("destination"))) {
+            return false;
+        }
+        if (message.isBroadcast()) {
+            String content = HexFormat.of().formatHex(event.textOrEmpty("content").getBytes(StandardCharsets.UTF_8));
+            return message.content.isEmpty() || content.isEmpty() || content.equals(message.content);
+        }
+        return event.text("id").equals(message.nonce.substring(EPOCH_AT, EPOCH_AT + 2) + message.nonce.substring(COUNTER_AT));
+    }
+
+    /** A host says that it has taken a message and those before it; or the board confirms that. */
+    void take(Event event, String step) throws RefusedException {
+        Station board = board(event.board());
+        int number = (int) event.number("number");
+        if (!board.handed.containsKey(number)) {
+            return; // its board ignores that as well
+        }
+        Map<Integer, Message> taken = new LinkedHashMap<>();
+        for (Map.Entry<Integer, Message> each : board.handed.entrySet()) {
+            taken.put(each.getKey(), each.getValue());
+            if (each.getKey() == number) {
+                break;
+            }
+        }
+        for (Map.Entry<Integer, Message> each : taken.entrySet()) {
+            each.getValue().receiver(board, step);
+            if (step.equals("taken")) {
+                board.handed.remove(each.getKey());
+                overtake(board, each.getValue());
+            }
+        }
+    }
+
+    /** What is older than what the host has taken of the same sender, under the same key, is no longer accepted. */
+    private void overtake(Station board, Message taken) throws RefusedException {
+        if (taken.isBroadcast()) {
+            return;
+        }
+        board.highest.merge(taken.origin + taken.destination, taken.nonce, (a, b) -> a.compareTo(b) > 0 ? a : b);
+        for (Message message : messages.values()) {
+            boolean older = message.origin.equals(taken.origin) && message.destination.equals(taken.destination)
+                && message.nonce.compareTo(taken.nonce) < 0;
+            if (older && message.concerns(board)) {
+                message.receiver(board, "newer");
+            }
+        }
+    }
+
+    /** A board tells its host how a transmission ended. */
+    void end(Event event) throws RefusedException {
+        Station board = board(event.board());
+        String outcome = event.text("outcome");
+        Transmission transmission = board.numbered((int) event.number("number")).orElseThrow(() -> new RefusedException(board.name()
+            + " reports " + outcome + " what its host has not had it send"));
+        if (!transmission.outcome.isEmpty()) {
+            if (!transmission.outcome.equals(outcome)) {
+                throw new RefusedException(board.name() + " reports " + outcome + ", but expected was what it had reported: " + transmission.outcome);
+            }
+            return; // a host that comes is told again
+        }
+        transmission.outcome = outcome;
+        if (transmission.message == null) {
+            unsent(board, outcome);
+        } else if (transmission.before != null && !transmission.message.mayDo(outcome) && transmission.before.mayDo(outcome)) {
+            split(board, transmission, outcome);
+        } else {
+            transmission.message.sender(outcome);
+        }
+    }
+
+    private static void unsent(Station board, String outcome) throws RefusedException {
+        if (!outcome.equals("undelivered")) {
+            throw new RefusedException(board.name() + " reports " + outcome + " what was never on the air, but expected was: undelivered");
+        }
+    }
+
+    /** What was taken for the same message under a new nonce was the next one to the same device. */
+    private static void split(Station board, Transmission ended, String outcome) throws RefusedException {
+        ended.before.sender(outcome);
+        Transmission next = board.takeUp(ended.destination).orElseThrow(() -> new RefusedException(board.name() + " reports " + outcome
+            + " while it sends the message anew"));
+        next.message = ended.message;
+    }
+}

@@ -1,0 +1,42 @@
+package uppaal.replay;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** {@code gradle checkTrace}: says in one line whether the model allows what a trace tells. */
+public final class Main {
+    private Main() {
+    }
+
+    /**
+     * Ends with 0 where it does, with 1 where it does not, with 2 where the file is no trace.
+     *
+     * @param arguments the file
+     */
+    public static void main(String[] arguments) {
+        if (arguments.length != 1 || arguments[0].isEmpty()) {
+            System.err.println("usage: gradle checkTrace -Ptrace=FILE (a trace of javino-emulator)");
+            System.exit(2);
+        }
+        System.exit(run(Path.of(arguments[0])));
+    }
+
+    static int run(Path file) {
+        Replay replay = new Replay();
+        try (BufferedReader lines = Files.newBufferedReader(file)) {
+            lines.lines().forEach(replay::line);
+            replay.finish();
+        } catch (IllegalArgumentException wrong) {
+            System.err.println("model: " + file + ", " + wrong.getMessage());
+            return 2;
+        } catch (IOException | UncheckedIOException unreadable) {
+            System.err.println("model: " + file + " cannot be read: " + unreadable);
+            return 2;
+        }
+        System.out.println(replay.verdict());
+        return replay.refusal().isPresent() ? 1 : 0;
+    }
+}

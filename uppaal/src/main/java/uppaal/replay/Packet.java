@@ -1,0 +1,20 @@
+package uppaal.replay;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A packet that a board has sent.
+ *
+ * @param message what it is, or is a piece of; null where it is nothing that a board may take
+ * @param answered the messages that it may acknowledge
+ * @param answer what the acknowledgement says, as the model has it
+ * @param reached the boards that it has reached
+ */
+record Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered, String answer,
+              Set<String> reached) {
+    Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered, String answer) {
+        this(board, payload, start, end, message, answered, answer, new HashSet<>());
+    }
+}

@@ -1,0 +1,120 @@
+package uppaal.replay;
+
+import com.google.gson.JsonParseException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.HexFormat;
+
+/**
+ * What crossed the air in one packet, as far as it can be read without keys (SPEC 2, 5 and 7).
+ *
+ * @param kind as in the trace: {@code unicast}, {@code piece}, {@code acknowledgement}, …
+ * @param message what follows the header, of a frame; else all
+ */
+record Payload(String hex, String kind, String destination, String origin, byte[] message) {
+    private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    private static final int HEADER = 10;
+    private static final int NONCE = 6;
+    /** Nonce and tag: no sealed message is shorter. */
+    private static final int SEAL = 14;
+    private static final int PART = 67;
+    private static final int ASKS = 8;
+    private static final int BITS = 8;
+
+    /** @throws JsonParseException where the event has no packet */
+    static Payload of(Event event) {
+        byte[] bytes;
+        try {
+            bytes = HexFormat.of().parseHex(event.text("payload"));
+        } catch (IllegalArgumentException wrong) {
+            throw new JsonParseException("a payload that is not in hexadecimal digits", wrong);
+        }
+        return of(event.text("payload"), event.text("kind"), bytes);
+    }
+
+    private static Payload of(String hex, String kind, byte[] bytes) {
+        boolean frame = !kind.equals("no frame") && bytes.length >= HEADER;
+        return new Payload(hex, frame ? kind : "no frame", frame ? text(bytes, 0) : "", frame ? text(bytes, 4) : "",
+            frame ? Arrays.copyOfRange(bytes, HEADER, bytes.length) : bytes);
+    }
+
+    private static String text(byte[] bytes, int at) {
+        return new String(bytes, at, 4, StandardCharsets.US_ASCII);
+    }
+
+    private static int digit(String address, int at) {
+        return DIGITS.indexOf(address.charAt(at));
+    }
+
+    boolean isPiece() {
+        return kind.equals("piece");
+    }
+
+    boolean isAcknowledgement() {
+        return kind.equals("acknowledgement");
+    }
+
+    /** Whether it is a message, or a piece of one. */
+    boolean isData() {
+        return isPiece() || kind.equals("unicast") || kind.equals("multicast") || kind.equals("broadcast");
+    }
+
+    /** Of a piece: the number of its message, 0…63. */
+    int pieceId() {
+        return digit(destination, 2);
+    }
+
+    /** Of a piece: which it is, 0…7; of a frame in one packet 0. */
+    int index() {
+        return isPiece() ? digit(destination, 3) % ASKS : 0;
+    }
+
+    /** Whether it wants an answer, if the message is a unicast. */
+    boolean asks() {
+        return !isPiece() || digit(destination, 3) >= ASKS;
+    }
+
+    /** What it is a part of: itself, or of a first piece the frame whose header it holds, as far as it is there. */
+    Payload whole() {
+        if (!isPiece() || message.length < HEADER) {
+            return this;
+        }
+        String to = text(message, 0);
+        String kind = to.equals("////") ? "broadcast" : to.startsWith("//") ? "multicast" : "unicast";
+        return of(HexFormat.of().formatHex(message), kind, message);
+    }
+
+    /** How many pieces the frame has whose header this first piece holds. */
+    int pieces() {
+        if (!isPiece() || message.length < HEADER) {
+            return 1;
+        }
+        int bits = DIGITS.indexOf(message[8]) * DIGITS.length() + DIGITS.indexOf(message[9]);
+        return (HEADER + bits / BITS + PART - 1) / PART;
+    }
+
+    /** Of a unicast or multicast: its nonce in hexadecimal digits; empty where there is no room for nonce and tag. */
+    String nonce() {
+        return message.length < SEAL ? "" : HexFormat.of().formatHex(message, 0, NONCE);
+    }
+
+    /** Of an acknowledgement: the last 12 bits of the nonce that it answers. */
+    int answered() {
+        return digit(destination, 2) * DIGITS.length() + digit(destination, 3);
+    }
+
+    /** The last 12 bits of a nonce. */
+    static int lastBits(String nonce) {
+        return Integer.parseInt(nonce.substring(9), 16);
+    }
+
+    /** The same for every time that the same piece, or frame, is sent. */
+    String identity() {
+        return isPiece() ? "piece " + origin + pieceId() + "/" + index() + HexFormat.of().formatHex(message) : hex;
+    }
+
+    /** Whether devices with this address are meant. */
+    static boolean concerns(String destination, String id) {
+        return destination.equals("////") || destination.equals(id) || destination.startsWith("//") && id.startsWith(destination.substring(2));
+    }
+}

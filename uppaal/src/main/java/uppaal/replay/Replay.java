@@ -1,0 +1,119 @@
+package uppaal.replay;
+
+import com.google.gson.JsonParseException;
+import java.util.Comparator;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.PriorityQueue;
+
+/**
+ * Replays a trace of emulated boards in {@code observed.xml}: what was on the air and what passed between boards and hosts
+ * must be what the model allows. Takes the lines as they come; what it remembers does not grow with the trace.
+ */
+public final class Replay {
+    /** A packet's line comes when it has ended, but it counts when it began: at 100 bit/s this much earlier, in seconds. */
+    private static final double LATEST = 12;
+    /** How far lines may be out of order: two bits of the slowest air, in seconds. */
+    private static final double DISORDER = 0.03;
+
+    private record Step(double seconds, Event event) { }
+
+    private final PriorityQueue<Step> steps =
+        new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index()));
+    private final Air air = new Air();
+    private int lines;
+    private int events;
+    private double now;
+    private String refusal;
+
+    /**
+     * Takes the next line.
+     *
+     * @throws IllegalArgumentException where it is no line of a trace
+     */
+    public synchronized void line(String line) {
+        lines++;
+        if (refusal != null) {
+            return;
+        }
+        try {
+            Event event = Event.parse(lines, line);
+            if (event.seconds() < now - DISORDER) {
+                refuse(event, "time runs backwards, expected was a time of " + String.format(Locale.ROOT, "%.6f s", now) + " or later");
+                return;
+            }
+            now = Math.max(now, event.seconds());
+            enter(event);
+        } catch (JsonParseException wrong) {
+            throw wrong(lines, wrong);
+        }
+        perform(now - LATEST);
+    }
+
+    private static IllegalArgumentException wrong(int line, JsonParseException why) {
+        return new IllegalArgumentException("line " + line + " is no line of a trace: " + why.getMessage(), why);
+    }
+
+    /**
+     * The trace has ended.
+     *
+     * @throws IllegalArgumentException where one of its last lines was none of a trace
+     */
+    public synchronized void finish() {
+        perform(Double.POSITIVE_INFINITY);
+    }
+
+    /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */
+    public synchronized Optional<String> refusal() {
+        return Optional.ofNullable(refusal);
+    }
+
+    /** In one line, what came of it. */
+    public synchronized String verdict() {
+        return "model: trace " + (refusal == null ? "accepted (" + events + " events)" : "refused at " + refusal);
+    }
+
+    private void enter(Event event) {
+        switch (event.name()) {
+            case "rf-tx" -> steps.add(new Step(event.number("start"), event));
+            case "host-transmit" -> steps.add(new Step(event.number("asked"), event));
+            case "rf-rx", "rf-damaged", "reset", "host-id", "host-handed", "host-taking", "host-taken", "host-outcome" ->
+                steps.add(new Step(event.seconds(), event));
+            default -> { } // nothing that the model speaks of
+        }
+    }
+
+    private void perform(double until) {
+        while (refusal == null && !steps.isEmpty() && steps.peek().seconds() <= until) {
+            Event event = steps.remove().event();
+            try {
+                perform(event);
+                events++;
+            } catch (RefusedException refused) {
+                refuse(event, refused.getMessage());
+            } catch (JsonParseException wrong) {
+                throw wrong(event.index(), wrong);
+            }
+        }
+    }
+
+    private void refuse(Event event, String why) {
+        refusal = event + ": " + why;
+        steps.clear();
+    }
+
+    private void perform(Event event) throws RefusedException {
+        switch (event.name()) {
+            case "rf-tx" -> air.begin(event);
+            case "rf-rx", "rf-damaged" -> air.reach(event);
+            case "reset" -> air.reset(event);
+            case "host-id" -> air.named(event);
+            case "host-transmit" -> air.transmit(event);
+            case "host-handed" -> air.hand(event);
+            case "host-taking" -> air.take(event, "taking");
+            case "host-taken" -> air.take(event, "taken");
+            case "host-outcome" -> air.end(event);
+            default -> throw new IllegalStateException(event.name());
+        }
+    }
+}

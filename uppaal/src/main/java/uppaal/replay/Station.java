@@ -1,0 +1,107 @@
+package uppaal.replay;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** A board: who it is, what its host has it send, and what it has handed to its host. */
+final class Station {
+    /** Packets on the air at one time are few; so many of a board are never waited for. */
+    private static final int PACKETS = 8;
+    /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
+    private static final double LATENESS = 0.005;
+
+    private final String name;
+    private final Set<String> ids = new HashSet<>();
+    private final Deque<Packet> packets = new ArrayDeque<>();
+    /** Transmissions of which nothing was on the air yet, in their order. */
+    private final Deque<Transmission> waiting = new ArrayDeque<>();
+    private final Map<Integer, Transmission> numbered = new HashMap<>();
+    /** Messages that the host has not taken, by their numbers, in the order in which they were handed over. */
+    final Map<Integer, Message> handed = new LinkedHashMap<>();
+    /** The highest nonce that the host has taken, for each origin and destination. */
+    final Map<String, String> highest = new HashMap<>();
+    private String id = "";
+    private Transmission current;
+
+    Station(String name) {
+        this.name = name;
+    }
+
+    String name() {
+        return name;
+    }
+
+    void name(String newId) {
+        id = newId;
+        ids.add(newId);
+    }
+
+    boolean isNamed() {
+        return !id.isEmpty();
+    }
+
+    /** Whether this is its id, or was. */
+    boolean hasBeen(String address) {
+        return ids.contains(address);
+    }
+
+    boolean isConcernedBy(String destination) {
+        return ids.stream().anyMatch(own -> Payload.concerns(destination, own));
+    }
+
+    /** What it sent at that time, as far as that is known. */
+    Optional<Packet> sentAt(double start) {
+        return packets.stream().filter(packet -> Math.abs(packet.start() - start) < LATENESS).findFirst();
+    }
+
+    /** When the last packet ended that it has sent. */
+    double lastEnd() {
+        return packets.isEmpty() ? Double.NEGATIVE_INFINITY : packets.getLast().end();
+    }
+
+    void send(Packet packet) {
+        packets.add(packet);
+        if (packets.size() > PACKETS) {
+            packets.remove();
+        }
+    }
+
+    /** It has taken something over from its host to send. */
+    void transmit(Transmission transmission) {
+        waiting.add(transmission);
+        numbered.put(transmission.number, transmission);
+    }
+
+    Optional<Transmission> current() {
+        return Optional.ofNullable(current);
+    }
+
+    Optional<Transmission> numbered(int number) {
+        return Optional.ofNullable(numbered.get(number));
+    }
+
+    /** The next transmission to a destination becomes the current one; those before it could not be sealed. */
+    Optional<Transmission> takeUp(String destination) {
+        if (waiting.stream().noneMatch(transmission -> transmission.destination.equals(destination))) {
+            return Optional.empty();
+        }
+        do {
+            current = waiting.remove();
+        } while (!current.destination.equals(destination));
+        return Optional.of(current);
+    }
+
+    /** It begins anew: what it was to send and what it has not handed over is gone. */
+    void reset() {
+        waiting.clear();
+        numbered.clear();
+        handed.clear();
+        current = null;
+    }
+}

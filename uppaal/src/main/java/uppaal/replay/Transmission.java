@@ -1,0 +1,18 @@
+package uppaal.replay;
+
+/** What a host has given its board to send. */
+final class Transmission {
+    final int number;
+    final String destination;
+    /** What was sent of it; null as long as nothing was. */
+    Message message;
+    /** What was sent of it before it was sealed anew; null where it was not. */
+    Message before;
+    /** How it ended, as the host was told; empty as long as it was not. */
+    String outcome = "";
+
+    Transmission(int number, String destination) {
+        this.number = number;
+        this.destination = destination;
+    }
+}

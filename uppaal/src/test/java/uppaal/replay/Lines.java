@@ -1,0 +1,98 @@
+package uppaal.replay;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+
+/** A trace that a test spoils. Lines count from 1, as refusals name them. */
+final class Lines {
+    final List<JsonObject> all = new ArrayList<>();
+
+    /** One of src/test/resources/traces. */
+    static Lines of(String name) {
+        Lines lines = new Lines();
+        try (BufferedReader reader = new BufferedReader(new InputStreamReader(
+                Lines.class.getResourceAsStream("/traces/" + name + ".jsonl"), StandardCharsets.UTF_8))) {
+            reader.lines().forEach(line -> lines.all.add(JsonParser.parseString(line).getAsJsonObject()));
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+        return lines;
+    }
+
+    /** Adds an event; of its fields those that are whole or broken numbers are numbers. */
+    Lines add(double seconds, String board, String event, Map<String, Object> fields) {
+        JsonObject line = new JsonObject();
+        line.addProperty("t", seconds);
+        line.addProperty("board", board);
+        line.addProperty("event", event);
+        fields.forEach((key, value) -> {
+            if (value instanceof Number number) {
+                line.addProperty(key, number);
+            } else {
+                line.addProperty(key, (String) value);
+            }
+        });
+        all.add(line);
+        return this;
+    }
+
+    JsonObject get(int line) {
+        return all.get(line - 1);
+    }
+
+    String text(int line, String field) {
+        return get(line).has(field) ? get(line).get(field).getAsString() : "";
+    }
+
+    /** The lines that are so. */
+    List<Integer> where(Predicate<Integer> wanted) {
+        List<Integer> found = new ArrayList<>();
+        for (int line = 1; line <= all.size(); line++) {
+            if (wanted.test(line)) {
+                found.add(line);
+            }
+        }
+        return found;
+    }
+
+    /** The first line of a board with this event after a line. */
+    int next(int after, String board, String event) {
+        return where(line -> line > after && is(line, board, event)).get(0);
+    }
+
+    boolean is(int line, String board, String event) {
+        return text(line, "board").equals(board) && text(line, "event").equals(event);
+    }
+
+    boolean is(int line, String event) {
+        return text(line, "event").equals(event);
+    }
+
+    /** Takes lines away. */
+    Lines without(Predicate<Integer> unwanted) {
+        Lines rest = new Lines();
+        where(unwanted.negate()).forEach(line -> rest.all.add(get(line)));
+        return rest;
+    }
+
+    /** A copy of a line, to be changed and put in. */
+    JsonObject copy(int line) {
+        return get(line).deepCopy();
+    }
+
+    Replay replay() {
+        Replay replay = new Replay();
+        all.forEach(line -> replay.line(line.toString()));
+        replay.finish();
+        return replay;
+    }
+}

@@ -1,0 +1,36 @@
+package uppaal.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MainTest {
+    private static final Path TRACES = Path.of("src/test/resources/traces");
+
+    @TempDir
+    private Path folder;
+
+    private int run(String trace) throws IOException {
+        return Main.run(Files.writeString(folder.resolve("trace.jsonl"), trace));
+    }
+
+    @Test
+    void run_acceptedTrace_endsWithZero() {
+        assertEquals(0, Main.run(TRACES.resolve("highway.jsonl")));
+    }
+
+    @Test
+    void run_refusedTrace_endsWithOne() throws IOException {
+        assertEquals(1, run(Files.readString(TRACES.resolve("highway.jsonl")).replaceFirst("\"event\":\"host-transmit\"", "\"event\":\"x\"")));
+    }
+
+    @Test
+    void run_noTrace_endsWithTwo() throws IOException {
+        assertEquals(2, run("what is this?"));
+        assertEquals(2, Main.run(folder.resolve("missing")));
+    }
+}

@@ -1,0 +1,374 @@
+package uppaal.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonObject;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Genuine traces and spoilt ones. {@code highway.jsonl} is what {@code gradle highway} has left in its build folder,
+ * {@code pieces.jsonl} what two boards of the campaign {@code delivery} did that sent 200 bytes at a bit error rate of 1e-3;
+ * both without the events that the model does not speak of.
+ */
+class ReplayTest {
+    private static final String UNICAST = "535550505355504f4449000001000000";
+
+    private static void assertRefused(Lines lines, int at, String words) {
+        String refusal = lines.replay().refusal().orElse("accepted");
+        assertTrue(refusal.startsWith("event " + at + " ("), refusal);
+        assertTrue(refusal.contains(words), refusal);
+        assertEquals(1, refusal.lines().count());
+    }
+
+    /** The line with which the support's unicast to the hospital is handed over there. */
+    private static int handedToHospital(Lines lines) {
+        return lines.where(line -> lines.is(line, "hospital", "host-handed") && lines.text(line, "origin").equals("SUPP")).get(0);
+    }
+
+    private static int acknowledgedByHospital(Lines lines) {
+        return lines.where(line -> lines.is(line, "hospital", "rf-tx") && lines.text(line, "kind").equals("acknowledgement")).get(0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"highway", "pieces"})
+    void replay_genuineTrace_isAcceptedHoweverEarlyItEnds(String name) {
+        Lines lines = Lines.of(name);
+        assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());
+        for (int end = 1; end <= lines.all.size(); end++) {
+            int last = end;
+            assertTrue(lines.without(line -> line > last).replay().refusal().isEmpty(), () -> "of the first " + last + " lines");
+        }
+    }
+
+    @Test
+    void replay_handedToAnotherThanTheAddressee_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int handed = handedToHospital(lines);
+        lines.get(handed).addProperty("board", "ambulance");
+        assertRefused(lines, handed, "ambulance hands it to its host (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO answers that it is stale; SUHO hands it to its host; ");
+    }
+
+    @Test
+    void replay_multicastHandedOutsideItsGroup_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int handed = lines.where(line -> lines.is(line, "host-handed") && lines.text(line, "destination").equals("//SU")).get(0);
+        lines.get(handed).addProperty("board", "bus");
+        assertRefused(lines, handed, "bus hands it to its host");
+    }
+
+    @Test
+    void replay_reportedDeliveredWithoutAcknowledgement_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        String acknowledgement = lines.text(acknowledgedByHospital(lines), "payload");
+        Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(acknowledgement));
+        assertRefused(spoilt, spoilt.next(0, "support", "host-outcome"), "SUPP reports it delivered (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO acknowledges it as delivered; ");
+    }
+
+    @Test
+    void replay_handedWhatWasNeverSent_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int handed = handedToHospital(lines);
+        lines.get(handed).addProperty("id", "063333");
+        assertRefused(lines, handed, "hospital hands to its host what nobody has sent");
+    }
+
+    @Test
+    void replay_repeatHandedTwice_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int taken = lines.next(handedToHospital(lines), "hospital", "host-taken");
+        JsonObject again = lines.copy(handedToHospital(lines));
+        again.addProperty("number", 99);
+        again.add("t", lines.get(taken).get("t"));
+        lines.all.add(taken, again);
+        assertRefused(lines, taken + 1, "hospital hands it to its host (SUPP to SUHO, ");
+    }
+
+    @Test
+    void replay_acknowledgedBeforeItIsTaken_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int number = lines.get(handedToHospital(lines)).get("number").getAsInt();
+        Lines spoilt = lines.without(line -> lines.text(line, "board").equals("hospital") && lines.text(line, "event").startsWith("host-tak")
+            && lines.text(line, "number").equals("" + number));
+        assertRefused(spoilt, acknowledgedByHospital(spoilt), "hospital acknowledges it as delivered (SUPP to SUHO, ");
+    }
+
+    @Test
+    void replay_acknowledgedByAnother_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int acknowledged = acknowledgedByHospital(lines);
+        JsonObject changed = lines.get(acknowledged);
+        changed.addProperty("board", "ambulance");
+        changed.addProperty("payload", changed.get("payload").getAsString().replace("5355484f", "5355414d"));
+        assertRefused(lines, acknowledged, "ambulance acknowledges, but expected was that a message for it is on its way");
+    }
+
+    @Test
+    void replay_handedWithoutHavingBeenHeard_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int handed = handedToHospital(lines);
+        Lines spoilt = lines.without(line -> line < handed && lines.is(line, "hospital", "rf-rx") && lines.text(line, "from").equals("support"));
+        assertRefused(spoilt, handedToHospital(spoilt), "hospital hands it to its host (SUPP to SUHO, ");
+    }
+
+    @Test
+    void replay_heardWhatWasNotSent_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int sent = lines.next(0, "support", "rf-tx");
+        Lines spoilt = lines.without(line -> line == sent);
+        assertEquals("rf-rx", spoilt.text(sent, "event"));
+        assertRefused(spoilt, sent, "hears a packet, but expected was that a board has sent it");
+    }
+
+    @Test
+    void replay_heardTwice_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int heard = lines.next(0, "hospital", "rf-rx");
+        lines.all.add(heard, lines.copy(heard));
+        assertRefused(lines, heard + 1, "hears a packet again");
+    }
+
+    @Test
+    void replay_sentWithoutItsHost_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int asked = lines.next(0, "support", "host-transmit");
+        Lines spoilt = lines.without(line -> line == asked);
+        assertRefused(spoilt, spoilt.next(0, "support", "rf-tx"), "expected was that its host has it send one");
+    }
+
+    @Test
+    void replay_givenUpEarly_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int ended = lines.next(0, "support", "host-outcome");
+        lines.get(ended).addProperty("outcome", "undelivered");
+        assertRefused(lines, ended, "SUPP reports it undelivered (SUPP to SUHO, nonce 000006000000), but expected was one of: ");
+    }
+
+    @Test
+    void replay_anotherOutcomeThanBefore_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int ended = lines.next(0, "support", "host-outcome");
+        JsonObject again = lines.copy(ended);
+        lines.all.add(ended, again);
+        assertTrue(lines.replay().refusal().isEmpty(), "the same may be told twice");
+        again.addProperty("outcome", "undelivered");
+        assertRefused(lines, ended + 1, "expected was what it had reported: delivered");
+    }
+
+    @Test
+    void replay_sameNonceForOtherBytes_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        List<Integer> sent = lines.where(line -> lines.is(line, "police", "rf-tx") && lines.text(line, "kind").equals("multicast"));
+        String payload = lines.text(sent.get(1), "payload");
+        lines.get(sent.get(1)).addProperty("payload", payload.substring(0, payload.length() - 2) + "00");
+        assertRefused(lines, sent.get(1), "sends other bytes under the nonce of an earlier message");
+    }
+
+    @Test
+    void replay_timeThatRunsBackwards_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        lines.get(100).addProperty("t", 0.5);
+        assertRefused(lines, 100, "time runs backwards");
+    }
+
+    @Test
+    void replay_pieceOfWhatWasNotBegun_isRefusedThere() {
+        Lines lines = Lines.of("pieces");
+        int first = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "kind").equals("piece")).get(0);
+        String payload = lines.text(first, "payload");
+        Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(payload) || lines.is(line, "rf-damaged"));
+        assertRefused(spoilt, spoilt.where(line -> spoilt.is(line, "rf-tx")).get(0), "sends a piece of what it has not begun to send");
+    }
+
+    @Test
+    void replay_unicastThatNobodyAnswers_endsAfterEightAttempts() {
+        for (int attempts : List.of(7, 8, 9)) {
+            Lines lines = greeted("police", "SUPO").add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            for (int attempt = 0; attempt < attempts; attempt++) {
+                send(lines, 2 + attempt, "police", UNICAST + "00".repeat(10), "unicast");
+            }
+            lines.add(20, "police", "host-outcome", Map.of("number", 0, "outcome", "undelivered"));
+            switch (attempts) {
+                case 7 -> assertRefused(lines, lines.all.size(), "SUPO reports it undelivered (SUPO to SUPP, nonce 000001000000), but expected was one of: SUPO sends a piece of it; SUPO sends it");
+                case 8 -> assertTrue(lines.replay().refusal().isEmpty());
+                default -> assertRefused(lines, lines.all.size() - 1, "SUPO sends it (SUPO to SUPP, ");
+            }
+        }
+    }
+
+    @Test
+    void replay_forgery_mayBeOnTheAirButIsNeverHandedOver() {
+        Lines lines = twoBoards();
+        send(lines, 2, "thief", UNICAST + "00".repeat(10), "unicast");
+        hear(lines, 2, "support", "thief", UNICAST + "00".repeat(10), "unicast");
+        send(lines, 3, "thief", "2b4b41415355504f4241" + "00".repeat(8), "acknowledgement");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        lines.add(4, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "SUPO", "id", "010000"));
+        assertRefused(lines, lines.all.size(), "support hands to its host what nobody has sent");
+    }
+
+    @Test
+    void replay_replayOfAnAttacker_mayBeHandedOverOnce() {
+        Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+        String payload = UNICAST + "00".repeat(10);
+        send(lines, 2, "police", payload, "unicast");
+        for (int play = 3; play < 5; play++) {
+            send(lines, play, "thief", payload, "unicast");
+            hear(lines, play, "support", "thief", payload, "unicast");
+        }
+        for (int number = 0; number < 2; number++) {
+            lines.add(6 + number, "support", "host-handed", Map.of("number", number, "destination", "SUPP", "origin", "SUPO", "id", "010000"));
+            lines.add(6.1 + number, "support", "host-taking", Map.of("number", number));
+            lines.add(6.2 + number, "support", "host-taken", Map.of("number", number));
+        }
+        assertRefused(lines, lines.all.size() - 2, "support hands it to its host (SUPO to SUPP, ");
+    }
+
+    @Test
+    void replay_forgedPiece_isAnsweredAndTakesNoNonceAway() {
+        Lines lines = twoBoards();
+        String forged = "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
+        String answer = "2b4b4141" + "53555050" + "4249" + "01" + "00".repeat(8);
+        send(lines, 2, "thief", forged, "piece");
+        hear(lines, 2, "support", "thief", forged, "piece");
+        send(lines, 3, "support", answer, "acknowledgement");
+        lines.add(4.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 4.0));
+        send(lines, 5, "police", UNICAST + "00".repeat(10), "unicast");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        lines.add(6, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "SUPO", "id", "010000"));
+        assertRefused(lines, lines.all.size(), "support hands it to its host (SUPO to SUPP, ");
+    }
+
+    @Test
+    void replay_strangerWithAnIdOfItsOwn_isHeard() {
+        Lines lines = twoBoards();
+        String payload = UNICAST.replace("5355504f", "43414645") + "00".repeat(10);
+        send(lines, 2, "thief", payload, "unicast");
+        hear(lines, 2, "support", "thief", payload, "unicast");
+        lines.add(4, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "CAFE", "id", "010000"));
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
+    @Test
+    void replay_handedAgainAfterAReset_onlyIfItWasNotTaken() {
+        for (boolean taken : List.of(false, true)) {
+            Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            Map<String, Object> handed = Map.of("number", 0, "destination", "SUPP", "origin", "SUPO", "id", "010000");
+            String payload = UNICAST + "00".repeat(10);
+            send(lines, 2, "police", payload, "unicast");
+            hear(lines, 2, "support", "police", payload, "unicast");
+            lines.add(3, "support", "host-handed", handed).add(3.1, "support", "host-taking", Map.of("number", 0));
+            if (taken) {
+                lines.add(3.2, "support", "host-taken", Map.of("number", 0));
+            }
+            lines.add(4, "support", "reset", Map.of("why", "fault"));
+            send(lines, 5, "police", payload, "unicast");
+            hear(lines, 5, "support", "police", payload, "unicast");
+            lines.add(6, "support", "host-handed", handed);
+            assertEquals(taken, lines.replay().refusal().isPresent(), lines.replay().verdict());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
+    void replay_randomDamage_isRefused(long seed) {
+        Random random = new Random(seed);
+        for (String name : List.of("highway", "pieces")) {
+            for (Damage damage : Damage.values()) {
+                Lines lines = Lines.of(name);
+                List<Integer> places = lines.where(line -> damage.fits(lines, line));
+                int place = places.get(random.nextInt(places.size()));
+                String what = name + ", " + damage + " of line " + place + ": " + lines.get(place);
+                Replay replay = damage.in(lines, place, random).replay();
+                assertFalse(replay.refusal().isEmpty(), what);
+                int at = Integer.parseInt(replay.refusal().orElseThrow().split(" ")[1]);
+                assertTrue(damage == Damage.LOSS ? at >= place : at == place || at == place + 1, () -> what + " refused: " + replay.verdict());
+            }
+        }
+    }
+
+    /** What is done to one line. */
+    private enum Damage {
+        /** A packet that was sent, and heard at once. */
+        LOSS {
+            @Override boolean fits(Lines lines, int line) {
+                return lines.is(line, "rf-tx") && line < lines.all.size() && lines.is(line + 1, "rf-rx");
+            }
+
+            @Override Lines in(Lines lines, int line, Random random) {
+                return lines.without(each -> each == line);
+            }
+        },
+        /** Handed over or sent twice. */
+        DUPLICATE {
+            @Override boolean fits(Lines lines, int line) {
+                return lines.is(line, "rf-tx") || lines.is(line, "rf-rx") || lines.is(line, "host-handed");
+            }
+
+            @Override Lines in(Lines lines, int line, Random random) {
+                JsonObject copy = lines.copy(line);
+                if (copy.has("number")) {
+                    copy.addProperty("number", 100 + random.nextInt(100));
+                }
+                lines.all.add(line, copy);
+                return lines;
+            }
+        },
+        /** Handed over by another board. */
+        SWAP {
+            @Override boolean fits(Lines lines, int line) {
+                return lines.is(line, "host-handed") && !lines.text(line, "destination").startsWith("//");
+            }
+
+            @Override Lines in(Lines lines, int line, Random random) {
+                List<String> others = lines.where(each -> lines.is(each, "host-id")).stream().map(each -> lines.text(each, "board")).distinct()
+                    .filter(board -> !board.equals(lines.text(line, "board"))).toList();
+                lines.get(line).addProperty("board", others.get(random.nextInt(others.size())));
+                return lines;
+            }
+        };
+
+        abstract boolean fits(Lines lines, int line);
+
+        abstract Lines in(Lines lines, int line, Random random);
+    }
+
+    @Test
+    void line_thatIsNoEvent_isOneClearSentence() {
+        Replay replay = new Replay();
+        replay.line("{\"t\":1,\"board\":\"a\",\"event\":\"reset\",\"why\":\"power\"}");
+        for (String wrong : List.of("", "no", "[1]", "{}", "{\"t\":\"x\",\"event\":\"reset\"}")) {
+            String message = assertThrows(IllegalArgumentException.class, () -> replay.line(wrong)).getMessage();
+            assertTrue(message.matches("line \\d+ is no line of a trace: .*"), message);
+        }
+        replay.line("{\"t\":2,\"board\":\"a\",\"event\":\"host-handed\"}");
+        assertEquals("line 7 is no line of a trace: an event 'host-handed' without 'number'",
+            assertThrows(IllegalArgumentException.class, replay::finish).getMessage());
+    }
+
+    private static Lines greeted(String board, String id) {
+        return new Lines().add(0, board, "reset", Map.of("why", "power")).add(0.5, board, "host-id", Map.of("id", id));
+    }
+
+    private static Lines twoBoards() {
+        return greeted("police", "SUPO").add(0.6, "support", "host-id", Map.of("id", "SUPP"));
+    }
+
+    private static void send(Lines lines, double start, String board, String payload, String kind) {
+        lines.add(start + 0.3, board, "rf-tx", Map.of("payload", payload, "kind", kind, "start", start, "end", start + 0.3));
+    }
+
+    private static void hear(Lines lines, double start, String board, String from, String payload, String kind) {
+        Map<String, Object> fields = new HashMap<>(Map.of("payload", payload, "kind", kind, "start", start + 0.0001, "end", start + 0.3001));
+        fields.put("from", from);
+        lines.add(start + 0.3001, board, "rf-rx", fields);
+    }
+}
