@@ -7,8 +7,10 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import uppaal.replay.Replay;
 
-/** The launcher of the five-vehicle scenario: exit status 0 if all nine behaviours were observed, 1 if not. */
+/** The launcher of the five-vehicle scenario: exit status 0 if all nine behaviours were observed and the model
+ * allows what the boards did, 1 if not. */
 @Command(name = "highway", description = "Runs the five-vehicle scenario on emulated boards.",
     mixinStandardHelpOptions = true)
 public final class Highway implements Callable<Integer> {
@@ -41,8 +43,11 @@ public final class Highway implements Callable<Integer> {
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
-        if (scenario.agentsStarted()) timeline.table(scenario.behaviours());
-        return scenario.allObserved() ? 0 : 1;
+        if (!scenario.agentsStarted()) return CommandLine.ExitCode.SOFTWARE;
+        timeline.table(scenario.behaviours());
+        Replay model = scenario.model();
+        timeline.verdict(model.verdict(), model.refusal().isEmpty());
+        return scenario.allObserved() && model.refusal().isEmpty() ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
     }
 
     private void run(Scenario scenario, Timeline timeline)

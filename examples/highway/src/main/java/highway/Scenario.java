@@ -1,8 +1,11 @@
 package highway;
 
 import com.google.gson.JsonParseException;
+import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -18,6 +21,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
+import uppaal.replay.Replay;
 
 /**
  * One run: boards, keys, agents, and what is seen of them. Everything that is started here is ended by {@link #close}.
@@ -35,14 +39,19 @@ final class Scenario implements AutoCloseable {
         }
     }
 
+    /** What the emulator has written, for a second look: {@code gradle checkTrace -Ptrace=FILE}. */
+    private static final Path TRACE = Path.of("build", "trace.jsonl");
+
     private final Options options;
     private final Timeline timeline;
     private final Trace trace = new Trace();
+    private final Replay model = new Replay();
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours = Behaviour.all();
     private final List<Device> ready = new ArrayList<>();
     private final List<Child> children = new ArrayList<>();
     private FileChannel lock;
+    private PrintStream record;
     private String failure;
     private boolean agentsStarted;
     private boolean closed;
@@ -70,6 +79,7 @@ final class Scenario implements AutoCloseable {
         lockFolder();
         timeline.note("five emulated boards, one radio");
         Files.createDirectories(Path.of("build", "eeprom"));
+        record = new PrintStream(new BufferedOutputStream(Files.newOutputStream(TRACE)), false, StandardCharsets.UTF_8);
         start("emulator", options.emulatorCommand(), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
             .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
@@ -87,7 +97,16 @@ final class Scenario implements AutoCloseable {
             trace.read(line).ifPresent(this::see);
         } catch (JsonParseException noEvent) {
             timeline.warn(line);
+            return;
         }
+        record.println(line);
+        model.line(line);
+    }
+
+    /** Whether the model allows what the boards did; after the end. */
+    Replay model() {
+        model.finish();
+        return model;
     }
 
     /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
@@ -188,5 +207,6 @@ final class Scenario implements AutoCloseable {
         closed = true;
         children.forEach(Child::end);
         children.forEach(Child::awaitEnd);
+        if (record != null) record.close();
     }
 }

@@ -74,6 +74,11 @@ final class Timeline {
         out.println("highway: " + observed + " of " + behaviours.size() + " behaviours observed");
     }
 
+    /** What the model says of the run. */
+    void verdict(String text, boolean good) {
+        out.println(good ? text : paint(RED, text));
+    }
+
     private String paint(int colour, String text) {
         return coloured ? "\033[" + colour + "m" + text + "\033[0m" : text;
     }

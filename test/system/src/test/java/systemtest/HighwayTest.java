@@ -30,6 +30,11 @@ class HighwayTest {
             return lines.get(lines.size() - 1);
         }
 
+        /** The line of the table, above that of the model. */
+        String lastButOne() {
+            return lines.get(lines.size() - 2);
+        }
+
         boolean says(String words) {
             return lines.stream().anyMatch(line -> line.contains(words));
         }
@@ -55,7 +60,8 @@ class HighwayTest {
     void cleanRadio_showsAllNineBehaviours() throws Exception {
         Run run = launch(EMULATOR);
 
-        assertEquals("highway: 9 of 9 behaviours observed", run.last(), run::toString);
+        assertEquals("highway: 9 of 9 behaviours observed", run.lastButOne(), run::toString);
+        assertTrue(run.last().matches("model: trace accepted \\(\\d+ events\\)"), run::toString);
         assertEquals(0, run.status);
         assertFalse(run.children.isEmpty());
         run.assertNothingLeft();
@@ -65,10 +71,23 @@ class HighwayTest {
     void badRadio_endsCleanlyAndSaysWhatWasMissing() throws Exception {
         Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=20");
 
-        assertTrue(run.last().matches("highway: [0-8] of 9 behaviours observed"), run::toString);
+        assertTrue(run.lastButOne().matches("highway: [0-8] of 9 behaviours observed"), run::toString);
+        assertTrue(run.last().matches("model: trace accepted \\(\\d+ events\\)"), run::toString);
         assertEquals(1, run.status);
         assertTrue(run.says("the agent did not say"), run::toString);
         run.assertNothingLeft();
+    }
+
+    @Test
+    void traceThatTheModelRefuses_failsTheRun() throws Exception {
+        Path spoiling = folder.resolve("emulator");
+        Files.writeString(spoiling, "#!/bin/bash\nexec " + EMULATOR + " \"$@\" > >(exec sed -u 's/\"host-transmit\"/\"nothing\"/')\n");
+        assertTrue(spoiling.toFile().setExecutable(true));
+        Run run = launch(spoiling.toString());
+
+        assertEquals("highway: 9 of 9 behaviours observed", run.lastButOne(), run::toString);
+        assertTrue(run.last().matches("model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////, but expected was .*"), run::toString);
+        assertEquals(1, run.status);
     }
 
     @Test
