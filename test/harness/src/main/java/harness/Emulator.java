@@ -14,8 +14,12 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import uppaal.replay.Replay;
 
-/** A running {@code javino-emulator} with a scenario of its own, in a folder of its own. */
+/**
+ * A running {@code javino-emulator} with a scenario of its own, in a folder of its own. Its trace is replayed in the model
+ * as it comes: {@link #close} fails where the model refuses it.
+ */
 public final class Emulator implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
@@ -33,6 +37,8 @@ public final class Emulator implements AutoCloseable {
     private final Consumer<TraceEvent> listener;
     private final List<TraceEvent> trace = new ArrayList<>();
     private final List<String> complaints = new ArrayList<>();
+    private final Replay model = new Replay();
+    private Thread reader;
     private boolean keeping = true;
 
     private Emulator(Path folder, Process process, Consumer<TraceEvent> listener) {
@@ -117,7 +123,7 @@ public final class Emulator implements AutoCloseable {
                 .start();
             RUNNING.add(process);
             Emulator emulator = new Emulator(folder, process, listener);
-            read(process.inputReader(), emulator::traced);
+            emulator.reader = read(process.inputReader(), emulator::traced);
             read(process.errorReader(), emulator::complained);
             emulator.awaitPower(boards);
             emulator.keep(keeping);
@@ -131,10 +137,11 @@ public final class Emulator implements AutoCloseable {
             .resolve(sketch + ".ino.elf");
     }
 
-    private static void read(BufferedReader output, Consumer<String> lines) {
+    private static Thread read(BufferedReader output, Consumer<String> lines) {
         Thread reader = new Thread(() -> output.lines().forEach(lines), "emulator output");
         reader.setDaemon(true);
         reader.start();
+        return reader;
     }
 
     private synchronized void complained(String line) {
@@ -144,6 +151,7 @@ public final class Emulator implements AutoCloseable {
 
     private void traced(String line) {
         TraceEvent event = TraceEvent.parse(line);
+        model.line(line);
         listener.accept(event);
         keep(event);
     }
@@ -215,7 +223,11 @@ public final class Emulator implements AutoCloseable {
         return trace().stream().filter(event -> event.is("rf-tx", board)).toList();
     }
 
-    /** Ends the emulator; EEPROM contents stay in the folder. */
+    /**
+     * Ends the emulator; EEPROM contents stay in the folder.
+     *
+     * @throws AssertionError where it had failed, or the model does not allow what the boards did
+     */
     @Override
     public void close() {
         process.toHandle().destroy();
@@ -223,7 +235,12 @@ public final class Emulator implements AutoCloseable {
         try {
             if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
             int status = process.waitFor();
+            reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
             if (status != 0) throw new AssertionError("the emulator ended with " + status + ": " + complaints);
+            model.finish();
+            model.refusal().ifPresent(refusal -> {
+                throw new AssertionError(model.verdict());
+            });
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
