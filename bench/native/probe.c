@@ -64,7 +64,7 @@ static int run(emulation *e, cycles_t end, trace *out)
     if (!accounts)
         return -1;
     for (size_t i = 0; i < e->node_count; i++)
-        watch_interrupts(&accounts[i], e->nodes[i].mega.avr);
+        watch_interrupts(&accounts[i], e->nodes[i].arduino.avr);
     int result = 0;
     clock_t begun = clock();
     while (result == 0 && e->now < end)

@@ -43,7 +43,7 @@ static void port_changed(board *b, int index, uint8_t direction, uint8_t latch)
     uint8_t changed = (before ^ after) & b->ports[index].observed;
     for (int bit = 0; changed >> bit; bit++)
         if (changed >> bit & 1)
-            b->listener.output(b->listener.context, pin_at((char)('A' + index), bit), after >> bit & 1,
+            b->listener.output(b->listener.context, pin_at(b->model, (char)('A' + index), bit), after >> bit & 1,
                                b->avr->cycle);
 }
 
@@ -109,11 +109,13 @@ static void eeprom_written(void *context)
     b->listener.eeprom_written(b->listener.context);
 }
 
-int board_init(board *b, const char *firmware, board_listener listener, char *error, size_t error_size)
+int board_init(board *b, const model *m, const char *firmware, board_listener listener, char *error,
+               size_t error_size)
 {
     memset(b, 0, sizeof *b);
+    b->model = m;
     b->listener = listener;
-    b->avr = avr_make_mcu_by_name("atmega2560");
+    b->avr = avr_make_mcu_by_name(m->mcu);
     avr_init(b->avr);
     b->avr->custom.data = b;
     b->avr->run = run_once;
@@ -123,7 +125,7 @@ int board_init(board *b, const char *firmware, board_listener listener, char *er
     timer_modes_complete(b->avr);
     link_ports(b);
     eeprom_init(&b->memory, b->avr, (eeprom_listener){b, eeprom_written});
-    return firmware_load(b->avr, firmware, error, error_size);
+    return firmware_load(b->avr, m, firmware, error, error_size);
 }
 
 void board_release(board *b)
@@ -139,13 +141,13 @@ void board_release(board *b)
 
 void board_observe(board *b, int pin)
 {
-    pin_location location = pin_locate(pin);
+    pin_location location = pin_locate(b->model, pin);
     b->ports[port_index(location.port)].observed |= (uint8_t)(1 << location.bit);
 }
 
 bool board_output(const board *b, int pin)
 {
-    pin_location location = pin_locate(pin);
+    pin_location location = pin_locate(b->model, pin);
     int index = port_index(location.port);
     return b->ports[index].direction & b->ports[index].latch & 1 << location.bit;
 }
@@ -167,7 +169,7 @@ static void release_outputs(board *b)
     for (int i = 0; i < BOARD_PORTS; i++) {
         struct avr_irq_t *latch = port_irq(b, i, IOPORT_IRQ_REG_PORT);
         if (!latch)
-            continue; // there is no port I
+            continue; // no chip has a port I, and a small one few others
         avr_raise_irq(latch, 0);
         avr_raise_irq(port_irq(b, i, IOPORT_IRQ_DIRECTION_ALL), 0);
     }
@@ -231,7 +233,7 @@ void board_stop(board *b)
 
 void board_drive(board *b, int pin, bool level)
 {
-    pin_location location = pin_locate(pin);
+    pin_location location = pin_locate(b->model, pin);
     int index = port_index(location.port);
     uint8_t mask = (uint8_t)(1 << location.bit);
     b->ports[index].driven |= mask;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One emulated Arduino Mega: an ATmega2560 at 16 MHz with its firmware, its pins and its clock.
+// One emulated Arduino: its chip at 16 MHz with its firmware, its pins and its clock.
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
 
@@ -37,6 +37,7 @@ typedef struct {
 } board_input;
 
 typedef struct {
+    const model *model;
     struct avr_t *avr;
     board_listener listener;
     eeprom memory;
@@ -58,7 +59,8 @@ typedef struct {
 
 // Makes the chip and loads the firmware. The board is not running until board_power_on.
 // Returns 0, or -1 with one line in `error`: no ELF file, or one for another chip.
-int board_init(board *b, const char *firmware, board_listener listener, char *error, size_t error_size);
+int board_init(board *b, const model *m, const char *firmware, board_listener listener, char *error,
+               size_t error_size);
 void board_release(board *b);
 
 // Reports changes of this pin's output level from now on.

@@ -7,7 +7,7 @@
 
 typedef uint64_t cycles_t;
 
-// The clock of an Arduino Mega.
+// The clock of an Arduino Mega or Uno.
 #define CYCLES_PER_SECOND 16000000u
 #define CYCLES_PER_MS (CYCLES_PER_SECOND / 1000u)
 #define CYCLES_PER_US (CYCLES_PER_SECOND / 1000000u)

@@ -8,7 +8,7 @@
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
 
-// Data space address of EECR on the ATmega2560.
+// Data space address of EECR, on the ATmega2560 and the ATmega328P alike.
 #define CONTROL 0x3F
 #define ERASED 0xFF
 // EEMPE falls by itself so many cycles after it was set.

@@ -8,17 +8,19 @@
 
 struct avr_t;
 
-#define EEPROM_SIZE 4096
+#define MAX_EEPROM_SIZE 4096
 
 typedef struct {
     const char *path;
-    const uint8_t *live;        // the chip's own bytes
-    uint8_t saved[EEPROM_SIZE]; // what the file holds
+    int size;                       // bytes
+    const uint8_t *live;            // the chip's own
+    uint8_t saved[MAX_EEPROM_SIZE]; // what the file holds
 } eeprom_file;
 
-// Loads the file into the chip; without a file, makes one of what the chip holds.
+// Loads the file into the chip, whose EEPROM has `size` bytes; without a file, makes one of what the chip holds.
 // Returns 0, or -1 with one line in `error`: unreadable, of the wrong size, or not to be written.
-int eeprom_file_open(eeprom_file *file, struct avr_t *avr, const char *path, char *error, size_t error_size);
+int eeprom_file_open(eeprom_file *file, struct avr_t *avr, int size, const char *path, char *error,
+                     size_t error_size);
 
 // Writes the file, in one piece, if the chip's bytes are others than the file's.
 // Returns 0, or -1 with one line in `error`.

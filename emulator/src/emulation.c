@@ -39,7 +39,7 @@ static void board_was_reset(void *context, reset_cause cause)
     uart_reset(&n->serial);
     serial_sniffer_reset(&n->line);
     n->resets += cause != RESET_POWER;
-    trace_begin(n->owner->out, board_now(&n->mega), n->config->name, "reset");
+    trace_begin(n->owner->out, board_now(&n->arduino), n->config->name, "reset");
     trace_text(n->owner->out, "why", n->reset_why ? n->reset_why : CAUSES[cause]);
     trace_end(n->owner->out);
     n->reset_why = NULL;
@@ -48,24 +48,24 @@ static void board_was_reset(void *context, reset_cause cause)
 static void eeprom_written(void *context)
 {
     node *n = context;
-    n->cut = fault_plan_write(&n->owner->faults, n->index, board_now(&n->mega));
+    n->cut = fault_plan_write(&n->owner->faults, n->index, board_now(&n->arduino));
     if (n->cut)
-        board_stop(&n->mega);
+        board_stop(&n->arduino);
 }
 
 static void reset_node(node *n, const char *why)
 {
-    if (!n->mega.powered)
+    if (!n->arduino.powered)
         return;
     n->reset_why = why;
-    board_reset(&n->mega);
+    board_reset(&n->arduino);
 }
 
 static void uart_line(void *context, const uint8_t *bytes, size_t length)
 {
     node *n = context;
     trace *out = n->owner->out;
-    trace_begin(out, board_now(&n->mega), n->config->name, "uart");
+    trace_begin(out, board_now(&n->arduino), n->config->name, "uart");
     if (utf8_valid(bytes, length))
         trace_utf8(out, "line", bytes, length);
     else
@@ -83,7 +83,7 @@ static void level_arrives(void *context, size_t receiver, bool level, cycles_t a
 {
     emulation *e = context;
     node *n = &e->nodes[receiver];
-    board_drive_at(&n->mega, n->config->rx_pin, level, at);
+    board_drive_at(&n->arduino, n->config->rx_pin, level, at);
     sniffer_rx_edge(&e->listener, receiver, level, at);
 }
 
@@ -101,13 +101,13 @@ static int plug(emulation *e, node *n)
 static void observe_pins(node *n)
 {
     const scenario *scenario = n->owner->config;
-    board_observe(&n->mega, n->config->tx_pin);
+    board_observe(&n->arduino, n->config->tx_pin);
     for (size_t i = 0; i < n->config->watch_count; i++)
-        board_observe(&n->mega, n->config->watches[i].pin);
+        board_observe(&n->arduino, n->config->watches[i].pin);
     for (size_t i = 0; i < scenario->fault_count; i++)
         if (scenario->faults[i].after_pin >= 0 && scenario->faults[i].board == n->index)
-            board_observe(&n->mega, scenario->faults[i].after_pin);
-    board_drive(&n->mega, n->config->rx_pin, false);
+            board_observe(&n->arduino, scenario->faults[i].after_pin);
+    board_drive(&n->arduino, n->config->rx_pin, false);
 }
 
 static int out_of_memory(emulation *e)
@@ -119,25 +119,25 @@ static int out_of_memory(emulation *e)
 static int open_node(emulation *e, node *n)
 {
     char error[400];
-    if (board_init(&n->mega, n->config->firmware, (board_listener){n, pin_changed, board_was_reset, eeprom_written},
+    if (board_init(&n->arduino, n->config->model, n->config->firmware, (board_listener){n, pin_changed, board_was_reset, eeprom_written},
                    error, sizeof error) != 0) {
         snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
         return -1;
     }
     serial_sniffer_init(&n->line, e->out, n->config->name);
-    uart_init(&n->serial, n->mega.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
+    uart_init(&n->serial, n->arduino.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
     n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
     if (!n->sensors)
         return out_of_memory(e);
     for (size_t i = 0; i < n->config->sensor_count; i++)
-        sensor_init(&n->sensors[i], &n->mega, &n->config->sensors[i]);
+        sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i]);
     observe_pins(n);
     if (n->config->eeprom &&
-        eeprom_file_open(&n->eeprom, n->mega.avr, n->config->eeprom, e->error, sizeof e->error) != 0)
+        eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size, n->config->eeprom, e->error, sizeof e->error) != 0)
         return -1;
     if (n->config->port && plug(e, n) != 0)
         return -1;
-    board_power_on(&n->mega, &n->noise);
+    board_power_on(&n->arduino, &n->noise);
     return 0;
 }
 
@@ -219,11 +219,11 @@ static int plug_again(emulation *e, node *n)
 // A cut during another one makes it longer, not shorter.
 static void cut_power(node *n, const fault_config *fault)
 {
-    cycles_t now = board_now(&n->mega);
+    cycles_t now = board_now(&n->arduino);
     cycles_t back = now + seconds_to_cycles(fault->duration_s);
     n->power_at = n->power_at == NEVER || back > n->power_at ? back : n->power_at;
     n->power_cuts++;
-    trace_cut(n, now, board_power_off(&n->mega, &n->noise));
+    trace_cut(n, now, board_power_off(&n->arduino, &n->noise));
     uart_reset(&n->serial);
     unplug(n);
 }
@@ -233,7 +233,7 @@ static int restore_power(emulation *e, node *n)
     if (e->now < n->power_at)
         return 0;
     n->power_at = NEVER;
-    board_power_on(&n->mega, &n->noise);
+    board_power_on(&n->arduino, &n->noise);
     return plug_again(e, n);
 }
 
@@ -252,7 +252,7 @@ static int perform_fault(emulation *e, const fault_config *fault)
         break;
     case FAULT_PLUG:
         n->plugged = true;
-        return n->mega.powered ? plug_again(e, n) : 0;
+        return n->arduino.powered ? plug_again(e, n) : 0;
     case FAULT_POWER_CUT:
         cut_power(n, fault);
         break;
@@ -301,7 +301,7 @@ static cycles_t earliest(cycles_t a, cycles_t b)
 
 static cycles_t node_next_event(const node *n)
 {
-    cycles_t next = earliest(board_next_event(&n->mega), n->power_at);
+    cycles_t next = earliest(board_next_event(&n->arduino), n->power_at);
     for (size_t i = 0; i < n->config->sensor_count; i++)
         next = earliest(next, sensor_next_event(&n->sensors[i]));
     return next;
@@ -321,14 +321,14 @@ static int run_board(emulation *e, node *n, cycles_t end)
 {
     for (size_t i = 0; i < n->config->sensor_count; i++)
         sensor_advance(&n->sensors[i], end);
-    while (board_run(&n->mega, end) == 0) {
+    while (board_run(&n->arduino, end) == 0) {
         if (!n->cut)
             return 0;
         cut_power(n, n->cut);
         n->cut = NULL;
     }
     snprintf(e->error, sizeof e->error, "board %s: its program crashed at pc 0x%05x, after %.6f s",
-             n->config->name, board_pc(&n->mega), cycles_to_seconds(board_now(&n->mega)));
+             n->config->name, board_pc(&n->arduino), cycles_to_seconds(board_now(&n->arduino)));
     return -1;
 }
 
@@ -381,7 +381,7 @@ static void trace_counters(const emulation *e, const node *n)
     trace_count(e->out, "resets", n->resets);
     trace_count(e->out, "powerCuts", n->power_cuts);
     trace_count(e->out, "faultsPending", fault_plan_pending(&e->faults, n->index));
-    trace_count(e->out, "eepromWrites", n->mega.memory.writes);
+    trace_count(e->out, "eepromWrites", n->arduino.memory.writes);
     trace_count(e->out, "serialReceived", n->port.received);
     trace_count(e->out, "serialSent", n->port.sent);
     trace_count(e->out, "serialDropped", n->port.dropped);
@@ -396,12 +396,12 @@ static void trace_counters(const emulation *e, const node *n)
 
 static void close_node(emulation *e, node *n)
 {
-    if (n->mega.avr && n->serial.input) {
+    if (n->arduino.avr && n->serial.input) {
         uart_flush(&n->serial);
         trace_counters(e, n);
     }
     pty_unplug(&n->port);
-    board_release(&n->mega);
+    board_release(&n->arduino);
     free(n->sensors);
 }
 

@@ -29,7 +29,7 @@ typedef struct {
     struct emulation *owner;
     size_t index;
     const board_config *config;
-    board mega;
+    board arduino;
     pty port;
     uart serial;
     serial_sniffer line;

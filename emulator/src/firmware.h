@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads an ELF file that was built for the ATmega2560.
+// Loads an ELF file that was built for a model's chip.
 #ifndef JAVINO_FIRMWARE_H
 #define JAVINO_FIRMWARE_H
 
 #include <stddef.h>
 
+#include "model.h"
+
 struct avr_t;
 
 // Returns 0, or -1 with one line in `error`.
-int firmware_load(struct avr_t *avr, const char *path, char *error, size_t error_size);
+int firmware_load(struct avr_t *avr, const model *m, const char *path, char *error, size_t error_size);
 
 #endif

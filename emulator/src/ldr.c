@@ -25,7 +25,7 @@ void ldr_init(ldr *sensor, board *owner, const sensor_config *config)
 {
     sensor->owner = owner;
     sensor_clock_init(&sensor->clock, config);
-    sensor->channel = avr_io_getirq(owner->avr, AVR_IOCTL_ADC_GETIRQ, config->pin - PIN_A0);
+    sensor->channel = avr_io_getirq(owner->avr, AVR_IOCTL_ADC_GETIRQ, config->pin - owner->model->pin_a0);
     avr_irq_register_notify(avr_io_getirq(owner->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER),
                             conversion_started, sensor);
 }

@@ -143,11 +143,11 @@ static void read_fault(fault_config *fault, const scenario *s, const json_node *
     fault->t_s = required_seconds(node, "t");
     if (fault->kind == FAULT_JAM || fault->kind == FAULT_POWER_CUT)
         fault->duration_s = required_seconds(node, "duration");
-    after_read(&after, &fault->after_pin, &fault->after_level);
     if (fault->kind == FAULT_JAM)
         read_jam(fault, node);
     else
         read_fault_board(fault, s, node);
+    after_read(&after, s->boards[fault->board].model, &fault->after_pin, &fault->after_level);
     if (fault->kind == FAULT_POWER_CUT)
         read_eeprom_writes(fault, node);
 }

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "model.h"
 #include "series.h"
 
 #define MAX_BOARDS 32
@@ -34,6 +35,7 @@ typedef struct {
 
 typedef struct {
     char *name;
+    const model *model;
     char *firmware; // path of an ELF file, as the process sees it
     char *port;     // path of the pty's symlink, NULL: UART lines go to the trace
     char *eeprom;   // path of the EEPROM file, NULL: forgotten at exit

@@ -14,27 +14,33 @@
 #define MAX_ADC_READING 1023
 
 // A pin, or `otherwise` where the value is absent; -1 as `otherwise` makes it necessary.
-static int read_pin(const json_node *node, int otherwise)
+static int read_pin(const json_node *node, const model *m, int otherwise)
 {
     int pin = -1;
     if (!json_given(node) && otherwise >= 0)
         return otherwise;
     if (json_is_integer(node->value)) {
         json_int_t number = json_integer_value(node->value);
-        pin = number >= 0 && number < PIN_COUNT ? (int)number : -1;
+        pin = number >= 0 && number < m->pin_count ? (int)number : -1;
     } else if (json_is_string(node->value)) {
-        pin = pin_parse(json_string_value(node->value));
+        pin = pin_parse(m, json_string_value(node->value));
     }
-    if (pin < 0)
-        json_expected(node, "a pin: 0…69 or \"A0\"…\"A15\"");
+    if (pin < 0) {
+        char expected[64];
+        snprintf(expected, sizeof expected, "a pin: %s", m->pins);
+        json_expected(node, expected);
+    }
     return pin;
 }
 
-static int read_analog_pin(const json_node *node)
+static int read_analog_pin(const json_node *node, const model *m)
 {
-    int pin = read_pin(node, -1);
-    if (!json_failed(node->reader) && (pin < PIN_A0 || pin >= PIN_A0 + ADC_CHANNELS))
-        json_expected(node, "an analog pin, \"A0\"…\"A7\"");
+    int pin = read_pin(node, m, -1);
+    if (!json_failed(node->reader) && !pin_is_analog(m, pin)) {
+        char expected[64];
+        snprintf(expected, sizeof expected, "an analog pin, %s", m->adc_pins);
+        json_expected(node, expected);
+    }
     return pin;
 }
 
@@ -93,7 +99,7 @@ static void read_series(series *values, const json_node *node, double max)
     }
 }
 
-void after_read(const json_node *node, int *pin, int *level)
+void after_read(const json_node *node, const model *m, int *pin, int *level)
 {
     static const char *const KEYS[] = {"pin", "level", NULL};
     *pin = -1;
@@ -101,11 +107,11 @@ void after_read(const json_node *node, int *pin, int *level)
         return;
     json_node pin_node = json_member(node, "pin");
     json_node level_node = json_member(node, "level");
-    *pin = read_pin(&pin_node, -1);
+    *pin = read_pin(&pin_node, m, -1);
     *level = json_number(&level_node, 0, 1, 1) != 0;
 }
 
-static void read_hc_sr04(sensor_config *sensor, const json_node *node)
+static void read_hc_sr04(sensor_config *sensor, const model *m, const json_node *node)
 {
     static const char *const KEYS[] = {"type", "trigger", "echo", "distance", "after", NULL};
     if (!json_check_object(node, KEYS))
@@ -113,34 +119,34 @@ static void read_hc_sr04(sensor_config *sensor, const json_node *node)
     json_node trigger = json_member(node, "trigger");
     json_node echo = json_member(node, "echo");
     json_node distance = json_member(node, "distance");
-    sensor->trigger = read_pin(&trigger, -1);
-    sensor->pin = read_pin(&echo, -1);
+    sensor->trigger = read_pin(&trigger, m, -1);
+    sensor->pin = read_pin(&echo, m, -1);
     read_series(&sensor->values, &distance, MAX_DISTANCE_CM);
 }
 
-static void read_ldr(sensor_config *sensor, const json_node *node)
+static void read_ldr(sensor_config *sensor, const model *m, const json_node *node)
 {
     static const char *const KEYS[] = {"type", "pin", "light", "after", NULL};
     if (!json_check_object(node, KEYS))
         return;
     json_node pin = json_member(node, "pin");
     json_node light = json_member(node, "light");
-    sensor->pin = read_analog_pin(&pin);
+    sensor->pin = read_analog_pin(&pin, m);
     read_series(&sensor->values, &light, MAX_ADC_READING);
 }
 
-static void read_digital(sensor_config *sensor, const json_node *node)
+static void read_digital(sensor_config *sensor, const model *m, const json_node *node)
 {
     static const char *const KEYS[] = {"type", "pin", "level", "after", NULL};
     if (!json_check_object(node, KEYS))
         return;
     json_node pin = json_member(node, "pin");
     json_node level = json_member(node, "level");
-    sensor->pin = read_pin(&pin, -1);
+    sensor->pin = read_pin(&pin, m, -1);
     read_series(&sensor->values, &level, 1);
 }
 
-static void read_sensor(sensor_config *sensor, const json_node *node)
+static void read_sensor(sensor_config *sensor, const model *m, const json_node *node)
 {
     static const char *const TYPES[] = {"hc-sr04", "ldr", "digital", NULL};
     json_node type = json_member(node, "type");
@@ -151,12 +157,12 @@ static void read_sensor(sensor_config *sensor, const json_node *node)
         return;
     sensor->kind = (sensor_kind)kind;
     switch (sensor->kind) {
-    case SENSOR_HC_SR04: read_hc_sr04(sensor, node); break;
-    case SENSOR_LDR: read_ldr(sensor, node); break;
-    case SENSOR_DIGITAL: read_digital(sensor, node); break;
+    case SENSOR_HC_SR04: read_hc_sr04(sensor, m, node); break;
+    case SENSOR_LDR: read_ldr(sensor, m, node); break;
+    case SENSOR_DIGITAL: read_digital(sensor, m, node); break;
     }
     json_node after = json_member(node, "after");
-    after_read(&after, &sensor->after_pin, &sensor->after_level);
+    after_read(&after, m, &sensor->after_pin, &sensor->after_level);
 }
 
 static void read_sensors(board_config *board, const json_node *node)
@@ -165,18 +171,18 @@ static void read_sensors(board_config *board, const json_node *node)
     board->sensors = calloc(count + 1, sizeof *board->sensors);
     for (; board->sensor_count < count && !json_failed(node->reader); board->sensor_count++) {
         json_node sensor = json_element(node, board->sensor_count);
-        read_sensor(&board->sensors[board->sensor_count], &sensor);
+        read_sensor(&board->sensors[board->sensor_count], board->model, &sensor);
     }
 }
 
-static void read_watch(watch_config *watch, const json_node *node)
+static void read_watch(watch_config *watch, const model *m, const json_node *node)
 {
     static const char *const KEYS[] = {"pin", "name", NULL};
     if (!json_check_object(node, KEYS))
         return;
     json_node pin = json_member(node, "pin");
     json_node name = json_member(node, "name");
-    watch->pin = read_pin(&pin, -1);
+    watch->pin = read_pin(&pin, m, -1);
     watch->name = json_text(&name);
     if (!watch->name)
         json_expected(&name, "a text in quotes");
@@ -188,7 +194,7 @@ static void read_watches(board_config *board, const json_node *node)
     board->watches = calloc(count + 1, sizeof *board->watches);
     for (; board->watch_count < count && !json_failed(node->reader); board->watch_count++) {
         json_node watch = json_element(node, board->watch_count);
-        read_watch(&board->watches[board->watch_count], &watch);
+        read_watch(&board->watches[board->watch_count], board->model, &watch);
     }
 }
 
@@ -214,8 +220,8 @@ static void read_wiring(board_config *board, const json_node *node)
     json_node rx = json_member(node, "rxPin");
     json_node position = json_member(node, "position");
     board->reset_on_open = json_flag(&reset_on_open, true);
-    board->tx_pin = read_pin(&tx, DEFAULT_TX_PIN);
-    board->rx_pin = read_pin(&rx, DEFAULT_RX_PIN);
+    board->tx_pin = read_pin(&tx, board->model, DEFAULT_TX_PIN);
+    board->rx_pin = read_pin(&rx, board->model, DEFAULT_RX_PIN);
     if (board->rx_pin == board->tx_pin)
         json_expected(&rx, "another pin than txPin");
     position_read(&position, &board->x_m, &board->y_m);
@@ -224,10 +230,13 @@ static void read_wiring(board_config *board, const json_node *node)
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
                        const char *directory)
 {
-    static const char *const KEYS[] = {"name",  "firmware", "port",    "eeprom", "position", "resetOnOpen",
-                                       "txPin", "rxPin",    "sensors", "watch",  NULL};
+    static const char *const KEYS[] = {"name",        "model", "firmware", "port",    "eeprom", "position",
+                                       "resetOnOpen", "txPin", "rxPin",    "sensors", "watch",  NULL};
     if (!json_check_object(node, KEYS))
         return;
+    json_node chosen = json_member(node, "model");
+    int index = json_choice(&chosen, MODEL_NAMES);
+    board->model = model_at(index < 0 ? 0 : index);
     board->name = required_text(node, "name");
     board->firmware = join_path(scenario_directory, required_text(node, "firmware"));
     board->port = join_path(directory, optional_text(node, "port"));

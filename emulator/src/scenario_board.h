@@ -12,8 +12,8 @@ void board_config_read(board_config *board, const json_node *node, const char *s
 
 void board_config_release(board_config *board);
 
-// Reads {"pin", "level"}; the pin is -1 where it is absent.
-void after_read(const json_node *node, int *pin, int *level);
+// Reads {"pin", "level"} of a model; the pin is -1 where it is absent.
+void after_read(const json_node *node, const model *m, int *pin, int *level);
 
 // Reads [x, y], in metres.
 void position_read(const json_node *node, double *x_m, double *y_m);

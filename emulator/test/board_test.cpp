@@ -20,6 +20,21 @@ TEST(Board, blinks_on_time_and_prints_to_the_trace)
     EXPECT_NEAR(lines[0].t, 0.0057, 0.001); // six bytes at 9600 baud
 }
 
+TEST(Board, an_uno_blinks_beside_a_mega)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[
+        {"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
+        {"name":"u","model":"uno","firmware":"@uno_blink","watch":[{"pin":13,"name":"led"}]}]})");
+    run.run_until(0.505);
+    auto pins = run.events("u", "pin");
+    ASSERT_EQ(pins.size(), 50u);
+    for (size_t i = 0; i < pins.size(); i++)
+        EXPECT_NEAR(pins[i].t, 0.01 * static_cast<double>(i + 1), 0.0001);
+    EXPECT_EQ(run.events("a", "pin").size(), 50u);
+    ASSERT_EQ(run.events("u", "uart").size(), 1u);
+}
+
 TEST(Board, boards_keep_in_step)
 {
     Scratch scratch;
@@ -30,7 +45,7 @@ TEST(Board, boards_keep_in_step)
     for (int ms = 1; ms <= 300; ms++) {
         run.run_until(ms / 1000.0);
         for (int i = 0; i < 3; i++) {
-            cycles_t now = board_now(&run.e.nodes[i].mega);
+            cycles_t now = board_now(&run.e.nodes[i].arduino);
             EXPECT_GE(now, run.e.now);
             EXPECT_LT(now, run.e.now + 10 * CYCLES_PER_US);
         }
@@ -47,7 +62,7 @@ TEST(Board, a_sleeping_board_is_not_run_in_between)
     Scratch scratch;
     Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"}]})");
     run.run_until(0.0151);
-    EXPECT_GE(board_next_event(&run.e.nodes[0].mega), seconds_to_cycles(0.02));
+    EXPECT_GE(board_next_event(&run.e.nodes[0].arduino), seconds_to_cycles(0.02));
 }
 
 TEST(Board, a_crash_names_board_and_place)
@@ -76,9 +91,9 @@ TEST(Board, asleep_with_interrupts_off_it_stays_so_until_reset)
     Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@halt","port":"p","watch":[{"pin":22,"name":"woke"}]}]})");
     run.run_until(0.5);
     EXPECT_TRUE(run.events("a", "pin").empty());
-    EXPECT_TRUE(run.e.nodes[0].mega.halted);
-    board_reset(&run.e.nodes[0].mega);
-    EXPECT_FALSE(run.e.nodes[0].mega.halted);
+    EXPECT_TRUE(run.e.nodes[0].arduino.halted);
+    board_reset(&run.e.nodes[0].arduino);
+    EXPECT_FALSE(run.e.nodes[0].arduino.halted);
 }
 
 TEST(Board, firmware_for_something_else_is_refused)
@@ -87,11 +102,15 @@ TEST(Board, firmware_for_something_else_is_refused)
     board b;
     char error[512];
     std::string text = scratch.write("text.elf", "no program");
-    EXPECT_EQ(board_init(&b, text.c_str(), {}, error, sizeof error), -1);
+    EXPECT_EQ(board_init(&b, &MEGA, text.c_str(), {}, error, sizeof error), -1);
     EXPECT_EQ(error, text + " is no ELF file; expected the .elf that the AVR compiler writes, not the .hex");
     board_release(&b);
-    EXPECT_EQ(board_init(&b, EMULATOR, {}, error, sizeof error), -1);
+    EXPECT_EQ(board_init(&b, &MEGA, EMULATOR, {}, error, sizeof error), -1);
     EXPECT_NE(std::string(error).find("is built for another processor"), std::string::npos) << error;
+    board_release(&b);
+    EXPECT_EQ(board_init(&b, &UNO, PROGRAMS_DIR "/blink.elf", {}, error, sizeof error), -1);
+    EXPECT_STREQ(error, PROGRAMS_DIR "/blink.elf is built for another AVR; expected one for the ATmega328P "
+                                     "(-mmcu=atmega328p), the model \"uno\"");
     board_release(&b);
 }
 
@@ -102,7 +121,7 @@ TEST(Board, the_timers_of_an_idle_arduino_let_it_sleep)
     cycles_t longest = 0;
     for (int ms = 10; ms < 20; ms++) {
         run.run_until(ms / 1000.0);
-        cycles_t sleep = board_next_event(&run.e.nodes[0].mega) - run.e.now;
+        cycles_t sleep = board_next_event(&run.e.nodes[0].arduino) - run.e.now;
         longest = sleep > longest ? sleep : longest;
     }
     EXPECT_GT(longest, CYCLES_PER_MS / 4); // and not the 64 cycles of one timer clock

@@ -20,6 +20,17 @@ TEST(Eeprom, survives_from_run_to_run)
     EXPECT_EQ(read_text(scratch.path("eeprom/a.bin")).size(), 4096u);
 }
 
+TEST(Eeprom, of_an_uno_survives_from_run_to_run)
+{
+    Scratch scratch;
+    for (char count : {'0', '1', '2'}) {
+        Emulation run(scratch, R"({"boards":[{"name":"a","model":"uno","firmware":"@uno_boot_count","eeprom":"a.bin"}]})");
+        run.run_until(0.01);
+        EXPECT_EQ(last_line(run), std::string(1, count));
+    }
+    EXPECT_EQ(read_text(scratch.path("a.bin")).size(), 1024u);
+}
+
 TEST(Eeprom, survives_a_reset)
 {
     Scratch scratch;

@@ -61,7 +61,7 @@ TEST(Power, pins_fall_at_a_cut)
     ASSERT_EQ(pins.size(), 2u);
     EXPECT_EQ(pins[1].number("level"), 0);
     EXPECT_NEAR(pins[1].t - pins[0].t, 0.001, 0.0002);
-    EXPECT_FALSE(board_output(&run.e.nodes[0].mega, 13));
+    EXPECT_FALSE(board_output(&run.e.nodes[0].arduino, 13));
 }
 
 TEST(Power, a_sleeping_board_is_cut_and_starts_in_time)
@@ -70,7 +70,7 @@ TEST(Power, a_sleeping_board_is_cut_and_starts_in_time)
     Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"}],
         "faults":[{"t":0.025,"board":"a","do":"power-cut","duration":5}]})");
     run.run_until(0.03);
-    EXPECT_GE(board_next_event(&run.e.nodes[0].mega), seconds_to_cycles(5.025)); // nothing to run in between
+    EXPECT_GE(board_next_event(&run.e.nodes[0].arduino), seconds_to_cycles(5.025)); // nothing to run in between
     run.run_until(5.1);
     EXPECT_NEAR(run.events("a", "reset").at(1).t, 5.025, 0.0002);
 }

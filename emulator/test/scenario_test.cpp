@@ -90,6 +90,7 @@ TEST(Scenario, a_short_one_has_the_defaults)
     EXPECT_EQ(s.radio.bit_rate, 2000);
     EXPECT_EQ(s.radio.range_m, 100);
     EXPECT_EQ(s.radio.bit_error_rate, 0);
+    EXPECT_EQ(s.boards[1].model, &MEGA);
     EXPECT_EQ(s.boards[1].port, nullptr);
     EXPECT_TRUE(s.boards[0].reset_on_open);
     EXPECT_EQ(s.boards[0].tx_pin, 12);
@@ -119,6 +120,10 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps)
          ": boards[0]: unknown key \"eprom\"; did you mean \"eeprom\"?"},
         {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":70}]})",
          ": boards[0].txPin: expected a pin: 0…69 or \"A0\"…\"A15\", found 70"},
+        {R"({"boards":[{"name":"b","firmware":"bus.elf","model":"unno"}]})",
+         ": boards[0].model: unknown value \"unno\"; did you mean \"uno\"?"},
+        {R"({"boards":[{"name":"b","firmware":"bus.elf","model":"uno","txPin":20}]})",
+         ": boards[0].txPin: expected a pin: 0…19 or \"A0\"…\"A5\", found 20"},
         {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":11}]})",
          ": boards[0].rxPin: is missing; expected another pin than txPin"},
         {R"({"boards":[{"name":"b","firmware":"bus.elf","position":[1]}]})",

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Toggles digital pin 13 (B7) every 10 ms, asleep in between; prints a line at the start.
+// Toggles digital pin 13 (B7 of a Mega, B5 of an Uno) every 10 ms, asleep in between; prints a line at the start.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
 
+#ifdef __AVR_ATmega328P__
+#define LED PB5
+#else
+#define LED PB7
+#endif
+
 ISR(TIMER1_COMPA_vect)
 {
-    PORTB ^= _BV(PB7);
+    PORTB ^= _BV(LED);
 }
 
 static void print(const char *text)
@@ -22,7 +28,7 @@ int main(void)
 {
     UBRR0 = F_CPU / 16 / 9600 - 1;
     UCSR0B = _BV(TXEN0);
-    DDRB |= _BV(PB7);
+    DDRB |= _BV(LED);
     TCCR1B = _BV(WGM12) | _BV(CS11); // CTC, F_CPU / 8
     OCR1A = F_CPU / 8 / 100 - 1;
     TIMSK1 = _BV(OCIE1A);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Arduinos that can be emulated, and all that tells one from another.
+#ifndef JAVINO_MODEL_H
+#define JAVINO_MODEL_H
+
+typedef struct {
+    const char *name;      // in a scenario
+    const char *chip;      // as its data sheet writes it
+    const char *mcu;       // the same, as compiler and simavr write it
+    unsigned family;       // the low bits of its ELF files' flags (binutils, include/elf/avr.h)
+    int eeprom_size;       // bytes
+    int pin_count;         // digital pins, the analog ones among them
+    int pin_a0;            // they begin with this one
+    const char *locations; // two characters a pin: port and bit
+    const char *pins;      // all of them, in words
+    const char *adc_pins;  // those of the first eight channels, which are all that simavr takes values for
+} model;
+
+extern const model MEGA, UNO;
+
+// "mega", "uno", NULL: what json_choice takes.
+extern const char *const MODEL_NAMES[];
+
+// The model whose name is the index-th.
+const model *model_at(int index);
+
+#endif
