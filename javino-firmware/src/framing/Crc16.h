@@ -5,12 +5,11 @@
 
 namespace javino {
 
-/// CRC-16/X-25 (SPEC 4.1), byte by byte: the check of serial and radio packets alike.
+/// CRC-16/X-25 (SPEC 4.1): the check of serial and radio packets alike.
 class Crc16 {
  public:
   Crc16() : remainder_(0xFFFF) {}
 
-  void add(uint8_t byte);
   void add(const uint8_t *bytes, size_t length);
 
   /// The CRC of all bytes added so far; its low byte goes first on the line and on the air.

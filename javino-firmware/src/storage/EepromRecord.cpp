@@ -17,22 +17,15 @@ static uint8_t sealOf(const Crc16 &crc) {
 }
 
 bool EepromRecord::read(uint8_t *data) const {
-  Crc16 crc;
-  for (uint8_t i = 0; i < length_; i++) {
-    data[i] = stored(i);
-    crc.add(data[i]);
-  }
-  return isSealed(crc);
+  for (uint8_t i = 0; i < length_; i++) data[i] = stored(i);
+  return isSealed(crcOf(data));
 }
 
 bool EepromRecord::write(const uint8_t *data) {
   if (holds(data)) return true;
-  Crc16 crc;
+  const Crc16 crc = crcOf(data);
   store(length_ + 1, ERASED);
-  for (uint8_t i = 0; i < length_; i++) {
-    store(i, data[i]);
-    crc.add(data[i]);
-  }
+  for (uint8_t i = 0; i < length_; i++) store(i, data[i]);
   store(length_, highOf(crc));
   store(length_ + 1, sealOf(crc));
   return holds(data);
@@ -49,12 +42,16 @@ uint8_t EepromRecord::stored(uint8_t index) const { return eeprom::read(static_c
 void EepromRecord::store(uint8_t index, uint8_t value) { eeprom::update(static_cast<uint16_t>(at_ + index), value); }
 
 bool EepromRecord::holds(const uint8_t *data) const {
-  Crc16 crc;
   for (uint8_t i = 0; i < length_; i++) {
     if (stored(i) != data[i]) return false;
-    crc.add(data[i]);
   }
-  return isSealed(crc);
+  return isSealed(crcOf(data));
+}
+
+Crc16 EepromRecord::crcOf(const uint8_t *data) const {
+  Crc16 crc;
+  crc.add(data, length_);
+  return crc;
 }
 
 bool EepromRecord::isSealed(const Crc16 &crc) const {

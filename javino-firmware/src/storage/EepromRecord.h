@@ -36,6 +36,7 @@ class EepromRecord {
   uint8_t stored(uint8_t index) const;
   void store(uint8_t index, uint8_t value);
   bool holds(const uint8_t *data) const;
+  Crc16 crcOf(const uint8_t *data) const;
   bool isSealed(const Crc16 &crc) const;
 
   uint16_t at_;
