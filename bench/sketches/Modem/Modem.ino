@@ -31,7 +31,10 @@ void sendNext() {
 }
 
 void receiveNext() {
-  if (radio.receive(payload) == LENGTH) Serial.println(++received);
+  uint8_t length;
+  if (!radio.receive(length)) return;
+  radio.release();
+  if (length == LENGTH) Serial.println(++received);
 }
 
 void setup() {

@@ -5,8 +5,11 @@
 namespace javino {
 
 void Receiver::run() {
-  uint8_t packet[MAX_RADIO_PAYLOAD];
-  while (const uint8_t length = radio_.receive(packet)) accept(packet, length);
+  uint8_t length;
+  while (uint8_t *packet = radio_.receive(length)) {
+    accept(packet, length);
+    radio_.release();
+  }
   pieces_.run();
 }
 

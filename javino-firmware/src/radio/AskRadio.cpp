@@ -1,7 +1,5 @@
 #include "AskRadio.h"
 
-#include <string.h>
-
 #include "AskHardware.h"
 #include "Counting.h"
 
@@ -47,9 +45,19 @@ bool AskRadio::begin() {
 }
 
 bool AskRadio::send(const uint8_t *payload, uint8_t length) {
-  if (!ready_ || sending_ || !encoder_.start(payload, length)) return false;
+  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD || !queue_.claim()) return false;
+  {
+    askhardware::InterruptLock lock;
+    stopReceiving();
+  }
+  // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
+  RadioPacket *packet = queue_.claim();
+  const bool room = packet && encoder_.start(payload, length, packet->bytes);
   askhardware::InterruptLock lock;
-  stopReceiving();
+  if (!room) {  // a packet has come since the first look
+    startReceiving();
+    return false;
+  }
   sending_ = true;
   nextBit_ = encoder_.next();
   lastBitOut_ = false;
@@ -63,18 +71,15 @@ bool AskRadio::carrier() const {
   return carrier_.isHeard();
 }
 
-uint8_t AskRadio::receive(uint8_t *payload) {
-  uint8_t length = 0;
-  while (length == 0) {
-    RadioPacket *packet = queue_.oldest();
-    if (!packet) break;
+uint8_t *AskRadio::receive(uint8_t &length) {
+  while (RadioPacket *packet = queue_.oldest()) {
     if (makeWhole(*packet)) {
       length = packet->payloadLength();
-      memcpy(payload, packet->payload(), length);
+      return packet->payload();
     }
     queue_.release();
   }
-  return length;
+  return nullptr;
 }
 
 // Checks or mends, and counts.

@@ -32,7 +32,8 @@ class AskRadio : public Radio {
   bool sending() const override { return sending_; }
   bool carrier() const override;
   uint16_t bitRate() const override { return bitRate_; }
-  uint8_t receive(uint8_t *payload) override;
+  uint8_t *receive(uint8_t &length) override;
+  void release() override { queue_.release(); }
   void counters(RadioCounters &into) const override;
   void update() override {}
   bool idle() const override { return queue_.empty(); }

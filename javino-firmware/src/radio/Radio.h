@@ -29,7 +29,8 @@ class Radio {
 
   /// Starts to send a payload, which is copied.
   /// @param length 1…77
-  /// @return false, and nothing is sent, while another packet is on the air or where the length is out of range.
+  /// @return false, and nothing is sent, while another packet is on the air, where the length is out of range, or while
+  /// so many received packets wait that there is no room for it.
   virtual bool send(const uint8_t *payload, uint8_t length) = 0;
 
   /// @return whether a packet is on the air: false again after its last bit.
@@ -42,10 +43,13 @@ class Radio {
   /// @return bits a second.
   virtual uint16_t bitRate() const = 0;
 
-  /// Copies out the oldest received payload, whose CRC was right.
-  /// @param payload room for 77 bytes
-  /// @return its length, 1…77; 0 where none is waiting.
-  virtual uint8_t receive(uint8_t *payload) = 0;
+  /// The oldest received payload, whose CRC was right, in place: the caller's own until release().
+  /// @param length set to its length, 1…77
+  /// @return null where none is waiting.
+  virtual uint8_t *receive(uint8_t &length) = 0;
+
+  /// Forgets the payload that receive() gave.
+  virtual void release() = 0;
 
   /// Copies the counters, each of them undivided by interrupts.
   virtual void counters(RadioCounters &into) const = 0;
@@ -58,7 +62,7 @@ class Radio {
   virtual bool idle() const = 0;
 
  protected:
-  ~Radio() {}  // radios are never deleted through this class: there is no heap
+  ~Radio() = default;  // radios are never deleted through this class: there is no heap
 };
 
 }  // namespace javino

@@ -6,16 +6,17 @@
 
 namespace javino {
 
-bool RadioEncoder::start(const uint8_t *payload, uint8_t length) {
+bool RadioEncoder::start(const uint8_t *payload, uint8_t length, uint8_t *packet) {
   if (length == 0 || length > MAX_RADIO_PAYLOAD) return false;
   packetLength_ = static_cast<uint8_t>(length + linecode::PACKET_OVERHEAD);
-  packet_[0] = packetLength_;
-  memcpy(packet_ + 1, payload, length);
+  packet_ = packet;
+  packet[0] = packetLength_;
+  memcpy(packet + 1, payload, length);
 
   Crc16 crc;
-  crc.add(packet_, length + 1);
-  packet_[length + 1] = static_cast<uint8_t>(crc.value());
-  packet_[length + 2] = static_cast<uint8_t>(crc.value() >> 8);
+  crc.add(packet, length + 1);
+  packet[length + 1] = static_cast<uint8_t>(crc.value());
+  packet[length + 2] = static_cast<uint8_t>(crc.value() >> 8);
 
   symbolIndex_ = 0;
   symbol_ = symbolAt(0);

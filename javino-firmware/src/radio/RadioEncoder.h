@@ -10,12 +10,13 @@ namespace javino {
 /// Turns a payload into the bits of a radio packet (SPEC 6), one bit at a time: training, start, count, payload, CRC.
 class RadioEncoder {
  public:
-  RadioEncoder() : packetLength_(0), symbolIndex_(0), symbol_(0), bitsLeft_(0) {}
+  RadioEncoder() : packet_(nullptr), packetLength_(0), symbolIndex_(0), symbol_(0), bitsLeft_(0) {}
 
-  /// Copies a payload and starts at its first training bit.
+  /// Builds the packet of a payload and starts at its first training bit.
   /// @param length 1…77
+  /// @param packet room for the packet, 80 bytes, lent until the last bit
   /// @return false, and nothing changes, where the length is out of range.
-  bool start(const uint8_t *payload, uint8_t length);
+  bool start(const uint8_t *payload, uint8_t length, uint8_t *packet);
 
   /// @return whether next() has another bit: 84 + 12 n times for n bytes of payload.
   bool hasNext() const { return bitsLeft_ != 0; }
@@ -27,11 +28,11 @@ class RadioEncoder {
   uint8_t symbolAt(uint8_t index) const;
   uint8_t symbolCount() const { return static_cast<uint8_t>(linecode::PREAMBLE_SYMBOLS + 2 * packetLength_); }
 
+  const uint8_t *packet_;
   uint8_t packetLength_;
   uint8_t symbolIndex_;  // of the symbol under way
   uint8_t symbol_;       // its bits that are still to go, the next one lowest
   uint8_t bitsLeft_;     // how many of them; 0 only when all is sent
-  uint8_t packet_[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD];
 };
 
 }  // namespace javino

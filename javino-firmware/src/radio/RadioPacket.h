@@ -19,6 +19,7 @@ struct RadioPacket {
   uint8_t wrongNibble;  ///< of the bytes, high nibbles first; NO_NIBBLE where each symbol was in the table
   uint8_t wrongSymbol;  ///< what came in its place
 
+  uint8_t *payload() { return bytes + 1; }
   const uint8_t *payload() const { return bytes + 1; }
 
   /// @return 1…77.

@@ -120,8 +120,9 @@ void hearPacket() {
   static AskRadio radio;
   static uint8_t levels[126];  // one bit each: 84 + 12 * 77
   radio.begin();
+  uint8_t packet[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD];
   RadioEncoder encoder;
-  encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length));
+  encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length), packet);
   uint16_t bits = 0;
   for (; encoder.hasNext(); bits++) {
     const uint8_t mask = static_cast<uint8_t>(1 << bits % 8);
@@ -137,7 +138,10 @@ void hearPacket() {
     radio.onAlarm();
     radio.onAlarm();
   });
-  mailbox.length = radio.receive(mailbox.bytes);
+  uint8_t length = 0;
+  const uint8_t *payload = radio.receive(length);
+  if (payload != nullptr) memcpy(mailbox.bytes, payload, length);
+  mailbox.length = length;
 }
 
 void mendPacket() {

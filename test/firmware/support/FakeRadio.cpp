@@ -1,6 +1,5 @@
 #include "FakeRadio.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
@@ -11,12 +10,10 @@ bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
   return true;
 }
 
-uint8_t FakeRadio::receive(uint8_t *payload) {
-  if (in_.empty()) return 0;
-  const Bytes packet = in_.front();
-  in_.pop_front();
-  std::copy(packet.begin(), packet.end(), payload);
-  return static_cast<uint8_t>(packet.size());
+uint8_t *FakeRadio::receive(uint8_t &length) {
+  if (in_.empty()) return nullptr;
+  length = static_cast<uint8_t>(in_.front().size());
+  return in_.front().data();
 }
 
 void FakeRadio::finishSending() {

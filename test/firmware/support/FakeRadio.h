@@ -15,7 +15,8 @@ class FakeRadio : public javino::Radio {
   bool sending() const override { return onAir_; }
   bool carrier() const override { return heard; }
   uint16_t bitRate() const override { return 2000; }
-  uint8_t receive(uint8_t *payload) override;
+  uint8_t *receive(uint8_t &length) override;
+  void release() override { in_.pop_front(); }
   void counters(javino::RadioCounters &into) const override { into = counts; }
   void update() override { updates++; }
   bool idle() const override { return in_.empty(); }

@@ -11,11 +11,10 @@ const uint64_t LONGEST_PACKET = 1100ull * Modem::BIT;  // in ticks
 // A modem and what is on the air.
 struct Scene {
   Bytes take() {
-    uint8_t payload[javino::MAX_RADIO_PAYLOAD];
-    const uint8_t length = modem.radio.receive(payload);
-    require(length <= sizeof payload, "a payload has at most 77 bytes");
-    taken += length != 0;
-    return Bytes(payload, payload + length);
+    const Bytes payload = modem.take();
+    require(payload.size() <= javino::MAX_RADIO_PAYLOAD, "a payload has at most 77 bytes");
+    taken += !payload.empty();
+    return payload;
   }
 
   void hear(const AirLine &line) { modem.hardware.play(line); }

@@ -8,8 +8,9 @@ using javino::RadioEncoder;
 namespace {
 
 Bits encode(const Bytes &payload) {
+  uint8_t packet[80];
   RadioEncoder encoder;
-  EXPECT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(payload.size())));
+  EXPECT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), packet));
   Bits bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   return bits;
@@ -40,17 +41,19 @@ TEST(RadioEncoder, givesTheBitsOfTheSpecificationForEachByte) {
 
 TEST(RadioEncoder, refusesNoPayloadAndTooLongOnes) {
   const Bytes payload(255, 0x55);
+  uint8_t packet[80];
   RadioEncoder encoder;
   for (uint8_t length : {0, 78, 80, 255}) {
-    EXPECT_FALSE(encoder.start(payload.data(), length)) << int(length);
+    EXPECT_FALSE(encoder.start(payload.data(), length, packet)) << int(length);
     EXPECT_FALSE(encoder.hasNext());
   }
 }
 
 TEST(RadioEncoder, staysOffAfterTheLastBit) {
   const Bytes payload(1, 0x55);
+  uint8_t packet[80];
   RadioEncoder encoder;
-  ASSERT_TRUE(encoder.start(payload.data(), 1));
+  ASSERT_TRUE(encoder.start(payload.data(), 1, packet));
   for (int i = 0; i < 96; i++) encoder.next();
   EXPECT_FALSE(encoder.hasNext());
   EXPECT_FALSE(encoder.next());
@@ -58,10 +61,11 @@ TEST(RadioEncoder, staysOffAfterTheLastBit) {
 
 TEST(RadioEncoder, startsAnewInTheMiddleOfAPacket) {
   const Bytes first(20, 0xA5), second(3, 0x17);
+  uint8_t packet[80];
   RadioEncoder encoder;
-  encoder.start(first.data(), 20);
+  encoder.start(first.data(), 20, packet);
   for (int i = 0; i < 101; i++) encoder.next();
-  encoder.start(second.data(), 3);
+  encoder.start(second.data(), 3, packet);
   Bits bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   EXPECT_EQ(bits, reference::packetBits(second));

@@ -10,9 +10,12 @@ class Modem {
   Modem() { radio.begin(); }
 
   Bytes take() {
-    uint8_t payload[77];
-    const uint8_t length = radio.receive(payload);
-    return Bytes(payload, payload + length);
+    uint8_t length = 0;
+    const uint8_t *payload = radio.receive(length);
+    if (payload == nullptr) return Bytes();
+    const Bytes taken(payload, payload + length);
+    radio.release();
+    return taken;
   }
 
   bool send(const Bytes &payload) { return radio.send(payload.data(), static_cast<uint8_t>(payload.size())); }
