@@ -67,9 +67,10 @@ Figures measured() {
   figures["CFB-128, decrypt 64 bytes"] = cyclesOf(Mailbox::DECRYPT_CFB, random(64));
   figures["CMAC, 32 bytes"] = cyclesOf(Mailbox::COMPUTE_CMAC, random(32));
   figures["keys of a shared key: Kenc, Kmac, check value"] = cyclesOf(Mailbox::DERIVE_KEYS, {});
-  figures["envelope: expand and wipe both keys"] = cyclesOf(Mailbox::EXPAND_KEYS, {});
-  figures["seal 16 bytes, keys expanded"] = cyclesOf(Mailbox::SEAL, frame());
-  figures["open 16 bytes, keys expanded"] = cyclesOf(Mailbox::OPEN, sealedFrame());
+  const double expansion = cyclesOf(Mailbox::EXPAND_KEYS, {});
+  figures["envelope: expand and wipe both keys"] = expansion;
+  figures["seal 16 bytes, keys expanded"] = cyclesOf(Mailbox::SEAL, frame()) - expansion;
+  figures["open 16 bytes, keys expanded"] = cyclesOf(Mailbox::OPEN, sealedFrame()) - expansion;
   figures["CRC-16, a byte"] = cyclesAByte(Mailbox::ADD_TO_CRC, random(500));
   figures["serial packet: COBS and CRC, a byte"] = cyclesAByte(Mailbox::DECODE_PACKET, longestPacket());
   figures["radio interrupts, a bit received"] = cyclesABitHeard();

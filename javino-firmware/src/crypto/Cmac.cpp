@@ -22,8 +22,11 @@ void doubleInField(uint8_t *block) {
   }
 }
 
+// Of one byte at least.
 void xorInto(uint8_t *into, const uint8_t *from, uint8_t length) {
-  for (; length > 0; length--) *into++ ^= *from++;
+  do {
+    *into++ ^= *from++;
+  } while (--length != 0);
 }
 
 }  // namespace
@@ -46,7 +49,7 @@ void Cmac::compute(const uint8_t *message, uint16_t length, uint8_t *tag) const 
     last[lastLength] ^= 0x80;
   }
   const uint8_t *const lastBytes = message + (length - lastLength);
-  xorInto(last, lastBytes, lastLength);
+  if (lastLength != 0) xorInto(last, lastBytes, lastLength);
 
   if (message != lastBytes) {
     const uint8_t *chained = message;

@@ -44,6 +44,10 @@ void DerivedKeys::derive(const uint8_t *key) {
   wipe(forCheck, sizeof forCheck);
 }
 
+void DerivedKeys::authenticate(const uint8_t *message, uint16_t length, uint8_t *tag) const {
+  cmac(Aes128(authentication), message, length, tag);
+}
+
 bool DerivedKeys::equals(const DerivedKeys &other) const {
   return equalInConstantTime(encryption, other.encryption, sizeof encryption) &&
          equalInConstantTime(authentication, other.authentication, sizeof authentication);

@@ -22,6 +22,10 @@ struct DerivedKeys {
   /// Derives all three from a shared key of 16 bytes (NIST SP 800-108 section 4.1, counter mode).
   JAVINO_NOINLINE void derive(const uint8_t *key);
 
+  /// Computes AES-CMAC under Kmac. Expands the key, some 200 bytes of stack, and wipes them.
+  /// @param tag room for 16 bytes
+  JAVINO_NOINLINE void authenticate(const uint8_t *message, uint16_t length, uint8_t *tag) const;
+
   /// Compares in constant time.
   bool equals(const DerivedKeys &other) const;
 };

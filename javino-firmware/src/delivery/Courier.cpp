@@ -155,12 +155,16 @@ bool Courier::acknowledged(const Frame &frame) {
   const uint16_t bodyLength = static_cast<uint16_t>(frame.length - PROOF_LENGTH);
   const Proof::Claim claim = {bodyLength == 0 ? Proof::DELIVERED : bodyLength == 1 ? Proof::PIECES : Proof::STALE, nonce_,
                        sender_, frame.origin, frame.message};
-  DerivedKeys keys;
   const bool right = frame.length >= PROOF_LENGTH && bodyLength == Proof::bodyLength(claim.type) &&
-                     keys_.load(slot_, keys) && Proof(keys).isRight(claim, frame.message + bodyLength) &&
-                     onAnswer(claim.type, claim.body);
+                     isProved(claim, frame.message + bodyLength) && onAnswer(claim.type, claim.body);
   if (!right) counters_.count(Counter::RADIO_BAD_PROOFS);
   return true;
+}
+
+// Apart from what follows, which may seal the message anew: the stack has no room for the keys of both.
+bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
+  DerivedKeys keys;
+  return keys_.load(slot_, keys) && Proof(keys).isRight(claim, proof);
 }
 
 bool Courier::concerns(const Frame &acknowledgement) const {

@@ -41,7 +41,7 @@ class Courier {
 
   /// Takes in a frame to an acknowledgement's address.
   /// @return false where it is not about what is under way
-  bool acknowledged(const Frame &frame);
+  JAVINO_NOINLINE bool acknowledged(const Frame &frame);
 
   /// To be called when keys were deleted: what was sealed with one of them can no longer be acknowledged.
   void keysChanged();
@@ -66,6 +66,7 @@ class Courier {
   JAVINO_NOINLINE void finish(Outcome outcome);
   bool isUnicast() const { return destination_.isDevice(); }
   bool concerns(const Frame &acknowledgement) const;
+  JAVINO_NOINLINE bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
   bool onAnswer(Proof::Type type, const uint8_t *body);
   bool onPieces(uint8_t have);
   bool onStale(const uint8_t *floor, uint16_t uptime);

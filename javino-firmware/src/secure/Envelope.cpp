@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../crypto/Cfb128.h"
+#include "../crypto/Cmac.h"
 
 namespace javino {
 
@@ -16,11 +17,9 @@ uint16_t Envelope::seal(const Frame &plain, const uint8_t *nonce, uint8_t *seale
   Frame::writeHeader(sealed, plain.destination, plain.origin, static_cast<uint16_t>(plain.length + SEAL_LENGTH));
   memcpy(sealed + NONCE_AT, nonce, NONCE_LENGTH);
   memmove(content, plain.message, plain.length);  // it may be there already
-  uint8_t iv[Aes128::BLOCK_LENGTH];
-  initialVector(sealed, iv);
-  Cfb128(encryption_, iv).encrypt(content, plain.length);
+  apply(sealed, plain.length, false);
   uint8_t tag[Aes128::BLOCK_LENGTH];
-  cmac_.compute(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
+  keys_.authenticate(sealed, static_cast<uint16_t>(CONTENT_AT + plain.length), tag);
   memcpy(content + plain.length, tag, TAG_LENGTH);
   return static_cast<uint16_t>(MIN_FRAME_LENGTH + plain.length);
 }
@@ -29,26 +28,33 @@ bool Envelope::isAuthentic(const uint8_t *frame, uint16_t length) const {
   if (length < MIN_FRAME_LENGTH) return false;
   const uint16_t tagged = static_cast<uint16_t>(length - TAG_LENGTH);
   uint8_t expected[Aes128::BLOCK_LENGTH];
-  cmac_.compute(frame, tagged, expected);
+  keys_.authenticate(frame, tagged, expected);
   return equalInConstantTime(expected, frame + tagged, TAG_LENGTH);
 }
 
 uint16_t Envelope::open(uint8_t *frame, uint16_t length) const {
   const uint16_t content = static_cast<uint16_t>(length - MIN_FRAME_LENGTH);
-  uint8_t iv[Aes128::BLOCK_LENGTH];
-  initialVector(frame, iv);
-  Cfb128(encryption_, iv).decrypt(frame + CONTENT_AT, content);
+  apply(frame, content, true);
   return content;
 }
 
-// Origin, destination, nonce, two zeroes, encrypted: unpredictable, as CFB wants it (NIST SP 800-38A appendix C).
-void Envelope::initialVector(const uint8_t *frame, uint8_t *iv) const {
+// Encrypts or decrypts the content. The initial vector is origin, destination, nonce, two zeroes, encrypted: unpredictable,
+// as CFB wants it (NIST SP 800-38A appendix C).
+void Envelope::apply(uint8_t *frame, uint16_t length, bool decrypting) const {
+  const Aes128 cipher(keys_.encryption);
+  uint8_t iv[Aes128::BLOCK_LENGTH];
   memcpy(iv, frame + Address::TEXT_LENGTH, Address::TEXT_LENGTH);
   memcpy(iv + Address::TEXT_LENGTH, frame, Address::TEXT_LENGTH);
   memcpy(iv + 2 * Address::TEXT_LENGTH, frame + NONCE_AT, NONCE_LENGTH);
   iv[14] = 0;
   iv[15] = 0;
-  encryption_.encrypt(iv);
+  cipher.encrypt(iv);
+  const Cfb128 stream(cipher, iv);
+  if (decrypting) {
+    stream.decrypt(frame + CONTENT_AT, length);
+  } else {
+    stream.encrypt(frame + CONTENT_AT, length);
+  }
 }
 
 }  // namespace javino

@@ -2,8 +2,6 @@
 
 #include <stdint.h>
 
-#include "../crypto/Aes128.h"
-#include "../crypto/Cmac.h"
 #include "../crypto/DerivedKeys.h"
 #include "../framing/Frame.h"
 #include "../support/NoInline.h"
@@ -23,9 +21,9 @@ class Envelope {
   /// Where the content begins in a sealed frame, once opened.
   static const uint8_t CONTENT_AT = NONCE_AT + NONCE_LENGTH;
 
-  /// Expands the keys, once for all frames of this object: 368 bytes, wiped at the end of life.
-  JAVINO_NOINLINE explicit Envelope(const DerivedKeys &keys)
-      : encryption_(keys.encryption), authentication_(keys.authentication), cmac_(authentication_) {}
+  /// Each step expands the key that it needs, one after the other, as an Uno's stack has no room for both.
+  /// @param keys that outlive this object
+  explicit Envelope(const DerivedKeys &keys) : keys_(keys) {}
 
   /// Builds a sealed frame.
   /// @param plain with the content as message, 0…497 bytes
@@ -43,11 +41,9 @@ class Envelope {
   JAVINO_NOINLINE uint16_t open(uint8_t *frame, uint16_t length) const;
 
  private:
-  JAVINO_NOINLINE void initialVector(const uint8_t *frame, uint8_t *iv) const;
+  JAVINO_NOINLINE void apply(uint8_t *frame, uint16_t length, bool decrypting) const;
 
-  const Aes128 encryption_;
-  const Aes128 authentication_;
-  const Cmac cmac_;
+  const DerivedKeys &keys_;
 };
 
 }  // namespace javino

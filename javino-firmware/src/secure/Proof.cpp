@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../crypto/Cmac.h"
 #include "../framing/Limits.h"
 
 namespace javino {
@@ -23,7 +24,7 @@ void Proof::make(const Claim &claim, uint8_t *proof) const {
   claim.acknowledger.write(covered + ACKNOWLEDGER_AT);
   if (bodyLength != 0) memcpy(covered + BODY_AT, claim.body, bodyLength);
   uint8_t tag[Aes128::BLOCK_LENGTH];
-  cmac_.compute(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
+  keys_.authenticate(covered, static_cast<uint16_t>(BODY_AT + bodyLength), tag);
   memcpy(proof, tag, LENGTH);
 }
 

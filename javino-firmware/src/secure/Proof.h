@@ -3,8 +3,6 @@
 #include <stdint.h>
 
 #include "../addressing/Address.h"
-#include "../crypto/Aes128.h"
-#include "../crypto/Cmac.h"
 #include "../crypto/DerivedKeys.h"
 #include "../support/NoInline.h"
 
@@ -36,9 +34,8 @@ class Proof {
     const uint8_t *body;  ///< what comes before the proof: bodyLength(type) bytes
   };
 
-  /// Expands Kmac: 192 bytes, wiped at the end of life.
-  /// @param keys of the frame that is answered
-  JAVINO_NOINLINE explicit Proof(const DerivedKeys &keys) : authentication_(keys.authentication), cmac_(authentication_) {}
+  /// @param keys of the frame that is answered; they outlive this object
+  explicit Proof(const DerivedKeys &keys) : keys_(keys) {}
 
   /// @param proof room for 8 bytes
   JAVINO_NOINLINE void make(const Claim &claim, uint8_t *proof) const;
@@ -48,8 +45,7 @@ class Proof {
   JAVINO_NOINLINE bool isRight(const Claim &claim, const uint8_t *proof) const;
 
  private:
-  const Aes128 authentication_;
-  const Cmac cmac_;
+  const DerivedKeys &keys_;
 };
 
 }  // namespace javino
