@@ -2,45 +2,58 @@
 
 #include <stdint.h>
 
-/// How much the board remembers, in one place. Each value can be set with -D on the compiler's command line; the
-/// defaults fit an ATmega2560 (8 KiB of RAM, 4 KiB of EEPROM). What each costs in RAM stands beside it.
+#ifdef __AVR__
+#include <avr/io.h>
+#endif
+
+/// How much the board remembers, in one place. Each value can be set with -D on the compiler's command line. Of two
+/// defaults the first fits an ATmega2560 (8 KiB of RAM, 4 KiB of EEPROM), the second an ATmega328P (2 KiB and 1 KiB).
+/// What each costs in RAM stands beside it.
+#if defined(JAVINO_SMALL) || (defined(RAMEND) && RAMEND < 0x1000)
+#define JAVINO_BY_CHIP(large, small) small
+#else
+#define JAVINO_BY_CHIP(large, small) large
+#endif
 
 /// Keys in the EEPROM store, previous ones included, 1…63 (one reply lists them all). 4 bytes of RAM and 42 of EEPROM
 /// each, and for one place more, which a new key is written to before an old one goes.
 #ifndef JAVINO_KEYS
-#define JAVINO_KEYS 16
+#define JAVINO_KEYS JAVINO_BY_CHIP(16, 6)
 #endif
 
 /// Origins, counted once for each key, whose last nonce is remembered, 1…253. 13 bytes of RAM each.
 #ifndef JAVINO_REPLAY_ENTRIES
-#define JAVINO_REPLAY_ENTRIES 24
+#define JAVINO_REPLAY_ENTRIES JAVINO_BY_CHIP(24, 6)
 #endif
 
 /// Places of the ring that holds the floors of these nonces, more than the entries by one or more, at most 254. 12 bytes
 /// of EEPROM each. The more of them are free, the longer the EEPROM lasts: see ReplayMemory.h.
 #ifndef JAVINO_FLOOR_SLOTS
-#define JAVINO_FLOOR_SLOTS 96
+#define JAVINO_FLOOR_SLOTS JAVINO_BY_CHIP(96, 48)
 #endif
 
-/// The longest message (SPEC 2) that the board sends, receives and exchanges with its host, 255…511 bytes. It sizes two
-/// packets of the serial line, each half-received message and the least that the two queues below hold.
+/// The longest message (SPEC 2) that the board sends, receives and exchanges with its host, 84…511 bytes; a content is
+/// 17 shorter. It sizes two packets of the serial line, each half-received message and the least that the two queues below
+/// hold.
 #ifndef JAVINO_MAX_MESSAGE
-#define JAVINO_MAX_MESSAGE 511
+#define JAVINO_MAX_MESSAGE JAVINO_BY_CHIP(511, 84)
 #endif
 
 /// Bytes for received messages that wait for the host: each takes its content and 17 more. RAM as it says.
 #ifndef JAVINO_RECEIVE_BYTES
-#define JAVINO_RECEIVE_BYTES 640
+#define JAVINO_RECEIVE_BYTES JAVINO_BY_CHIP(640, 96)
 #endif
 
 /// Bytes for messages that wait for the air: each takes its content and 26 more, a broadcast 12. RAM as it says.
 #ifndef JAVINO_TRANSMIT_BYTES
-#define JAVINO_TRANSMIT_BYTES 640
+#define JAVINO_TRANSMIT_BYTES JAVINO_BY_CHIP(640, 96)
 #endif
 
-/// Messages in pieces that can be received at the same time, 1…8. 537 bytes of RAM each.
+/// Messages in pieces that can be received at the same time, 0…8. RAM: the longest message and 26 bytes each. With none,
+/// all that does not fit one packet is dropped and counted: a sealed content of more than 53 bytes, a broadcast of more
+/// than 67.
 #ifndef JAVINO_REASSEMBLIES
-#define JAVINO_REASSEMBLIES 2
+#define JAVINO_REASSEMBLIES JAVINO_BY_CHIP(2, 0)
 #endif
 
 /// How often a multicast is sent, 1…4, and a broadcast: neither is acknowledged (SPEC 7.2). No RAM.
@@ -51,9 +64,19 @@
 #define JAVINO_BROADCAST_SENDS 1
 #endif
 
+/// Radio packets that wait or are being received, 2…8. 83 bytes of RAM each.
+#ifndef JAVINO_RADIO_PACKETS
+#define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
+#endif
+
+/// Acknowledgements that wait for the air, 2…16. 13 bytes of RAM each.
+#ifndef JAVINO_ACKNOWLEDGEMENTS
+#define JAVINO_ACKNOWLEDGEMENTS JAVINO_BY_CHIP(6, 3)
+#endif
+
 /// Actions that a sketch can name, 1…254. 4 bytes of RAM each.
 #ifndef JAVINO_ACTIONS
-#define JAVINO_ACTIONS 16
+#define JAVINO_ACTIONS JAVINO_BY_CHIP(16, 8)
 #endif
 
 /// Places of the ring that holds the boot epoch, 4…64. 5 bytes of EEPROM each; each is good for 25 000 boots.
@@ -78,6 +101,8 @@ static const uint16_t TRANSMIT_BYTES = JAVINO_TRANSMIT_BYTES;
 static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
+static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
+static const uint8_t ACKNOWLEDGEMENTS = JAVINO_ACKNOWLEDGEMENTS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
@@ -87,12 +112,15 @@ static_assert(8 * JAVINO_KEYS < JAVINO_MAX_MESSAGE, "JAVINO_KEYS: one reply of J
 static_assert(JAVINO_REPLAY_ENTRIES >= 1 && JAVINO_REPLAY_ENTRIES <= 253, "JAVINO_REPLAY_ENTRIES must be 1…253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,
               "JAVINO_FLOOR_SLOTS must be greater than JAVINO_REPLAY_ENTRIES, and at most 254");
-static_assert(JAVINO_MAX_MESSAGE >= 255 && JAVINO_MAX_MESSAGE <= 511, "JAVINO_MAX_MESSAGE must be 255…511");
+// A board must be able to receive what fits one radio packet, and tell its host the outcomes of 16 transmissions.
+static_assert(JAVINO_MAX_MESSAGE >= 84 && JAVINO_MAX_MESSAGE <= 511, "JAVINO_MAX_MESSAGE must be 84…511");
 static_assert(JAVINO_RECEIVE_BYTES >= JAVINO_MAX_MESSAGE + 3 && JAVINO_RECEIVE_BYTES <= 4096,
               "JAVINO_RECEIVE_BYTES must hold the longest message and 3 bytes, and be at most 4096");
 static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 12 && JAVINO_TRANSMIT_BYTES <= 4096,
               "JAVINO_TRANSMIT_BYTES must hold the longest frame and 2 bytes, and be at most 4096");
-static_assert(JAVINO_REASSEMBLIES >= 1 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 1…8");
+static_assert(JAVINO_REASSEMBLIES >= 0 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 0…8");
+static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
+static_assert(JAVINO_ACKNOWLEDGEMENTS >= 2 && JAVINO_ACKNOWLEDGEMENTS <= 16, "JAVINO_ACKNOWLEDGEMENTS must be 2…16");
 static_assert(JAVINO_MULTICAST_SENDS >= 1 && JAVINO_MULTICAST_SENDS <= 4, "JAVINO_MULTICAST_SENDS must be 1…4");
 static_assert(JAVINO_BROADCAST_SENDS >= 1 && JAVINO_BROADCAST_SENDS <= 4, "JAVINO_BROADCAST_SENDS must be 1…4");
 static_assert(JAVINO_ACTIONS >= 1 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 1…254");

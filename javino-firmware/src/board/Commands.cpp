@@ -9,7 +9,11 @@ namespace javino {
 namespace {
 
 const char HELLO = 'H';
-const uint8_t MAX_FIRMWARE_NAME = 100;
+const uint8_t FIXED_OF_HELLO = 1 + Address::TEXT_LENGTH + 3;
+const uint16_t NAME_ROOM = MAX_MESSAGE_LENGTH - 1 - FIXED_OF_HELLO;
+const uint16_t MAX_FIRMWARE_NAME = NAME_ROOM < 100 ? NAME_ROOM : 100;
+const uint8_t COUNTER_LENGTH = 1 + 4;
+const bool ALL_COUNTERS_FIT = 1 + Counters::COUNT * COUNTER_LENGTH <= MAX_MESSAGE_LENGTH;
 const uint8_t PERCEPTS_WANTED = 1;
 
 bool isForBoard(const Frame &request) { return request.destination.isSerial(); }
@@ -78,7 +82,7 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
 Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   if (length != 1) return Status::BAD_ARGUMENT;
   greeted_ = body[0] == PROTOCOL_VERSION;
-  uint8_t fixed[1 + Address::TEXT_LENGTH + 3];
+  uint8_t fixed[FIXED_OF_HELLO];
   fixed[0] = PROTOCOL_VERSION;
   id_.address().write(fixed + 1);
   writeUint24(fixed + 1 + Address::TEXT_LENGTH, epoch_.value());
@@ -127,9 +131,12 @@ Status Commands::statistics(uint16_t length, Reply &reply) {
   counters_.set(Counter::RADIO_SENT, radio.sent);
   counters_.set(Counter::RADIO_MENDED, radio.mended);
   for (uint8_t number = 1; number <= Counters::COUNT; number++) {
-    uint8_t entry[1 + 4] = {number};
-    writeUint32(entry + 1, counters_.value(static_cast<Counter>(number)));
-    reply.add(entry, sizeof entry);
+    const uint32_t value = counters_.value(static_cast<Counter>(number));
+    if (ALL_COUNTERS_FIT || value != 0) {
+      uint8_t entry[COUNTER_LENGTH] = {number};
+      writeUint32(entry + 1, value);
+      reply.add(entry, sizeof entry);
+    }
   }
   return Status::OK;
 }

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "../addressing/Address.h"
 #include "../board/Counters.h"
 #include "../framing/Limits.h"
@@ -51,14 +52,14 @@ class Acknowledger {
   void stale(uint8_t slot, const Address &sender, const uint8_t *nonce) { add(Proof::STALE, slot, sender, nonce, 0); }
 
   /// To be called when keys were deleted: what was to be proved with them is dropped.
-  void keysChanged();
+  JAVINO_NOINLINE void keysChanged();
 
   /// Sends what waits, as soon as the air has been quiet for one slot; if it had to wait for the air, for a random number
   /// of slots, since others wait for the end of the same packet.
   void run();
 
  private:
-  static const uint8_t CAPACITY = 6;
+  static const uint8_t CAPACITY = config::ACKNOWLEDGEMENTS;
   static const uint8_t FRESH_SLOTS = 1;
 
   struct Entry {

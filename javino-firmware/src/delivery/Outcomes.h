@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../framing/Limits.h"
+
 namespace javino {
 
 /// How a transmission ended (SPEC 4.3, record T).
@@ -16,8 +18,8 @@ enum class Outcome : uint8_t {
 class Outcomes {
  public:
   /// Transmissions without a reported outcome, at most: a host that never polls gets QUEUE_FULL instead of losing
-  /// outcomes. So many take 160 bytes of a poll reply.
-  static const uint8_t MAX_UNREPORTED = 32;
+  /// outcomes. All of them fit a poll reply, with 5 bytes each. Divides 256.
+  static const uint8_t MAX_UNREPORTED = 2 + 5 * 32 <= MAX_MESSAGE_LENGTH ? 32 : 16;
 
   Outcomes() : nextNumber_(0), nextEnded_(0), nextTold_(0), first_(0) {}
 
@@ -56,6 +58,8 @@ class Outcomes {
   uint8_t nextEnded_;
   uint8_t nextTold_;
   uint8_t first_;
+  static_assert(2 + 5 * MAX_UNREPORTED <= MAX_MESSAGE_LENGTH, "a poll reply tells all outcomes");
+
   Outcome outcomes_[MAX_UNREPORTED];
 };
 

@@ -39,4 +39,27 @@ class PieceReceiver {
   Reassembly reassembly_;
 };
 
+/// What stands in for it on a board that has no room for pieces (Config.h): drops them.
+class NoPieceReceiver {
+ public:
+  NoPieceReceiver(Admission &, Counters &counters) : counters_(counters) {}
+
+  void accept(const Frame &, uint32_t) { counters_.count(Counter::RADIO_PIECES_DROPPED); }
+  void run() {}
+  void clear() {}
+
+ private:
+  Counters &counters_;
+};
+
+/// Which of the two a board has. (Arduino's compiler brings no <type_traits>.)
+template <bool taken>
+struct PiecesTaken {
+  typedef PieceReceiver Type;
+};
+template <>
+struct PiecesTaken<false> {
+  typedef NoPieceReceiver Type;
+};
+
 }  // namespace javino

@@ -39,8 +39,7 @@ bool PartialFrame::fitsWhole(uint8_t index, uint8_t pieceLength, uint16_t frameL
 Reassembly::Reassembly() { clear(); }
 
 PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {
-  for (uint8_t i = 0; i < config::REASSEMBLIES; i++) {
-    PartialFrame &frame = frames_[i];
+  for (PartialFrame &frame : frames_) {
     if (!frame.isFree() && frame.id == id && frame.origin == origin) return &frame;
   }
   return nullptr;
@@ -48,8 +47,7 @@ PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {
 
 PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, bool hasFirst, bool &expired) {
   PartialFrame *place = nullptr;
-  for (uint8_t i = 0; i < config::REASSEMBLIES; i++) {
-    PartialFrame &frame = frames_[i];
+  for (PartialFrame &frame : frames_) {
     if (frame.isFree() || (hasFirst && !frame.hasFirst() && place == nullptr)) place = &frame;
     if (frame.isFree()) break;
   }
@@ -64,8 +62,7 @@ PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, bool hasFirst
 
 uint8_t Reassembly::expire(uint16_t now) {
   uint8_t expired = 0;
-  for (uint8_t i = 0; i < config::REASSEMBLIES; i++) {
-    PartialFrame &frame = frames_[i];
+  for (PartialFrame &frame : frames_) {
     if (frame.isFree() || static_cast<uint16_t>(now - frame.lastNew) < EXPIRY_MILLIS) continue;
     frame.have = 0;
     expired++;
@@ -74,7 +71,7 @@ uint8_t Reassembly::expire(uint16_t now) {
 }
 
 void Reassembly::clear() {
-  for (uint8_t i = 0; i < config::REASSEMBLIES; i++) frames_[i].have = 0;
+  for (PartialFrame &frame : frames_) frame.have = 0;
 }
 
 }  // namespace javino

@@ -44,7 +44,7 @@ class Receiver {
   Admission &admission_;
   Courier &courier_;
   Counters &counters_;
-  PieceReceiver pieces_;
+  PiecesTaken<config::REASSEMBLIES != 0>::Type pieces_;
   bool open_;
 };
 

@@ -2,17 +2,18 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "RadioPacket.h"
 
 namespace javino {
 
 /// Packets on their way from the interrupt, the only writer, to the loop, the only reader.
 ///
-/// Two packets wait while a third is being received. Neither side ever waits for the other: a slot belongs to the
+/// All packets but one wait while the last is being received. Neither side ever waits for the other: a slot belongs to the
 /// reader while it is marked full, and to the writer otherwise.
 class RadioQueue {
  public:
-  static const uint8_t CAPACITY = 3;
+  static const uint8_t CAPACITY = config::RADIO_PACKETS;
 
   RadioQueue();
 

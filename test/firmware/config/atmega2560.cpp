@@ -17,6 +17,8 @@ static_assert(config::TRANSMIT_BYTES == 640, "");
 static_assert(config::REASSEMBLIES == 2, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
+static_assert(config::RADIO_PACKETS == 3, "");
+static_assert(config::ACKNOWLEDGEMENTS == 6, "");
 static_assert(config::ACTIONS == 16, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 static_assert(config::EEPROM_START == 0, "");

@@ -25,7 +25,7 @@ public enum Status {
     /** No key is stored for this address. */
     NO_KEY("the board has no key for this address; set one over the serial line"),
     /** The content does not fit. */
-    TOO_LONG("the content is too long: it has at most 494 bytes of UTF-8"),
+    TOO_LONG("the content is too long: it has at most 494 bytes of UTF-8, on an Uno 67"),
     /** The transmit queue is full. */
     QUEUE_FULL("the board's transmit queue is full; try again later"),
     /** The key store is full. */

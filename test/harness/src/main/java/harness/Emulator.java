@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -22,6 +23,7 @@ import uppaal.replay.Replay;
  */
 public final class Emulator implements AutoCloseable {
 
+    private static final String MEGA = "mega";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
@@ -66,7 +68,7 @@ public final class Emulator implements AutoCloseable {
         public Scenario board(String name, String sketch, Map<String, Object> more) {
             Map<String, Object> board = new LinkedHashMap<>();
             board.put("name", name);
-            board.put("firmware", firmware(sketch).toString());
+            board.put("firmware", firmware(sketch, (String) more.getOrDefault("model", MEGA)).toString());
             board.put("port", "ports/" + name);
             board.put("eeprom", "eeprom/" + name + ".bin");
             board.putAll(more);
@@ -131,10 +133,14 @@ public final class Emulator implements AutoCloseable {
         }
     }
 
-    /** Where gradle has put the program of a sketch. */
+    /** Where gradle has put the program of a sketch for a Mega. */
     public static Path firmware(String sketch) {
-        return ROOT.resolve("javino-firmware/build").resolve(sketch.toLowerCase(java.util.Locale.ROOT))
-            .resolve(sketch + ".ino.elf");
+        return firmware(sketch, MEGA);
+    }
+
+    private static Path firmware(String sketch, String model) {
+        String folder = sketch.toLowerCase(Locale.ROOT) + (model.equals(MEGA) ? "" : "-" + model);
+        return ROOT.resolve("javino-firmware/build").resolve(folder).resolve(sketch + ".ino.elf");
     }
 
     private static Thread read(BufferedReader output, Consumer<String> lines) {

@@ -1,0 +1,31 @@
+// Compiled for the ATmega328P, never run: a change of what fits it has to be made here too.
+
+#include <avr/io.h>
+
+#include <board/Board.h>
+#include <storage/EepromLayout.h>
+#include <storage/Retained.h>
+
+namespace javino {
+
+static_assert(config::KEYS == 6, "");
+static_assert(config::REPLAY_ENTRIES == 6, "");
+static_assert(config::FLOOR_SLOTS == 48, "");
+static_assert(config::MAX_MESSAGE == 84, "");
+static_assert(config::RECEIVE_BYTES == 96, "");
+static_assert(config::TRANSMIT_BYTES == 96, "");
+static_assert(config::REASSEMBLIES == 0, "");
+static_assert(config::MULTICAST_SENDS == 2, "");
+static_assert(config::BROADCAST_SENDS == 1, "");
+static_assert(config::RADIO_PACKETS == 2, "");
+static_assert(config::ACKNOWLEDGEMENTS == 3, "");
+static_assert(config::ACTIONS == 8, "");
+static_assert(config::EPOCH_SLOTS == 16, "");
+static_assert(config::EEPROM_START == 0, "");
+
+static_assert(MAX_CONTENT_LENGTH == 67, "a broadcast of one packet");
+static_assert(EEPROM_END == 962, "of 1024 bytes");
+static_assert(sizeof(TakenNonces) == 84, "retained RAM, beside the board's");
+static_assert(sizeof(Board) <= 880, "the protocol's part of static RAM");
+
+}  // namespace javino

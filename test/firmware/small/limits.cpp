@@ -1,0 +1,85 @@
+// A board with the limits that Config.h sets for an ATmega328P.
+
+#include <gtest/gtest.h>
+
+#include "support/Pieces.h"
+#include "support/Reference.h"
+#include "support/TestBoard.h"
+
+using javino::Counter;
+using javino::Status;
+
+namespace {
+
+const Bytes KEY = fromHex("000102030405060708090a0b0c0d0e0f");
+const size_t MAX_CONTENT = 67;
+const size_t MAX_SEALED_IN_A_PACKET = 53;
+
+std::string text(size_t length) { return "tell;" + std::string(length - 5, 'x'); }
+
+class SmallBoard : public testing::Test {
+ protected:
+  SmallBoard() {
+    board.start("LAMP");
+    board.setKey("ROMA", KEY);
+  }
+
+  TestBoard board;
+};
+
+}  // namespace
+
+TEST_F(SmallBoard, cuts_a_long_name_to_what_fits_a_reply) {
+  const std::string name(90, 'n');
+  board.board.reset(new javino::Board(javino::SerialPort(board.port), board.radio, name.c_str()));
+  board.board->begin();
+  EXPECT_EQ(84u, 1 + board.hello().body.size());
+}
+
+TEST_F(SmallBoard, takes_the_longest_content_and_refuses_a_longer_one) {
+  EXPECT_EQ(Status::OK, board.transmit("////", "LAMP", text(MAX_CONTENT)).status);
+  board.sendNext();
+  EXPECT_EQ(Status::TOO_LONG, board.transmit("////", "LAMP", text(MAX_CONTENT + 1)).status);
+  EXPECT_EQ(Status::TOO_LONG, board.transmit("ROMA", "LAMP", text(MAX_CONTENT + 1)).status);
+  EXPECT_EQ(Status::OK, board.transmit("ROMA", "LAMP", text(MAX_CONTENT)).status);
+  EXPECT_EQ("+F", textOf(board.nextSent()).substr(0, 2)) << "it goes in pieces";
+}
+
+TEST_F(SmallBoard, refuses_a_packet_that_is_too_long_and_goes_on) {
+  EXPECT_TRUE(board.sendRaw(reference::packet(9, reference::frame("++++", "++++", Bytes(85, 'A')))).empty());
+  EXPECT_EQ(1u, board.counter(Counter::SERIAL_DAMAGED));
+}
+
+TEST_F(SmallBoard, receives_what_fits_a_packet) {
+  board.receive(plain("////", "ROMA", text(MAX_CONTENT)));
+  ASSERT_EQ(1u, board.messages().size());
+  EXPECT_EQ(text(MAX_CONTENT), board.messages()[0].content);
+  board.pollTaking(0);
+  board.receive(sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, text(MAX_SEALED_IN_A_PACKET)));
+  ASSERT_EQ(1u, board.messages().size());
+  EXPECT_EQ(text(MAX_SEALED_IN_A_PACKET), board.messages()[0].content);
+}
+
+TEST_F(SmallBoard, drops_and_counts_pieces) {
+  for (const Bytes &piece : cut(sealed(KEY, "LAMP", "ROMA", {0, 0, 5, 0, 1, 2}, text(MAX_SEALED_IN_A_PACKET + 1)), 7)) {
+    board.receive(piece);
+  }
+  EXPECT_TRUE(board.messages().empty());
+  EXPECT_EQ(2u, board.counter(Counter::RADIO_PIECES_DROPPED));
+}
+
+TEST_F(SmallBoard, tells_all_outcomes_in_one_poll) {
+  unsigned accepted = 0;
+  while (board.transmit("////", "LAMP", "tell;x").status == Status::OK) {
+    accepted++;
+    board.sendNext();
+  }
+  EXPECT_EQ(16u, accepted);
+  EXPECT_EQ(accepted, board.poll().texts('T').size());
+}
+
+TEST_F(SmallBoard, leaves_counters_out_that_are_zero) {
+  const Bytes body = board.request('S').body;
+  ASSERT_EQ(5u, body.size()) << "but for serialRequests none has counted";
+  EXPECT_EQ(static_cast<uint8_t>(Counter::SERIAL_REQUESTS), body[0]);
+}

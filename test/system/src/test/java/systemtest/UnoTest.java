@@ -1,0 +1,130 @@
+package systemtest;
+
+import static harness.Host.get;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import javino.board.ReceivedMessage;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** An Uno, a quarter of a Mega's RAM, beside a Mega. */
+class UnoTest {
+
+    /** The longest content that an Uno takes from its host (javino-firmware/src/Config.h). */
+    private static final int MAX_CONTENT = 67;
+    /** The longest sealed content of one packet: an Uno receives no pieces. */
+    private static final int MAX_SEALED_IN_A_PACKET = 53;
+
+    /** Emulated seconds, when a first message has long been delivered. */
+    private static final double POWER_CUT_AT = 6;
+    /** When the Mega can tell that it has been up for longer than the next message is on its way. */
+    private static final double LONG_UP_AT = 14;
+
+    private Emulator emulator;
+    private Host uno;
+    private Host mega;
+
+    @BeforeEach
+    void switchOn(@TempDir Path folder) throws Exception {
+        emulator = new Emulator.Scenario()
+            .board("uno", "Blink", Map.of("model", "uno", "watch", List.of(Map.of("pin", 13, "name", "led"))))
+            .board("mega", "Station")
+            .start(folder);
+        uno = Host.of(emulator, "uno").as("LAMP", Map.of("ROMA", TestKeys.PAIR, "//LA", TestKeys.GROUP));
+        mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR, "//LA", TestKeys.GROUP));
+    }
+
+    @AfterEach
+    void switchOff() {
+        List.of(uno, mega).forEach(Host::close);
+        emulator.close();
+    }
+
+    @Test
+    void agent_sensesAndActsOnIt() throws Exception {
+        uno.board.percepts(true);
+        assertEquals(List.of("led(off)"), uno.percepts(literals -> !literals.isEmpty()));
+
+        get(uno.board.act("ledOn"));
+
+        emulator.await("light", event -> event.is("pin", "uno") && event.number("level") == 1);
+        assertEquals(List.of("led(on)"), uno.percepts(List.of("led(on)")::equals));
+    }
+
+    @Test
+    void unicast_isDeliveredBothWays() throws Exception {
+        uno.send("ROMA", "tell;bright");
+        assertMessage(mega.message(), "LAMP", "ROMA", "tell;bright");
+        mega.send("LAMP", "achieve;light(off)");
+        assertMessage(uno.message(), "ROMA", "LAMP", "achieve;light(off)");
+        assertEquals(1, uno.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertEquals(1, mega.counter(Counter.RADIO_ACKNOWLEDGED));
+    }
+
+    @Test
+    void longestContent_isDeliveredBothWays() throws Exception {
+        uno.send("ROMA", text(MAX_CONTENT));
+        assertMessage(mega.message(), "LAMP", "ROMA", text(MAX_CONTENT));
+        mega.send("LAMP", text(MAX_SEALED_IN_A_PACKET));
+        assertMessage(uno.message(), "ROMA", "LAMP", text(MAX_SEALED_IN_A_PACKET));
+        mega.send("////", text(MAX_CONTENT));
+        assertMessage(uno.message(), "ROMA", "////", text(MAX_CONTENT));
+    }
+
+    @Test
+    void unicastToBoardThatLostItsMemory_isSealedAnewAndDelivered(@TempDir Path folder) throws Exception {
+        emulator.close();
+        emulator = new Emulator.Scenario()
+            .board("uno", "Blink", Map.of("model", "uno")).board("mega", "Station")
+            .fault(Map.of("t", POWER_CUT_AT, "board", "mega", "do", "power-cut", "duration", 0.2))
+            .fault(Map.of("t", LONG_UP_AT, "do", "jam", "duration", 0.001, "position", List.of(10_000, 0)))
+            .start(folder);
+        uno = Host.of(emulator, "uno").as("LAMP", Map.of("ROMA", TestKeys.PAIR));
+        mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR));
+        uno.send("ROMA", "tell;before");
+        emulator.await("power", 2, event -> event.is("reset", "mega") && event.text("why").equals("power"));
+        get(mega.board.radio(true));
+        emulator.await("jam far away", event -> event.is("fault", "") && event.text("do").equals("jam"));
+
+        uno.send("ROMA", "tell;after");
+
+        assertEquals(2, uno.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertTrue(mega.counter(Counter.RADIO_STALE) > 0);
+    }
+
+    @Test
+    void longerContent_isRefused() {
+        AssertionError refused = assertThrows(AssertionError.class, () -> uno.send("ROMA", text(MAX_CONTENT + 1)));
+        assertTrue(refused.getMessage().contains("TOO_LONG"), refused.getMessage());
+    }
+
+    @Test
+    void longerContentFromTheAir_isDroppedAndUndelivered() throws Exception {
+        mega.send("LAMP", text(MAX_SEALED_IN_A_PACKET + 1));
+
+        assertEquals(1, mega.counter(Counter.RADIO_UNDELIVERED));
+        assertTrue(uno.counter(Counter.RADIO_PIECES_DROPPED) > 0);
+        assertEquals(List.of(), uno.messages());
+    }
+
+    private static String text(int length) {
+        return "tell;" + "x".repeat(length - "tell;".length());
+    }
+
+    private static void assertMessage(ReceivedMessage message, String from, String to, String content) {
+        assertEquals(from, message.from().toString());
+        assertEquals(to, message.to().toString());
+        assertEquals(content, message.content().toString());
+    }
+}
