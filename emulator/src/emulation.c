@@ -76,7 +76,7 @@ static void uart_line(void *context, const uint8_t *bytes, size_t length)
 static void uart_byte(void *context, bool from_host, uint8_t byte)
 {
     node *n = context;
-    serial_sniffer_byte(&n->line, from_host, byte, board_now(&n->mega));
+    serial_sniffer_byte(&n->line, from_host, byte, board_now(&n->arduino));
 }
 
 static void level_arrives(void *context, size_t receiver, bool level, cycles_t at)
