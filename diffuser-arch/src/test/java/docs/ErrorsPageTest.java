@@ -1,0 +1,130 @@
+package docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import jason.JasonException;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javino.protocol.ProtocolError;
+import javino.protocol.Status;
+import org.junit.jupiter.api.Test;
+
+/** docs/errors.md has an entry for each error of the sources: by its code, or by the longest fixed part of its text. */
+class ErrorsPageTest {
+
+    private static final String PAGE = Repository.text("docs/errors.md");
+    private static final String LITERAL = "\"(?:[^\"\\\\]|\\\\.)*\"";
+    private static final Pattern LITERALS = Pattern.compile(LITERAL + "(?:\\s*\\+?\\s*" + LITERAL + ")*");
+
+    @Test
+    void plan_eachError_hasAnEntry() {
+        Stream<String> own = Repository.files("diffuser-arch/src/main", ".java").stream()
+                .flatMap(file -> found("(?:new Failure\\(|return )\"([a-z_]+)\"", Repository.text(file)));
+        // The session greets a board anew, and tells what was under way as outcome_unknown.
+        Stream<String> refused = Arrays.stream(Status.values())
+                .filter(status -> status != Status.OK && status != Status.NOT_GREETED)
+                .map(status -> status.name().toLowerCase(Locale.ROOT));
+        assertEntries("In a plan", Stream.of(own, refused, Stream.of(JasonException.WRONG_ARGS.toString()))
+                .flatMap(errors -> errors));
+    }
+
+    @Test
+    void java_eachException_hasAnEntry() {
+        assertEntries("In Java", Repository.files("javino-java/src/main", ".java").stream()
+                .flatMap(file -> found("public final class (\\w+) extends JavinoException", Repository.text(file))));
+    }
+
+    @Test
+    void java_eachProtocolError_hasAnEntry() {
+        assertEntries("In Java", Arrays.stream(ProtocolError.values()).map(Enum::name));
+    }
+
+    @Test
+    void board_eachStatus_hasAnEntryAndIsTheSameOnBothSides() {
+        List<String> firmware = found("(?m)^  ([A-Z_]+) = \\d+",
+                Repository.text("javino-firmware/src/board/Status.h")).toList();
+        assertEquals(Arrays.stream(Status.values()).map(Enum::name).toList(), firmware);
+        assertEntries("From the board", firmware.stream().filter(status -> !status.equals("OK")));
+    }
+
+    @Test
+    void commandLine_eachText_hasAnEntry() {
+        Stream<String> commands = Repository.files("javino-java/src/main/java/javino/cli", ".java").stream()
+                .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\);", Repository.text(file)));
+        Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
+                Repository.text("javino-java/src/main/java/javino/board/Session.java"));
+        Stream<String> port = texts("(" + LITERAL + ")",
+                Repository.text("javino-java/src/main/java/javino/link/SerialLink.java"));
+        Stream<String> highway = texts("new BrokenOffException\\(([^;]*)\\);|failure = ([^;]*);",
+                Repository.text("examples/highway/src/main/java/highway/Scenario.java"));
+        assertTexts("On the command line", Stream.of(commands, session, port, highway).flatMap(texts -> texts));
+    }
+
+    @Test
+    void emulator_eachText_hasAnEntry() {
+        String call = "(?:json_fail\\(&?\\w+, |snprintf\\([\\w>.-]*error, [^\"]*?|fail\\(error, error_size, "
+                + "|complain\\(EXIT_\\w+, )(" + LITERALS.pattern() + ")";
+        assertTexts("From the emulator", Repository.files("emulator/src", ".c").stream()
+                .flatMap(file -> texts(call, Repository.text(file))));
+    }
+
+    @Test
+    void commandLine_eachExitStatus_hasAnEntry() {
+        assertEntries("On the command line", found("EXIT_[A-Z]+ = (\\d)", Repository.text("emulator/src/main.c")));
+    }
+
+    /** What the first group that takes part matches, wherever the pattern does. */
+    private static Stream<String> found(String pattern, String text) {
+        return Pattern.compile(pattern).matcher(text).results().map(ErrorsPageTest::group).toList().stream();
+    }
+
+    private static String group(MatchResult match) {
+        return match.group(1) != null ? match.group(1) : match.group(2);
+    }
+
+    /** Of each error's expression the longest part that is always the same; none where that is less than two words. */
+    private static Stream<String> texts(String pattern, String source) {
+        return found(pattern, source).flatMap(expression -> LITERALS.matcher(expression).results()
+                .map(literal -> literal.group().replaceAll("(?<!\\\\)\"\\s*\\+?\\s*\"", "")
+                        .replaceAll("^\"|\"$", "").replace("\\\"", "\""))
+                .flatMap(literal -> Arrays.stream(literal.split("%[-.0-9]*[a-z]+")))
+                .max(Comparator.comparingInt(String::length)).stream())
+                .map(String::strip).filter(text -> text.contains(" "));
+    }
+
+    private static void assertEntries(String section, Stream<String> codes) {
+        List<String> entries = entries(section);
+        assertNoneMissing(section, codes, entries::contains);
+    }
+
+    private static void assertTexts(String section, Stream<String> texts) {
+        List<String> entries = entries(section);
+        assertNoneMissing(section, texts, text -> entries.stream().anyMatch(entry -> entry.contains(text)));
+    }
+
+    private static void assertNoneMissing(String section, Stream<String> wanted,
+            Predicate<String> isThere) {
+        List<String> all = wanted.distinct().toList();
+        assertFalse(all.isEmpty(), "the sources have no errors for \"" + section + "\": is the pattern stale?");
+        assertEquals(new TreeSet<String>(),
+                all.stream().filter(isThere.negate()).collect(Collectors.toCollection(TreeSet::new)),
+                "these have no entry in docs/errors.md, \"" + section + "\"");
+    }
+
+    /** What is written as code in the first column of a section's tables. */
+    private static List<String> entries(String section) {
+        String rest = PAGE.substring(PAGE.indexOf("\n## " + section) + 1);
+        int end = rest.indexOf("\n## ");
+        return (end < 0 ? rest : rest.substring(0, end)).lines().filter(line -> line.startsWith("| `"))
+                .map(line -> line.split(" \\| ")[0]).flatMap(cell -> found("`([^`]+)`", cell)).toList();
+    }
+}
