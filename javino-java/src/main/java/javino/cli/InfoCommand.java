@@ -42,12 +42,17 @@ final class InfoCommand implements Callable<Integer> {
         List<Reply.StoredKey> keys = Await.result(board.keys());
         // Both were answered, so the board was greeted.
         BoardInfo info = board.info().orElseThrow();
-        out.println("firmware          " + info.firmware());
-        out.println("protocol version  " + info.protocolVersion());
-        out.println("RF id             " + info.rfId().map(Address::toString).orElse("none"));
-        out.println("boot count        " + info.bootCount());
-        keys.forEach(key -> out.println((key.role() == Role.CURRENT ? "key               " : "previous key      ")
-                + key.address() + ", check value " + key.check()));
-        counters.forEach((counter, value) -> out.printf("%-18s%d%n", counter, value));
+        out.println(line("firmware", info.firmware()));
+        out.println(line("protocol version", info.protocolVersion()));
+        out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
+        out.println(line("boot count", info.bootCount()));
+        keys.forEach(key -> out.println(line(key.role() == Role.CURRENT ? "key" : "previous key",
+                key.address() + ", check value " + key.check())));
+        counters.forEach((counter, value) -> out.println(line(counter, value)));
+    }
+
+    /** Wide enough for the longest counter's name. */
+    static String line(Object name, Object value) {
+        return String.format("%-19s %s", name, value);
     }
 }

@@ -25,6 +25,7 @@ import javino.board.FakeBoard;
 import javino.board.FakePort;
 import javino.board.RequestFailedException;
 import javino.protocol.Address;
+import javino.protocol.Counter;
 import javino.protocol.Key;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -32,6 +33,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
@@ -288,8 +290,14 @@ class CommandsTest {
         try (Board board = open()) {
             InfoCommand.print(board, new PrintWriter(out, true));
         }
-        assertEquals(List.of("firmware          fake", "protocol version  1", "RF id             none",
-                "boot count        1", "key               SUPO, check value 010203", "serialRequests    9"),
+        assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
+                "boot count          1", "key                 SUPO, check value 010203", "serialRequests      9"),
                 out.toString().lines().toList());
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void info_counter_isApartFromItsName(Counter counter) {
+        assertEquals(List.of(counter.toString(), "7"), List.of(InfoCommand.line(counter, 7).split(" +")));
     }
 }
