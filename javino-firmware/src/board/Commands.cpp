@@ -95,7 +95,7 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
 Status Commands::poll(const uint8_t *body, uint16_t length, Reply &reply) {
   if (length < 1 || length > 2 || (body[0] & ~PERCEPTS_WANTED) != 0) return Status::BAD_ARGUMENT;
   if (length == 2) poll_.taken(body[1]);
-  poll_.answer((body[0] & PERCEPTS_WANTED) != 0, reply);
+  poll_.answer((body[0] & PERCEPTS_WANTED) != 0, delivery_.isActive(), reply);
   return Status::OK;
 }
 

@@ -4,12 +4,13 @@ namespace javino {
 
 const uint8_t Poll::MORE_WAITING;
 const uint8_t Poll::PERCEPTS_LEFT_OUT;
+const uint8_t Poll::AIR_ACTIVE;
 
-void Poll::answer(bool perceptsWanted, Reply &reply) {
+void Poll::answer(bool perceptsWanted, bool airActive, Reply &reply) {
   const uint16_t flagsAt = reply.mark();
   reply.add(0);
   addOutcomes(reply);
-  uint8_t flags = 0;
+  uint8_t flags = airActive ? AIR_ACTIVE : 0;
   if (perceptsWanted && !addPercepts(reply)) flags |= PERCEPTS_LEFT_OUT;
   if (!addMessages(reply)) flags |= MORE_WAITING;
   reply.replace(flagsAt, flags);

@@ -28,19 +28,18 @@ class Poll {
   /// The host has had the last reply: what it told of transmissions is forgotten.
   void replyArrived() { outcomes_.forgetTold(); }
 
-  /// The host begins anew, perhaps without having had the last reply: what it told of transmissions comes again.
-  void replyPerhapsLost() { outcomes_.tellAgain(); }
-
   /// A host begins anew, who may not have had the last reply: what it told of transmissions is told again.
   void hostArrived() { outcomes_.keepTold(); }
 
   /// Writes the reply's body.
   /// @param perceptsWanted bit 0 of the request's flags
-  JAVINO_NOINLINE void answer(bool perceptsWanted, Reply &reply);
+  /// @param airActive whether something is being received or sent
+  JAVINO_NOINLINE void answer(bool perceptsWanted, bool airActive, Reply &reply);
 
  private:
   static const uint8_t MORE_WAITING = 1;
   static const uint8_t PERCEPTS_LEFT_OUT = 2;
+  static const uint8_t AIR_ACTIVE = 4;
 
   void addOutcomes(Reply &reply);
   bool addPercepts(Reply &reply);

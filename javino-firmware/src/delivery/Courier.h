@@ -36,6 +36,9 @@ class Courier {
 
   Outbox &outbox() { return outbox_; }
 
+  /// Whether a message is under way or waits.
+  bool isBusy() const { return phase_ != IDLE || !outbox_.isEmpty(); }
+
   /// Does what air and clock allow now.
   void run();
 

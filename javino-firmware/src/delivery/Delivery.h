@@ -51,6 +51,9 @@ class Delivery {
   /// Opens or blocks the radio for messages (SPEC 4.3).
   void open(bool open) { receiver_.open(open); }
 
+  /// Whether another board's carrier is heard, or something is to be sent: the host may soon have something to be told.
+  bool isActive() const { return channel_.hearsCarrier() || courier_.isBusy(); }
+
   Outbox &outbox() { return courier_.outbox(); }
   Inbox &inbox() { return inbox_; }
 

@@ -47,9 +47,6 @@ class Outcomes {
   /// The host has had that reply.
   void forgetTold() { first_ = nextTold_; }
 
-  /// The host has perhaps not had that reply: all is to be told again.
-  void tellAgain() { nextTold_ = first_; }
-
   /// The host may not have had that reply.
   void keepTold() { nextTold_ = first_; }
 

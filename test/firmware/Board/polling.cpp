@@ -43,6 +43,20 @@ TEST_F(BoardPolling, says_that_more_waits_where_messages_did_not_fit) {
   EXPECT_EQ(3u, second.records.size());
 }
 
+TEST_F(BoardPolling, says_that_the_air_is_active_while_a_carrier_is_heard_or_a_message_is_under_way) {
+  EXPECT_FALSE(board.poll().airActive);
+  board.radio.heard = true;
+  board.pass(1);
+  EXPECT_TRUE(board.poll().airActive);
+  board.radio.heard = false;
+  board.pass(1);
+  EXPECT_FALSE(board.poll().airActive);
+  board.transmit("////", "ROMA", "tell;x");
+  EXPECT_TRUE(board.poll().airActive);
+  board.sendNext();
+  EXPECT_FALSE(board.poll().airActive);
+}
+
 TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
   board.transmit("////", "ROMA", "tell;x");
   board.sendNext();

@@ -89,6 +89,7 @@ PollReply TestBoard::pollWith(const Bytes &body) {
   PollReply parsed;
   parsed.more = (reply.body.at(0) & 1) != 0;
   parsed.leftOut = (reply.body.at(0) & 2) != 0;
+  parsed.airActive = (reply.body.at(0) & 4) != 0;
   for (size_t i = 1; i < reply.body.size();) {
     const size_t length = static_cast<size_t>(reply.body.at(i + 1) << 8 | reply.body.at(i + 2));
     const Bytes value(reply.body.begin() + i + 3, reply.body.begin() + i + 3 + length);

@@ -21,6 +21,7 @@ struct PollRecord {
 struct PollReply {
   bool more = false;
   bool leftOut = false;
+  bool airActive = false;
   std::vector<PollRecord> records;
 
   /// The values of all records of a type, as text.

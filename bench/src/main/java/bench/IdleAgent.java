@@ -27,7 +27,7 @@ final class IdleAgent implements Subject {
     public String method() {
         return """
             an agent as a user starts it, in a Java virtual machine of its own, with an emulated board (Vehicle, percepts and radio open,
-            polled every 20 ms), and the same without board and architecture, both at once: CPU time of the process over 20 s, after 40 s
+            polled every 35 ms), and the same without board and architecture, both at once: CPU time of the process over 20 s, after 40 s
             in which Java compiles. The emulator is another process and does not count.
             About four fifths are the session's thread, most of it for being woken, three times a poll; the rest is Java compiling.""";
     }

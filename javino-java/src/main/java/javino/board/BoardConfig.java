@@ -6,7 +6,8 @@ import java.util.function.Consumer;
 /**
  * How a session behaves. All times are positive.
  *
- * @param pollInterval   from one poll to the next while nothing else is to do; 20 ms by default.
+ * @param pollInterval   from one poll to the next while nothing else is to do; 35 ms by default. While the board
+ *                       receives or sends by radio it is at most 15 ms.
  * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more
  *                       where the board writes to its EEPROM (SPEC 4.2).
  * @param attempts       how often a request is sent before the board counts as offline, at least 1; 5 by default.
@@ -57,7 +58,7 @@ public record BoardConfig(Duration pollInterval, Duration replyTimeout, int atte
     /** Collects settings; see {@link BoardConfig} for their meanings. */
     public static final class Builder {
 
-        private Duration pollInterval = Duration.ofMillis(20);
+        private Duration pollInterval = Duration.ofMillis(35);
         private Duration replyTimeout = Duration.ofMillis(200);
         private int attempts = 5;
         private Duration helloInterval = Duration.ofMillis(100);

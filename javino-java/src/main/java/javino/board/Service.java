@@ -17,6 +17,9 @@ final class Service {
     /** What a board may take to write to its EEPROM, beyond the time for a reply (SPEC 4.2). */
     private static final Duration EEPROM_TIME = Duration.ofMillis(400);
 
+    /** From one poll to the next while the board receives or sends. */
+    private static final Duration ACTIVE_INTERVAL = Duration.ofMillis(15);
+
     private final Context context;
     private final Exchange exchange;
     private final Inbox inbox;
@@ -104,18 +107,26 @@ final class Service {
 
     private void poll() throws LinkException, LostException {
         Request.Poll poll = inbox.nextPoll();
-        boolean more = false;
+        Duration interval = context.config().pollInterval();
         pollFirst = false;
         try {
             PollReply reply = pollReply(ask(poll));
             inbox.take(poll, reply);
-            more = reply.more();
+            interval = intervalAfter(reply);
             pollFirst = inbox.owesTaken();
             pollsFail = false;
         } catch (ProtocolException e) {
             badPollReply(e);
         }
-        nextPoll = Deadline.in(more ? Duration.ZERO : context.config().pollInterval());
+        nextPoll = Deadline.in(interval);
+    }
+
+    private Duration intervalAfter(PollReply reply) {
+        Duration usual = context.config().pollInterval();
+        if (reply.more()) {
+            return Duration.ZERO;
+        }
+        return reply.airActive() && usual.compareTo(ACTIVE_INTERVAL) > 0 ? ACTIVE_INTERVAL : usual;
     }
 
     /** Says at the end what was taken, so that its sender learns of it and the next run does not get it again. */

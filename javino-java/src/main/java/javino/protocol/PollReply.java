@@ -8,12 +8,14 @@ import java.util.List;
  *
  * @param more    whether more is waiting, so that the host should poll again at once.
  * @param leftOut whether some percepts did not fit.
+ * @param airActive whether something is being received or sent, so that there may be more soon.
  * @param records in the order of the reply: transmissions, percepts, messages.
  */
-public record PollReply(boolean more, boolean leftOut, List<Item> records) {
+public record PollReply(boolean more, boolean leftOut, boolean airActive, List<Item> records) {
 
     private static final int MORE = 1;
     private static final int LEFT_OUT = 2;
+    private static final int AIR_ACTIVE = 4;
     private static final int RECORD_HEADER_LENGTH = 3;
     private static final int ID_OFFSET = 1 + 2 * Address.LENGTH;
     private static final int MESSAGE_HEADER_LENGTH = ID_OFFSET + 3;
@@ -64,7 +66,8 @@ public record PollReply(boolean more, boolean leftOut, List<Item> records) {
             records.add(decodeItem(body.at(at), body.slice(start, end)));
             at = end;
         }
-        return new PollReply((body.at(0) & MORE) != 0, (body.at(0) & LEFT_OUT) != 0, records);
+        int flags = body.at(0);
+        return new PollReply((flags & MORE) != 0, (flags & LEFT_OUT) != 0, (flags & AIR_ACTIVE) != 0, records);
     }
 
     private static Item decodeItem(int type, Bytes value) throws ProtocolException {

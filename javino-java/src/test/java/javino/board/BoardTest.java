@@ -181,6 +181,13 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void poll_whileTheAirIsActive_comesBeforeItsInterval() throws Exception {
+        fake.setAirActive(true);
+        open(listener, config -> config.setPollInterval(Duration.ofHours(1)));
+        fake.awaitPolls(5);
+    }
+
+    @Test
     void board_reset_isGreetedAgainAndWishesRestored() throws Exception {
         openAndAwaitOnline();
         board.percepts(true);

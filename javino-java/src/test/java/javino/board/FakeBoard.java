@@ -255,6 +255,11 @@ public final class FakeBoard {
         return List.copyOf(requests);
     }
 
+    /** Has the board say that it hears a carrier, or not. */
+    synchronized void setAirActive(boolean active) {
+        mail.setAirActive(active);
+    }
+
     /** Waits until the host has taken all messages. */
     synchronized void awaitAllTaken() throws InterruptedException {
         while (!mail.isEmpty()) {

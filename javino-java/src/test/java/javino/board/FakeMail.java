@@ -15,6 +15,7 @@ final class FakeMail {
     private int told;
     private final List<Bytes> messages = new ArrayList<>();
     private int firstNumber;
+    private boolean airActive;
     /** How many of the messages a reply has brought: only these can be taken, whatever numbers come again later. */
     private int offered;
 
@@ -56,13 +57,17 @@ final class FakeMail {
         offered = 0;
     }
 
+    void setAirActive(boolean active) {
+        airActive = active;
+    }
+
     boolean isEmpty() {
         return messages.isEmpty();
     }
 
     /** The whole reply: outcomes, percepts, messages, while they fit. */
     Bytes answer(List<Bytes> percepts) {
-        int flags = 0;
+        int flags = airActive ? 4 : 0;
         Bytes records = Bytes.EMPTY;
         for (Bytes outcome : outcomes) {
             records = Bytes.join(records, record('T', outcome));

@@ -74,6 +74,7 @@ class CommandTest {
                 PollReply poll = reply.poll();
                 fields.addProperty("more", poll.more());
                 fields.addProperty("leftOut", poll.leftOut());
+                fields.addProperty("airActive", poll.airActive());
                 JsonArray records = new JsonArray();
                 for (PollReply.Item item : poll.records()) {
                     records.add(describe(item));
