@@ -16,6 +16,8 @@ final class Reaction implements Subject {
 
     private static final int CHANGES = 40;
     private static final int MESSAGES = 20;
+    /** More than 15 slots of 8 ms (SPEC 7.4). */
+    private static final int LONG_QUIET_MILLIS = 150;
     /** Emulated seconds of the first change; by then the messages have been sent. */
     private static final double FIRST = 15;
     /** No multiple of the poll interval, so that the changes come at all moments between two polls. */
@@ -40,7 +42,7 @@ final class Reaction implements Subject {
         return """
             an agent with the Diffuser's default settings and an emulated board (Vehicle) at real time. Percept: 40 steps of the voltage on
             A0, at all moments between two polls, each to the first action of the plan for `+light(L)`. Radio: 20 times from the action
-            before `.diffuse` to the TX pin's first change. The emulator's clock is tied to the host's by the earliest arrival of a line of
+            before `.diffuse` to the TX pin's first change, into air that has been quiet for 15 slots (SPEC 7.4). The emulator's clock is tied to the host's by the earliest arrival of a line of
             its trace.""";
     }
 
@@ -74,7 +76,7 @@ final class Reaction implements Subject {
             clock = Math.min(clock, System.nanoTime() - nanos(rise.seconds()));
             begun.add(rise);
             silentSince = emulator.await("the packet's end", i + 1, event -> event.is("rf-tx", "board")).fields().get("end").getAsDouble();
-            Thread.sleep(ThreadLocalRandom.current().nextInt(20, 60));
+            Thread.sleep(LONG_QUIET_MILLIS + ThreadLocalRandom.current().nextInt(40));
         }
         Samples spoken = new Samples();
         for (int i = 0; i < MESSAGES; i++) spoken.add((nanos(begun.get(i).seconds()) + clock - said.get(i)) / 1e6);
