@@ -13,6 +13,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
 import javino.protocol.Request;
@@ -86,6 +87,23 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the destination is the serial line.
      */
     public CompletableFuture<Integer> transmit(Address to, Content content) {
+        return transmit(to, content, reply -> session.transmitting(reply.transmissionNumber()));
+    }
+
+    /**
+     * Has a content sent by radio from the board's own address, and waits for its end; the listener is not told of it.
+     *
+     * @return how it ended: UNDELIVERED also, whatever it was, where the board was reset or lost before it told, or the
+     *         session was closed.
+     * @throws IllegalArgumentException if the destination is the serial line.
+     */
+    public CompletableFuture<Outcome> send(Address to, Content content) {
+        CompletableFuture<Outcome> end = new CompletableFuture<>();
+        return transmit(to, content, reply -> session.transmitting(reply.transmissionNumber(), end))
+                .thenCompose(number -> end);
+    }
+
+    private CompletableFuture<Integer> transmit(Address to, Content content, Pending.Reader<Integer> reader) {
         if (to.equals(Address.SERIAL)) {
             throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
         }
@@ -93,7 +111,7 @@ public final class Board implements AutoCloseable {
         return ask(description, board -> {
             Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
             return new Request.Transmit(to, origin, content);
-        }, reply -> session.transmitting(reply.transmissionNumber()));
+        }, reader);
     }
 
     /**
@@ -177,6 +195,14 @@ public final class Board implements AutoCloseable {
             throw new IllegalArgumentException("the least time between percepts cannot be negative: " + least);
         }
         wishes.setPerceptInterval(least);
+    }
+
+    /**
+     * What first comes of the session: who the board is, or in one line why it cannot be reached. After a failure the
+     * session still tries, but where the board speaks another version of the protocol.
+     */
+    public CompletableFuture<BoardInfo> greeted() {
+        return session.greeted().copy();
     }
 
     /** How the session stands with the board. */

@@ -2,12 +2,15 @@ package javino.board;
 
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ThreadLocalRandom;
+import javino.JavinoException;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
+import javino.protocol.Outcome;
 import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
@@ -22,6 +25,7 @@ final class Session implements Runnable {
     private final Inbox inbox;
     private volatile BoardState state = BoardState.OFFLINE;
     private volatile BoardInfo info;
+    private final CompletableFuture<BoardInfo> greeted = new CompletableFuture<>();
     private String offlineWhy;
 
     Session(LinkOpener opener, Context context) {
@@ -39,6 +43,11 @@ final class Session implements Runnable {
         return Optional.ofNullable(info);
     }
 
+    /** The board as it was greeted first, or why it could not be. */
+    CompletableFuture<BoardInfo> greeted() {
+        return greeted;
+    }
+
     /** On the session's thread, after a set RF id was answered. */
     void renamed(Address id) {
         info = info.withRfId(id);
@@ -48,6 +57,12 @@ final class Session implements Runnable {
     /** On the session's thread, after a transmission was answered. */
     int transmitting(int number) {
         inbox.transmissions().begin(number);
+        return number;
+    }
+
+    /** The same, where {@code end} is to be told in the listener's place. */
+    int transmitting(int number, CompletableFuture<Outcome> end) {
+        inbox.transmissions().begin(number, end::complete);
         return number;
     }
 
@@ -65,6 +80,7 @@ final class Session implements Runnable {
             }
             context.queue().drain().forEach(request -> request.failOffline(context.queue().closedWhy()));
             inbox.close();
+            greeted.completeExceptionally(new JavinoException(context.queue().closedWhy()));
         }
     }
 
@@ -100,6 +116,7 @@ final class Session implements Runnable {
         state = BoardState.ONLINE;
         offlineWhy = null;
         context.listener().online(info);
+        greeted.complete(info);
         service.run(() -> info);
     }
 
@@ -167,6 +184,7 @@ final class Session implements Runnable {
         if (!Objects.equals(why, offlineWhy)) {
             offlineWhy = why;
             context.listener().offline(why);
+            greeted.completeExceptionally(new JavinoException(why));
         }
     }
 

@@ -1,8 +1,9 @@
 package javino.board;
 
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
+import java.util.function.Consumer;
 import javino.protocol.Outcome;
 
 /** The transmissions that this session asked for and whose end is not known yet. For the session's thread only. */
@@ -10,22 +11,28 @@ final class Transmissions {
 
     private final BoardListener listener;
     private final Tally tally;
-    /** Numbers, which hold for one boot of the board. */
-    private final Set<Integer> underWay = new LinkedHashSet<>();
+    /** Who is told the end, by numbers, which hold for one boot of the board. */
+    private final Map<Integer, Consumer<Outcome>> underWay = new LinkedHashMap<>();
 
     Transmissions(BoardListener listener, Tally tally) {
         this.listener = listener;
         this.tally = tally;
     }
 
+    /** Of this one the listener is told. */
     void begin(int number) {
-        underWay.add(number);
+        begin(number, outcome -> listener.transmitted(number, outcome));
+    }
+
+    void begin(int number, Consumer<Outcome> told) {
+        underWay.put(number, told);
     }
 
     /** The board told an end; of what nobody here knows, only the counter is told. */
     void end(int number, Outcome outcome) {
-        if (underWay.remove(number)) {
-            listener.transmitted(number, outcome);
+        Consumer<Outcome> told = underWay.remove(number);
+        if (told != null) {
+            told.accept(outcome);
         } else {
             tally.count(SessionCounter.UNKNOWN_OUTCOMES);
         }
@@ -33,11 +40,11 @@ final class Transmissions {
 
     /** The board will tell no end any more. */
     void abandon() {
-        List<Integer> abandoned = List.copyOf(underWay);
+        List<Consumer<Outcome>> abandoned = List.copyOf(underWay.values());
         underWay.clear();
-        for (int number : abandoned) {
+        for (Consumer<Outcome> told : abandoned) {
             tally.count(SessionCounter.ABANDONED_TRANSMISSIONS);
-            listener.transmitted(number, Outcome.UNDELIVERED);
+            told.accept(Outcome.UNDELIVERED);
         }
     }
 }

@@ -49,6 +49,19 @@ public record Content(Force force, String term) {
         return new Content(force, text.substring(divider + 1));
     }
 
+    /**
+     * Reads a content such as {@code tell;help}; the first {@code ;} divides.
+     *
+     * @throws IllegalArgumentException if the text is anything else; the message says what is wrong.
+     */
+    public static Content parse(String text) {
+        try {
+            return decode(Bytes.ofText(text));
+        } catch (ProtocolException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
     /** The content's bytes. */
     public Bytes encode() {
         return Bytes.ofText(toString());

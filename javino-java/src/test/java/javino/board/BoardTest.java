@@ -15,6 +15,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import javino.JavinoException;
 import javino.link.Link;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
@@ -487,6 +488,29 @@ class BoardTest extends BoardFixture {
         board.radio(false).get();
         board.radio(true).get();
         assertEquals(List.of("radio 1", "radio 0", "radio 1"), fake.performed());
+    }
+
+    @Test
+    void greeted_boardThere_tellsWhoItIs() throws Exception {
+        open();
+        assertEquals(new BoardInfo(1, Optional.empty(), 1, "fake"), board.greeted().get());
+    }
+
+    @Test
+    void greeted_noPort_failsAtOnceAndTheSessionGoesOn() throws Exception {
+        port.unplug();
+        open();
+        assertEquals("fake: there is no such port", failure(JavinoException.class, board.greeted()).getMessage());
+        port.plug();
+        listener.until("online");
+    }
+
+    @Test
+    void greeted_closedBefore_fails() {
+        fake.setSilent(true);
+        open();
+        board.close();
+        assertEquals("the session was closed", failure(JavinoException.class, board.greeted()).getMessage());
     }
 
     @Test

@@ -3,12 +3,15 @@ package javino.board;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
 import javino.link.InMemoryLink;
 import javino.link.LinkException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
@@ -31,7 +34,10 @@ public final class FakeBoard {
     private final List<String> percepts = new ArrayList<>();
     private final List<String> requests = new ArrayList<>();
     private final FakeMail mail = new FakeMail();
+    private final Map<Counter, Long> counters = new EnumMap<>(Map.of(Counter.SERIAL_REQUESTS, 9L));
     private int transmissions;
+    private Outcome ends;
+    private Status refusal;
     private String rfId = "++++";
     private int version = 1;
     private int bootCount = 1;
@@ -95,8 +101,7 @@ public final class FakeBoard {
         Bytes message = frame.message();
         if (!frame.destination().equals(Address.SERIAL)) {
             mail.replyArrived();
-            return greeted ? record("transmit " + frame.header(), Bytes.of(0, transmissions++))
-                    : status(Status.NOT_GREETED);
+            return greeted ? transmit(frame) : status(Status.NOT_GREETED);
         }
         int command = message.at(0);
         if (command == 'H') {
@@ -121,13 +126,23 @@ public final class FakeBoard {
             case 'R' -> record("radio " + message.at(1), ACCEPTED);
             case 'K' -> record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3)
                     : Key.of(message.from(1 + Address.LENGTH)).check()));
-            case 'S' -> record("statistics", Bytes.of(0, 1, 0, 0, 0, 9));
+            case 'S' -> record("statistics", statistics());
             case 'N' -> renew(message);
             case 'F' -> finishRenewal(message);
             case 'L' -> record("list", list());
             case 'D' -> forget(message);
             default -> status(Status.UNKNOWN_COMMAND);
         };
+    }
+
+    private Bytes transmit(Frame frame) {
+        if (refusal != null) {
+            return status(refusal);
+        }
+        if (ends != null) {
+            mail.end(transmissions & 0xFF, ends);
+        }
+        return record("transmit " + frame.header(), Bytes.of(0, transmissions++));
     }
 
     private Bytes act(Bytes message) {
@@ -164,6 +179,14 @@ public final class FakeBoard {
                 hasPrevious ? Bytes.join(supo, Bytes.of(1, 4, 5, 6)) : Bytes.of());
     }
 
+    private Bytes statistics() {
+        Bytes body = ACCEPTED;
+        for (Map.Entry<Counter, Long> counter : counters.entrySet()) {
+            body = Bytes.join(body, Bytes.of(counter.getKey().number()), Bytes.ofNumber(counter.getValue(), 4));
+        }
+        return body;
+    }
+
     private Bytes poll(Bytes message) {
         polls++;
         notifyAll();
@@ -188,7 +211,7 @@ public final class FakeBoard {
         return Bytes.of(status.ordinal());
     }
 
-    synchronized void setVersion(int newVersion) {
+    public synchronized void setVersion(int newVersion) {
         version = newVersion;
     }
 
@@ -198,7 +221,7 @@ public final class FakeBoard {
     }
 
     /** Has the board answer polls with half a record. */
-    synchronized void setBadPolls(boolean bad) {
+    public synchronized void setBadPolls(boolean bad) {
         badPolls = bad;
     }
 
@@ -218,7 +241,7 @@ public final class FakeBoard {
     }
 
     /** ISO 8859-1, so that percepts can be no UTF-8. */
-    synchronized void setPercepts(String... literals) {
+    public synchronized void setPercepts(String... literals) {
         percepts.clear();
         percepts.addAll(List.of(literals));
     }
@@ -228,8 +251,28 @@ public final class FakeBoard {
         receive("////", "ROMA", 0, content);
     }
 
-    synchronized void receive(String destination, String origin, int id, String content) {
+    /** Queues a message; of a broadcast the id is 0. */
+    public synchronized void receive(String destination, String origin, int id, String content) {
         mail.receive(destination, origin, id, content);
+    }
+
+    /** Has the board say that its RF id is this; {@code ++++} for none, as at first. */
+    public synchronized void setRfId(String id) {
+        rfId = id;
+    }
+
+    public synchronized void setCounter(Counter counter, long value) {
+        counters.put(counter, value);
+    }
+
+    /** Has each transmission end so at once. */
+    public synchronized void setEnds(Outcome outcome) {
+        ends = outcome;
+    }
+
+    /** Has the board refuse to transmit. */
+    public synchronized void setRefusal(Status status) {
+        refusal = status;
     }
 
     /** Has a transmission end. */
@@ -237,12 +280,12 @@ public final class FakeBoard {
         mail.end(number, outcome);
     }
 
-    synchronized void setBootCount(int count) {
+    public synchronized void setBootCount(int count) {
         bootCount = count;
     }
 
     /** Boots anew: it must be greeted, and what was not taken comes again. */
-    synchronized void reset() {
+    public synchronized void reset() {
         greeted = false;
         bootCount = Math.min(bootCount + 1, MAX_BOOT_COUNT);
         transmissions = 0;

@@ -11,6 +11,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Force;
 import javino.protocol.Outcome;
+import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 
 /** What a session tells of the ends of transmissions (SPEC 4.3, 7.2). */
@@ -35,6 +36,33 @@ class TransmissionTest extends BoardFixture {
             assertEquals("transmitted " + number + " " + outcome, listener.next());
         }
         assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
+    }
+
+    @Test
+    void send_eachOutcome_completesAndTheListenerIsNotTold() throws Exception {
+        openAndAwaitOnline();
+        for (Outcome outcome : Outcome.values()) {
+            fake.setEnds(outcome);
+            assertEquals(outcome, board.send(SUPO, HELP).get());
+        }
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void send_sessionClosed_isUndelivered() throws Exception {
+        openAndAwaitOnline();
+        CompletableFuture<Outcome> sent = board.send(SUPO, HELP);
+        // Requests are performed in order, so that of the message was.
+        board.statistics().get();
+        board.close();
+        assertEquals(Outcome.UNDELIVERED, sent.get());
+    }
+
+    @Test
+    void send_refused_fails() throws Exception {
+        openAndAwaitOnline();
+        fake.setRefusal(Status.NO_KEY);
+        assertEquals(Status.NO_KEY, failure(RequestFailedException.class, board.send(SUPO, HELP)).status());
     }
 
     @Test

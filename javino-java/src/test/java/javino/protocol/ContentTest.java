@@ -48,6 +48,17 @@ class ContentTest {
     }
 
     @Test
+    void parse_content_isReadAtItsFirstDivider() {
+        assertEquals(new Content(Force.ACHIEVE, "say(\"a;b\")"), Content.parse("achieve;say(\"a;b\")"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"help", "tell;", "shout;help", "tell;\ud800"})
+    void parse_noContent_throws(String text) {
+        assertThrows(IllegalArgumentException.class, () -> Content.parse(text));
+    }
+
+    @Test
     void constructor_emptyOrUnencodableTerm_throws() {
         assertThrows(IllegalArgumentException.class, () -> new Content(Force.TELL, ""));
         assertThrows(IllegalArgumentException.class, () -> new Content(Force.TELL, "\ud800"));
