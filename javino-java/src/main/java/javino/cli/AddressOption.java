@@ -49,6 +49,14 @@ abstract class AddressOption implements ITypeConverter<Address> {
         }
     }
 
+    /** Whom a message can be for. */
+    static final class Destination extends AddressOption {
+        Destination() {
+            super(EnumSet.of(Kind.DEVICE, Kind.MULTICAST, Kind.BROADCAST),
+                    "a device such as SUPO, a group such as //SU, or //// for all");
+        }
+    }
+
     /** A group by its two digits. */
     static final class Group implements ITypeConverter<Address> {
         @Override

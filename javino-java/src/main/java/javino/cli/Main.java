@@ -13,9 +13,9 @@ import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
 /** The {@code javino} command. */
-@Command(name = "javino", description = "Sets up and inspects Javino boards.",
-        subcommands = {ForgetCommand.class, InfoCommand.class, KeygenCommand.class, PortsCommand.class,
-            ProvisionCommand.class})
+@Command(name = "javino", description = "Sets up, inspects and drives Javino boards.",
+        subcommands = {ActCommand.class, ForgetCommand.class, InfoCommand.class, KeygenCommand.class,
+            MonitorCommand.class, PerceptsCommand.class, PortsCommand.class, ProvisionCommand.class, SendCommand.class})
 public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")
@@ -36,12 +36,12 @@ public final class Main implements Callable<Integer> {
 
     /** Runs a subcommand and exits with its code. */
     public static void main(String[] args) {
-        System.exit(commandLine().execute(args));
+        System.exit(commandLine(PortOption.serial()).execute(args));
     }
 
     /** The command, whose errors are one line each. */
-    static CommandLine commandLine() {
-        CommandLine commandLine = new CommandLine(new Main());
+    static CommandLine commandLine(CommandLine.IFactory factory) {
+        CommandLine commandLine = new CommandLine(new Main(), factory);
         commandLine.setParameterExceptionHandler((e, args) -> {
             e.getCommandLine().getErr().println("javino: " + e.getMessage() + " (try --help)");
             return CommandLine.ExitCode.USAGE;

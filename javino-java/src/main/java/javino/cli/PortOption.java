@@ -1,56 +1,85 @@
 package javino.cli;
 
-import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
-import javino.protocol.BoardInfo;
+import picocli.CommandLine;
 import picocli.CommandLine.Option;
 
 /** Where the board is. */
 final class PortOption {
+
+    private final Function<String, LinkOpener> links;
+    private final BoardConfig config;
 
     @Option(names = "--port", required = true, paramLabel = "PORT",
             description = "The board's serial port, such as /dev/ttyACM0 or COM5.")
     private String port;
 
     /**
+     * @param links  the way to the board, by the port's name.
+     * @param config of the sessions.
+     */
+    PortOption(Function<String, LinkOpener> links, BoardConfig config) {
+        this.links = links;
+        this.config = config;
+    }
+
+    /** Makes commands whose boards are at serial ports. */
+    static CommandLine.IFactory serial() {
+        return factory(SerialLink::opener, BoardConfig.create());
+    }
+
+    /** Makes commands whose boards are where these links lead. */
+    static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config) {
+        CommandLine.IFactory rest = CommandLine.defaultFactory();
+        return new CommandLine.IFactory() {
+            @Override
+            public <K> K create(Class<K> type) throws Exception {
+                return type == PortOption.class ? type.cast(new PortOption(links, config)) : rest.create(type);
+            }
+        };
+    }
+
+    /** The port's name, as it was given. */
+    String name() {
+        return port;
+    }
+
+    LinkOpener link() {
+        return links.apply(port);
+    }
+
+    BoardConfig config() {
+        return config;
+    }
+
+    /** As {@link #open(BoardListener)}, for who only asks. */
+    Board open() throws JavinoException, InterruptedException {
+        return open(new BoardListener() { });
+    }
+
+    /**
      * Begins a session with the board.
      *
      * @throws JavinoException if the port cannot be opened, at once, or if no board answers within 5 s.
      */
-    Board open() throws JavinoException, InterruptedException {
-        return open(SerialLink.opener(port), BoardConfig.create());
+    Board open(BoardListener listener) throws JavinoException, InterruptedException {
+        return greeted(Board.open(link(), config, listener));
     }
 
-    static Board open(LinkOpener opener, BoardConfig config) throws JavinoException, InterruptedException {
-        Arrival arrival = new Arrival();
-        Board board = Board.open(opener, config, arrival);
+    /** The same board once it was greeted; closed if that fails. */
+    private static Board greeted(Board board) throws JavinoException, InterruptedException {
         try {
-            Await.result(arrival.board);
+            Await.result(board.greeted());
             return board;
         } catch (JavinoException | InterruptedException e) {
             board.close();
             throw e;
-        }
-    }
-
-    /** Waits for the first that is known of the board. */
-    private static final class Arrival implements BoardListener {
-
-        private final CompletableFuture<BoardInfo> board = new CompletableFuture<>();
-
-        @Override
-        public void online(BoardInfo info) {
-            board.complete(info);
-        }
-
-        @Override
-        public void offline(String why) {
-            board.completeExceptionally(new JavinoException(why));
         }
     }
 }

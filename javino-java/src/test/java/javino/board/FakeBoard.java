@@ -147,6 +147,9 @@ public final class FakeBoard {
 
     private Bytes act(Bytes message) {
         String action = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
+        if (refusal != null) {
+            return status(refusal);
+        }
         return action.equals("unknown") ? status(Status.UNKNOWN_ACTION) : record(action, ACCEPTED);
     }
 
@@ -270,7 +273,7 @@ public final class FakeBoard {
         ends = outcome;
     }
 
-    /** Has the board refuse to transmit. */
+    /** Has the board refuse to act and to transmit. */
     public synchronized void setRefusal(Status status) {
         refusal = status;
     }

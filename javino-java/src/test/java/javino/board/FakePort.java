@@ -61,14 +61,14 @@ public final class FakePort implements LinkOpener {
         return "fake";
     }
 
-    synchronized void unplug() {
+    public synchronized void unplug() {
         plugged = false;
         if (open != null) {
             open.close();
         }
     }
 
-    synchronized void plug() {
+    public synchronized void plug() {
         plugged = true;
     }
 }

@@ -51,7 +51,7 @@ class CommandsTest {
     private Path folder;
 
     private int run(String... args) {
-        CommandLine commandLine = Main.commandLine();
+        CommandLine commandLine = Main.commandLine(PortOption.serial());
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));
         return commandLine.execute(args);
@@ -219,7 +219,7 @@ class CommandsTest {
 
     @Test
     void port_boardThere_opens() throws JavinoException, InterruptedException {
-        try (Board board = PortOption.open(new FakePort(fake), BoardConfig.create())) {
+        try (Board board = new PortOption(name -> new FakePort(fake), BoardConfig.create()).open()) {
             assertEquals(BoardState.ONLINE, board.state());
         }
     }
@@ -228,7 +228,8 @@ class CommandsTest {
     void port_noBoardAnswers_saysSo() {
         fake.setSilent(true);
         BoardConfig config = BoardConfig.create(builder -> builder.setPatience(Duration.ofMillis(50)));
-        JavinoException e = assertThrows(JavinoException.class, () -> PortOption.open(new FakePort(fake), config));
+        JavinoException e = assertThrows(JavinoException.class,
+                () -> new PortOption(name -> new FakePort(fake), config).open());
         assertTrue(e.getMessage().contains("no Javino board answers"), e.getMessage());
     }
 

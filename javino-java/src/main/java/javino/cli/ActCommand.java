@@ -1,0 +1,67 @@
+package javino.cli;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.board.RequestFailedException;
+import javino.protocol.BoardInfo;
+import javino.protocol.Request;
+import javino.protocol.Status;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code javino act}: has a board perform an action. */
+@Command(name = "act", description = {"Has a board perform an action of its sketch.",
+    "Most boards, a Mega too, boot when their port is opened: so each action is the first that the board performs."})
+final class ActCommand implements Callable<Integer> {
+
+    @Mixin
+    private PortOption port;
+
+    @Parameters(index = "0", paramLabel = "ACTION", description = "Its name in the sketch, such as lampOn.")
+    private String name;
+
+    @Parameters(index = "1..*", paramLabel = "ARGUMENT",
+            description = "What the sketch takes with it; one with a comma in it in quotes of its own: '\"a, b\"'.")
+    private List<String> arguments = List.of();
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws JavinoException, InterruptedException {
+        String action = action();
+        try (Board board = port.open()) {
+            act(board, action);
+        }
+        return 0;
+    }
+
+    /** As it crosses the line. */
+    private String action() {
+        String action = arguments.isEmpty() ? name : name + "(" + String.join(",", arguments) + ")";
+        try {
+            return new Request.Act(action).action();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+        }
+    }
+
+    private static void act(Board board, String action) throws JavinoException, InterruptedException {
+        try {
+            Await.result(board.act(action));
+        } catch (RequestFailedException e) {
+            if (e.status() != Status.UNKNOWN_ACTION) {
+                throw e;
+            }
+            String firmware = board.info().map(BoardInfo::firmware).orElse("");
+            throw new JavinoException(e.getMessage() + "; the board runs \"" + Printable.of(firmware)
+                    + "\": its sketch names its actions", e);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package javino.cli;
+
+import java.io.PrintWriter;
+import java.util.concurrent.Callable;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.board.BoardOfflineException;
+import javino.board.BoardState;
+import javino.board.OutcomeUnknownException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code javino monitor}: shows live what a board tells. */
+@Command(name = "monitor", description = {"Shows live what a board tells, until Ctrl-C:",
+    "messages, changes of percepts, warnings, and counters of outcomes and of what was dropped when they rise.",
+    "The radio is open meanwhile: messages are taken, and their senders told that they were delivered."})
+final class MonitorCommand implements Callable<Integer> {
+
+    private static final int COUNT_INTERVAL_MILLIS = 1000;
+
+    @Mixin
+    private PortOption port;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws JavinoException {
+        UntilInterrupted.run(this::watch);
+        return 0;
+    }
+
+    private void watch() throws JavinoException, InterruptedException {
+        PrintWriter out = spec.commandLine().getOut();
+        Monitor monitor = new Monitor(out, spec.commandLine().getColorScheme().ansi());
+        try (Board board = port.open(monitor)) {
+            board.percepts(true);
+            try {
+                Await.result(board.radio(true));
+                while (!out.checkError()) {
+                    count(board, monitor);
+                    Thread.sleep(COUNT_INTERVAL_MILLIS);
+                }
+            } finally {
+                blockRadio(board);
+            }
+        }
+    }
+
+    private static void count(Board board, Monitor monitor) throws JavinoException, InterruptedException {
+        try {
+            monitor.count(Await.result(board.statistics()));
+        } catch (BoardOfflineException | OutcomeUnknownException e) {
+            // The monitor was told why, and the session looks for the board, but for one that it cannot talk to.
+            if (board.state() == BoardState.INCOMPATIBLE) {
+                throw e;
+            }
+        }
+    }
+
+    /** So that no message waits in the board for a program that has ended. */
+    private static void blockRadio(Board board) throws InterruptedException {
+        try {
+            if (board.state() == BoardState.ONLINE) {
+                Await.result(board.radio(false));
+            }
+        } catch (JavinoException e) {
+            // The board went at the same time.
+            return;
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package javino.cli;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.board.BoardListener;
+import javino.board.BoardState;
+import javino.protocol.BoardInfo;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code javino percepts}: shows what a board perceives. */
+@Command(name = "percepts", description = "Shows what a board perceives, a literal a line.")
+final class PerceptsCommand implements Callable<Integer> {
+
+    /** How soon it is noticed that nobody reads on. */
+    private static final int CHECK_MILLIS = 200;
+
+    @Mixin
+    private PortOption port;
+
+    @Option(names = "--follow", description = "Go on until Ctrl-C: +literal for what is new, -literal for what holds "
+            + "no longer.")
+    private boolean follow;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws JavinoException, InterruptedException {
+        if (follow) {
+            UntilInterrupted.run(this::follow);
+        } else {
+            Once percepts = new Once();
+            try (Board board = port.open(percepts)) {
+                print(Await.result(percepts.of(board)));
+            }
+        }
+        return 0;
+    }
+
+    private void follow() throws JavinoException, InterruptedException {
+        Follower follower = new Follower();
+        try (Board board = port.open(follower)) {
+            board.percepts(true);
+            while (board.state() != BoardState.INCOMPATIBLE && !out().checkError()) {
+                Thread.sleep(CHECK_MILLIS);
+            }
+        }
+        if (follower.lost != null) {
+            throw new JavinoException(follower.lost);
+        }
+    }
+
+    private PrintWriter out() {
+        return spec.commandLine().getOut();
+    }
+
+    private void print(List<String> lines) {
+        lines.forEach(line -> out().println(Printable.of(line)));
+    }
+
+    private void warn(String what) {
+        spec.commandLine().getErr().println("javino: " + Printable.of(what));
+    }
+
+    /** The first percepts. */
+    private final class Once implements BoardListener {
+
+        private final CompletableFuture<List<String>> first = new CompletableFuture<>();
+
+        CompletableFuture<List<String>> of(Board board) {
+            CompletableFuture.delayedExecutor(port.config().patience().toMillis(), TimeUnit.MILLISECONDS)
+                    .execute(() -> first.completeExceptionally(
+                            new JavinoException(port.name() + ": the board does not tell what it perceives")));
+            board.percepts(true);
+            return first;
+        }
+
+        @Override
+        public void percepts(List<String> literals) {
+            first.complete(literals);
+        }
+
+        @Override
+        public void offline(String why) {
+            first.completeExceptionally(new JavinoException(why));
+        }
+
+        @Override
+        public void warning(String what) {
+            warn(what);
+        }
+    }
+
+    /** All changes. */
+    private final class Follower implements BoardListener {
+
+        private final PerceptChanges changes = new PerceptChanges();
+        private boolean wasOnline;
+        /** Why the board cannot be reached; null while it can. */
+        private volatile String lost;
+
+        @Override
+        public void online(BoardInfo info) {
+            wasOnline = true;
+            lost = null;
+        }
+
+        @Override
+        public void percepts(List<String> literals) {
+            print(changes.to(literals));
+        }
+
+        @Override
+        public void offline(String why) {
+            lost = why;
+            print(changes.to(List.of()));
+            // A board that was never there ends the command, with the same words.
+            if (wasOnline) {
+                warn(why);
+            }
+        }
+
+        @Override
+        public void warning(String what) {
+            warn(what);
+        }
+    }
+}

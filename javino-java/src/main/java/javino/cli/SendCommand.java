@@ -1,0 +1,57 @@
+package javino.cli;
+
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Outcome;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+
+/** {@code javino send}: sends a message by radio. */
+@Command(name = "send", description = {"Sends a message by radio and says what became of it:",
+    "delivered, or undelivered, to a device; sent, to a group or to all.", "Undelivered has exit status 1."})
+final class SendCommand implements Callable<Integer> {
+
+    @Mixin
+    private PortOption port;
+
+    @Parameters(index = "0", paramLabel = "TO", converter = AddressOption.Destination.class,
+            description = "A device such as SUPO, a group such as //SU, or all in range: ////.")
+    private Address to;
+
+    @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
+            description = "Such as 'tell;help': tell, untell, achieve or unachieve, and a term of AgentSpeak.")
+    private Content content;
+
+    @Spec
+    private CommandSpec spec;
+
+    /** Reads a content, so that a wrong one is wrong usage. */
+    private static final class ContentText implements ITypeConverter<Content> {
+        @Override
+        public Content convert(String text) {
+            try {
+                return Content.parse(text);
+            } catch (IllegalArgumentException e) {
+                throw new TypeConversionException(e.getMessage());
+            }
+        }
+    }
+
+    @Override
+    public Integer call() throws JavinoException, InterruptedException {
+        try (Board board = port.open()) {
+            Outcome outcome = Await.result(board.send(to, content));
+            spec.commandLine().getOut().println(outcome.toString().toLowerCase(Locale.ROOT));
+            return outcome == Outcome.UNDELIVERED ? 1 : 0;
+        }
+    }
+}

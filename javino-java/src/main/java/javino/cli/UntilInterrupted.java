@@ -1,0 +1,50 @@
+package javino.cli;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import javino.JavinoException;
+
+/** What goes on until the user ends it. */
+final class UntilInterrupted {
+
+    private static final int SECONDS_TO_END = 3;
+
+    private UntilInterrupted() {
+    }
+
+    /** Ends by an interrupt, if by nothing else. */
+    interface Work {
+        void run() throws JavinoException, InterruptedException;
+    }
+
+    /**
+     * Does the work until the thread is interrupted, or Ctrl-C or a kill ends the program; that then waits until the
+     * work has closed what it opened.
+     */
+    static void run(Work work) throws JavinoException {
+        Thread worker = Thread.currentThread();
+        CountDownLatch ended = new CountDownLatch(1);
+        // It stays until the program ends, and by then may find nothing left to interrupt.
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> interrupt(worker, ended)));
+        try {
+            work.run();
+        } catch (InterruptedException e) {
+            // As the user wanted it.
+            return;
+        } finally {
+            ended.countDown();
+        }
+    }
+
+    private static void interrupt(Thread worker, CountDownLatch ended) {
+        if (ended.getCount() > 0) {
+            worker.interrupt();
+        }
+        try {
+            ended.await(SECONDS_TO_END, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            // Nobody interrupts this thread; if so, the program ends all the same.
+            return;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package javino.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Predicate;
+import javino.board.BoardConfig;
+import javino.board.FakeBoard;
+import javino.board.FakePort;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import picocli.CommandLine;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Help.Ansi;
+
+/** The whole command with a fake board at every port. */
+@Timeout(60)
+abstract class CommandFixture {
+
+    /** What a command that goes on until it is ended has come to. */
+    record Running(Thread thread, CompletableFuture<Integer> status) {
+    }
+
+    final StringWriter out = new StringWriter();
+    final StringWriter err = new StringWriter();
+    final FakeBoard fake = new FakeBoard();
+    final FakePort port = new FakePort(fake);
+    Ansi ansi = Ansi.OFF;
+    /** Shorter where a board is to be waited for in vain. */
+    Duration patience = Duration.ofSeconds(30);
+    private Running running;
+
+    final int run(String... args) {
+        BoardConfig config = BoardConfig.create(builder -> builder.setPollInterval(Duration.ofMillis(2))
+                .setReplyTimeout(Duration.ofMillis(20)).setAttempts(20)
+                .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
+                .setPatience(patience));
+        CommandLine commandLine = Main.commandLine(PortOption.factory(name -> port, config));
+        commandLine.setColorScheme(Help.defaultColorScheme(ansi));
+        commandLine.setOut(new PrintWriter(out, true));
+        commandLine.setErr(new PrintWriter(err, true));
+        return commandLine.execute(args);
+    }
+
+    /** Begins a command that goes on until it is ended. */
+    final void start(String... args) {
+        CompletableFuture<Integer> status = new CompletableFuture<>();
+        Thread thread = new Thread(() -> status.complete(run(args)), "command");
+        running = new Running(thread, status);
+        thread.start();
+    }
+
+    /** Ends the command as Ctrl-C does; its exit status. */
+    final int interrupt() {
+        running.thread().interrupt();
+        return status();
+    }
+
+    /** Waits until the command has ended by itself. */
+    final int status() {
+        return running.status().join();
+    }
+
+    @AfterEach
+    final void end() {
+        if (running != null) {
+            interrupt();
+        }
+    }
+
+    final List<String> lines() {
+        return out.toString().lines().toList();
+    }
+
+    /** Waits until so much was written. */
+    static void await(StringWriter written, Predicate<String> enough) throws InterruptedException {
+        while (!enough.test(written.toString())) {
+            Thread.sleep(2);
+        }
+    }
+
+    final void await(String text) throws InterruptedException {
+        await(out, written -> written.contains(text));
+    }
+
+    /** Waits until there is a line that ends so. */
+    final void awaitLine(String end) throws InterruptedException {
+        await(out, written -> written.contains(end + System.lineSeparator()));
+    }
+
+    final void assertFails(int status, String reason, String... args) {
+        assertEquals(status, run(args), err.toString());
+        assertTrue(err.toString().startsWith("javino: "), err.toString());
+        assertTrue(err.toString().contains(reason), err.toString());
+        assertEquals(1, err.toString().lines().count(), err.toString());
+        assertEquals("", out.toString());
+    }
+}

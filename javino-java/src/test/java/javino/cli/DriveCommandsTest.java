@@ -1,0 +1,161 @@
+package javino.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import javino.protocol.Bytes;
+import javino.protocol.Outcome;
+import javino.protocol.Status;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A board without an agent: {@code percepts}, {@code act}, {@code send}. */
+class DriveCommandsTest extends CommandFixture {
+
+    @Test
+    void percepts_some_areALineEach() {
+        fake.setPercepts("light(312)", "door(open)");
+        assertEquals(0, run("percepts", "--port", "fake"), err.toString());
+        assertEquals(List.of("light(312)", "door(open)"), lines());
+    }
+
+    @Test
+    void percepts_none_areNoLine() {
+        assertEquals(0, run("percepts", "--port", "fake"), err.toString());
+        assertEquals("", out.toString());
+    }
+
+    @Test
+    void percepts_commandsForTheTerminal_areWritten() {
+        fake.setPercepts("text(\"\033[2J\nx\")");
+        assertEquals(0, run("percepts", "--port", "fake"), err.toString());
+        assertEquals(List.of("text(\"\\u001b[2J\\u000ax\")"), lines());
+    }
+
+    @Test
+    void percepts_damagedPolls_fails() {
+        patience = Duration.ofSeconds(2);
+        fake.setBadPolls(true);
+        assertEquals(1, run("percepts", "--port", "fake"));
+        assertTrue(err.toString().contains("javino: fake: the board does not tell what it perceives"), err.toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"percepts", "percepts --follow", "act lampOn", "send SUPO tell;help", "monitor"})
+    void command_noPort_isOneLine(String arguments) {
+        port.unplug();
+        assertFails(1, "javino: fake: there is no such port", (arguments + " --port fake").split(" "));
+    }
+
+    @Test
+    void follow_changes_areToldUntilInterrupted() throws Exception {
+        fake.setPercepts("light(311)", "dark");
+        start("percepts", "--port", "fake", "--follow");
+        awaitLine("+dark");
+        fake.setPercepts("light(312)", "dark");
+        awaitLine("+light(312)");
+        assertEquals(0, interrupt());
+        assertEquals(List.of("+light(311)", "+dark", "-light(311)", "+light(312)"), lines());
+        assertEquals("", err.toString());
+    }
+
+    @Test
+    void follow_boardReset_tellsItsPerceptsAnew() throws Exception {
+        fake.setPercepts("dark");
+        start("percepts", "--port", "fake", "--follow");
+        awaitLine("+dark");
+        fake.reset();
+        await(out, written -> written.lines().count() == 3);
+        assertEquals(0, interrupt());
+        assertEquals(List.of("+dark", "-dark", "+dark"), lines());
+        assertEquals(List.of("javino: fake: the board was reset"), err.toString().lines().toList());
+    }
+
+    @Test
+    void follow_boardOfAnotherVersionComes_ends() throws Exception {
+        fake.setPercepts("dark");
+        start("percepts", "--port", "fake", "--follow");
+        awaitLine("+dark");
+        fake.setVersion(2);
+        fake.reset();
+        assertEquals(1, status());
+        assertTrue(err.toString().contains("the board speaks version 2"), err.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"lampOn|lampOn", "speed 3|speed(3)", "move -5 2|move(-5,2)",
+        "say \"a,b\"|say(\"a,b\")", "speed(3)|speed(3)"})
+    void act_action_isPerformed(String arguments, String action) {
+        assertEquals(0, run(("act --port fake " + arguments).split(" ")), err.toString());
+        assertEquals(List.of(action), fake.performed());
+        assertEquals("", out.toString());
+    }
+
+    @Test
+    void act_unknownAction_namesTheSketch() {
+        assertFails(1, "act unknown failed: UNKNOWN_ACTION, the sketch has no action of this name; the board runs "
+                + "\"fake\": its sketch names its actions", "act", "--port", "fake", "unknown");
+    }
+
+    @Test
+    void act_refused_saysSo() {
+        fake.setRefusal(Status.ACTION_FAILED);
+        assertFails(1, "act lampOn failed: ACTION_FAILED", "act", "--port", "fake", "lampOn");
+    }
+
+    @Test
+    void act_noAction_isWrongUsage() {
+        assertFails(2, "ACTION", "act", "--port", "fake");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 511})
+    void act_badLength_isWrongUsage(int length) {
+        assertFails(2, "1…510 bytes of UTF-8, not " + length, "act", "--port", "fake", "x".repeat(length));
+        assertEquals(List.of(), fake.performed());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"SUPO,DELIVERED,0", "SUPO,UNDELIVERED,1", "//SU,SENT,0", "////,SENT,0"})
+    void send_message_tellsItsOutcome(String to, Outcome outcome, int status) {
+        fake.setRfId("ROMA");
+        fake.setEnds(outcome);
+        assertEquals(status, run("send", "--port", "fake", to, "tell;help"), err.toString());
+        assertEquals(List.of(outcome.toString().toLowerCase()), lines());
+        assertEquals(List.of("transmit " + Bytes.ofText(to + "ROMABI")), fake.performed());
+        assertEquals("", err.toString());
+    }
+
+    @Test
+    void send_noRfId_saysSo() {
+        assertFails(1, "NO_RF_ID, the board has no RF id yet", "send", "--port", "fake", "SUPO", "tell;help");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"NO_KEY,no key for this address", "TOO_LONG,too long", "BAD_DESTINATION,the board's own",
+        "NONCE_EXHAUSTED,all its nonces"})
+    void send_refused_saysWhy(Status status, String reason) {
+        fake.setRfId("ROMA");
+        fake.setRefusal(status);
+        assertFails(1, "transmit to SUPO: tell;help failed: " + status + ", ", "send", "--port", "fake", "SUPO",
+                "tell;help");
+        assertTrue(err.toString().contains(reason), err.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"SUP,tell;help,digits", "++++,tell;help,a group such as //SU", "+FAA,tell;help,for all",
+        "SUPO,help,'expected tell;'", "SUPO,tell;,and a term"})
+    void send_badArgument_isWrongUsage(String to, String content, String reason) {
+        assertFails(2, reason, "send", "--port", "fake", to, content);
+        assertEquals(List.of(), fake.performed());
+    }
+
+    @Test
+    void send_longerThanAnyBoardTakes_isWrongUsage() {
+        assertFails(2, "at most 494 bytes", "send", "--port", "fake", "SUPO", "tell;" + "x".repeat(490));
+    }
+}

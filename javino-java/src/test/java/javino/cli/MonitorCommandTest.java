@@ -1,0 +1,126 @@
+package javino.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import picocli.CommandLine.Help.Ansi;
+
+class MonitorCommandTest extends CommandFixture {
+
+    private void startOnline() throws InterruptedException {
+        start("monitor", "--port", "fake");
+        await("online");
+    }
+
+    /** What was told, without the times. */
+    private List<String> told() {
+        return lines().stream().map(line -> line.replaceFirst("^ *\\d+\\.\\d{3} s  ", "")).toList();
+    }
+
+    @Test
+    void online_board_isNamedWithTheTime() throws Exception {
+        fake.setRfId("ROMA");
+        startOnline();
+        assertEquals(0, interrupt());
+        assertTrue(lines().get(0).matches(" *\\d+\\.\\d{3} s  online    fake, RF id ROMA, boot count 1"),
+                out.toString());
+        assertEquals("", err.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"SUPO,sealed", "//SU,sealed", "////,plain"})
+    void message_each_isToldWithHowItCame(String to, String how) throws Exception {
+        fake.receive(to, "ROMA", 0, "tell;help");
+        startOnline();
+        await("tell;help");
+        assertEquals(0, interrupt());
+        assertTrue(told().contains(String.format("message   ROMA -> %s  %-6s  tell;help", to, how)), out.toString());
+    }
+
+    @Test
+    void message_commandsForTheTerminal_areWritten() throws Exception {
+        fake.receive("////", "ROMA", 0, "tell;x\033]0;title\007\n0.000 s  online");
+        startOnline();
+        awaitLine("tell;x\\u001b]0;title\\u0007\\u000a0.000 s  online");
+    }
+
+    @Test
+    void message_noContent_isAWarning() throws Exception {
+        fake.receive("////", "ROMA", 0, "nonsense");
+        startOnline();
+        await("warning   a message from ROMA was skipped");
+    }
+
+    @Test
+    void percepts_changes_areTold() throws Exception {
+        fake.setPercepts("light(311)");
+        startOnline();
+        awaitLine("percept   +light(311)");
+        fake.setPercepts("light(312)");
+        awaitLine("percept   +light(312)");
+        assertEquals(0, interrupt());
+        assertTrue(told().contains("percept   -light(311)"), out.toString());
+    }
+
+    @Test
+    void counters_ofDropsAndOutcomes_areToldWhenTheyRise() throws Exception {
+        fake.setCounter(Counter.RADIO_NO_KEY, 2);
+        startOnline();
+        awaitLine("dropped   radioNoKey 2 (+2)");
+        fake.setCounter(Counter.RADIO_NO_KEY, 3);
+        fake.setCounter(Counter.RADIO_UNDELIVERED, 1);
+        awaitLine("dropped   radioNoKey 3 (+1)");
+        awaitLine("outcome   radioUndelivered 1 (+1)");
+        assertFalse(out.toString().contains("serialRequests"), out.toString());
+    }
+
+    @Test
+    void radio_isOpenWhileItRuns() throws Exception {
+        startOnline();
+        await(out, written -> fake.performed().contains("statistics"));
+        assertEquals(0, interrupt());
+        List<String> radio = fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
+        assertEquals(List.of("radio 1", "radio 0"), radio);
+    }
+
+    @Test
+    void board_unpluggedAndBack_isToldAndTheRadioOpenedAnew() throws Exception {
+        startOnline();
+        await(out, written -> fake.performed().contains("statistics"));
+        port.unplug();
+        awaitLine("offline   fake: there is no such port");
+        fake.reset();
+        port.plug();
+        await("boot count 2");
+        assertEquals(0, interrupt());
+        List<String> radio = fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
+        assertEquals(List.of("radio 1", "radio 1", "radio 0"), radio);
+    }
+
+    @Test
+    void board_ofAnotherVersionComes_ends() throws Exception {
+        startOnline();
+        await(out, written -> fake.performed().contains("statistics"));
+        fake.setVersion(2);
+        fake.reset();
+        assertEquals(1, status());
+        assertEquals(1, err.toString().lines().count(), err.toString());
+        assertTrue(err.toString().contains("the board speaks version 2"), err.toString());
+    }
+
+    @Test
+    void colours_areForTerminalsOnly() throws Exception {
+        startOnline();
+        interrupt();
+        assertFalse(out.toString().contains("\033["), out.toString());
+        ansi = Ansi.ON;
+        startOnline();
+        await("\033[32monline");
+    }
+}
