@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Key;
 
@@ -117,6 +118,21 @@ final class Keyring {
             }
         });
         return needed;
+    }
+
+    /**
+     * The keys that a device needs, from a file.
+     *
+     * @throws IllegalArgumentException naming file and line if it is no keyring; without any key.
+     * @throws JavinoException          if it has none for the device; saying which it has.
+     */
+    static Map<Address, Key> keysOf(Path file, Address device) throws IOException, JavinoException {
+        Keyring ring = read(file);
+        Map<Address, Key> keys = ring.keysOf(device);
+        if (keys.isEmpty()) {
+            throw new JavinoException(file + " has no key for " + device + "; it has " + ring.describeMembers());
+        }
+        return keys;
     }
 
     /** All devices and groups that it has keys for, in one line. */

@@ -14,8 +14,9 @@ import picocli.CommandLine.Spec;
 
 /** The {@code javino} command. */
 @Command(name = "javino", description = "Sets up, inspects and drives Javino boards.",
-        subcommands = {ActCommand.class, ForgetCommand.class, InfoCommand.class, KeygenCommand.class,
-            MonitorCommand.class, PerceptsCommand.class, PortsCommand.class, ProvisionCommand.class, SendCommand.class})
+        subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, InfoCommand.class,
+            KeygenCommand.class, MonitorCommand.class, PerceptsCommand.class, PortsCommand.class,
+            ProvisionCommand.class, SendCommand.class})
 public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")

@@ -55,18 +55,10 @@ final class ProvisionCommand implements Callable<Integer> {
     private Map<Address, Key> readKeys() throws IOException, JavinoException {
         Map<Address, Key> keys = new LinkedHashMap<>();
         if (keyring != null) {
-            keys.putAll(keysOfThis(Keyring.read(keyring)));
+            keys.putAll(Keyring.keysOf(keyring, id));
         }
         for (Map.Entry<Address, Path> file : keyFiles.entrySet()) {
             keys.put(file.getKey(), readKey(file.getValue()));
-        }
-        return keys;
-    }
-
-    private Map<Address, Key> keysOfThis(Keyring ring) throws JavinoException {
-        Map<Address, Key> keys = ring.keysOf(id);
-        if (keys.isEmpty()) {
-            throw new JavinoException(keyring + " has no key for " + id + "; it has " + ring.describeMembers());
         }
         return keys;
     }

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Set;
 
 /** A serial port: 8 data bits, no parity, one stop bit, no flow control (SPEC 4). */
 public final class SerialLink implements Link {
@@ -19,6 +20,10 @@ public final class SerialLink implements Link {
     private static final int TIMEOUT_STEP_MILLIS = 100;
     /** ENOTTY of Linux, macOS and the BSDs. */
     private static final int NOT_A_TERMINAL = 25;
+    /** EACCES of the same. */
+    private static final int FORBIDDEN = 13;
+    /** EBUSY of the same, and EWOULDBLOCK, with which a port that is locked is refused, of Linux and of the others. */
+    private static final Set<Integer> BUSY = Set.of(16, 11, 35);
     private static final String NO_PORT = "there is no such port; is the board plugged in?";
 
     private final String name;
@@ -64,7 +69,7 @@ public final class SerialLink implements Link {
         port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         // 0: jSerialComm would otherwise sleep for 200 ms before it opens.
         if (!port.openPort(0)) {
-            throw new LinkException(name, whyNotOpened(port));
+            throw new LinkException(name, whyNotOpened(port.getLastErrorCode()));
         }
         return new SerialLink(name, port, baud);
     }
@@ -87,13 +92,25 @@ public final class SerialLink implements Link {
         }
     }
 
-    private static String whyNotOpened(SerialPort port) {
-        return port.getLastErrorCode() == NOT_A_TERMINAL ? "is no serial port"
-                : "cannot be opened" + cause(port) + "; is another program using it, and may you read and write it?";
+    /** @param code the system's error, 0 where there is none. */
+    static String whyNotOpened(int code) {
+        if (code == NOT_A_TERMINAL) {
+            return "is no serial port";
+        }
+        if (code == FORBIDDEN) {
+            return "you may not read and write it; join its group (dialout on Debian) and log in anew";
+        }
+        if (BUSY.contains(code)) {
+            return "another program is using it; end that first";
+        }
+        return "cannot be opened" + cause(code) + "; is another program using it, and may you read and write it?";
     }
 
     private static String cause(SerialPort port) {
-        int code = port.getLastErrorCode();
+        return cause(port.getLastErrorCode());
+    }
+
+    private static String cause(int code) {
         return code == 0 ? "" : " (system error " + code + ")";
     }
 

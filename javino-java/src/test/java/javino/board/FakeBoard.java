@@ -40,12 +40,14 @@ public final class FakeBoard {
     private Status refusal;
     private String rfId = "++++";
     private int version = 1;
+    private String firmware = "fake";
     private int bootCount = 1;
     private boolean greeted;
     private boolean silent;
     private boolean corruptsKeys;
     private boolean badPolls;
     private boolean hasKey = true;
+    private Bytes check = Bytes.of(1, 2, 3);
     private boolean hasPrevious;
     private int hellos;
     private int polls;
@@ -110,7 +112,7 @@ public final class FakeBoard {
             hellos++;
             notifyAll();
             return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(bootCount, 3),
-                    Bytes.ofText("fake"));
+                    Bytes.ofText(firmware));
         }
         mail.replyArrived();
         if (!greeted) {
@@ -178,7 +180,7 @@ public final class FakeBoard {
 
     private Bytes list() {
         Bytes supo = Bytes.ofText("SUPO");
-        return Bytes.join(Bytes.of(0), hasKey ? Bytes.join(supo, Bytes.of(0, 1, 2, 3)) : Bytes.of(),
+        return Bytes.join(Bytes.of(0), hasKey ? Bytes.join(supo, Bytes.of(0), check) : Bytes.of(),
                 hasPrevious ? Bytes.join(supo, Bytes.of(1, 4, 5, 6)) : Bytes.of());
     }
 
@@ -214,6 +216,10 @@ public final class FakeBoard {
         return Bytes.of(status.ordinal());
     }
 
+    public synchronized void setFirmware(String name) {
+        firmware = name;
+    }
+
     public synchronized void setVersion(int newVersion) {
         version = newVersion;
     }
@@ -231,6 +237,11 @@ public final class FakeBoard {
     /** Has the board answer wrong check values. */
     public synchronized void setCorruptsKeys(boolean corrupts) {
         corruptsKeys = corrupts;
+    }
+
+    /** Has its key for SUPO have this check value, 3 bytes. */
+    public synchronized void setCheck(Bytes value) {
+        check = value;
     }
 
     /** Has each reply pass through a fault. */

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What needs no port; the whole-system tests talk through real pseudo-terminals. */
@@ -34,6 +35,14 @@ class SerialLinkTest {
     @EnabledOnOs({OS.LINUX, OS.MAC})
     void open_otherDevice_saysThatItIsNoSerialPort() {
         assertNoSerialPort("/dev/null");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"13, join its group (dialout on Debian)", "11, another program", "16, another program",
+        "35, another program", "25, is no serial port", "5, (system error 5)", "0, cannot be opened;"})
+    void whyNotOpened_systemError_saysWhatToDo(int code, String expected) {
+        String why = SerialLink.whyNotOpened(code);
+        assertTrue(why.contains(expected), why);
     }
 
     private static void assertNoSerialPort(String name) {

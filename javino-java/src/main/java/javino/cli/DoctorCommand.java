@@ -1,0 +1,61 @@
+package javino.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import javino.JavinoException;
+import javino.protocol.Address;
+import javino.protocol.Key;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code javino doctor}: looks for the usual troubles. */
+@Command(name = "doctor", description = {
+    "Looks for the usual troubles with a board, in the order in which they matter.",
+    "A line for each: ok, or what to do. Exit status 0 where all is ok.",
+    "The radio stays blocked: no message is taken from the board's agent. Have another board send meanwhile."})
+final class DoctorCommand implements Callable<Integer> {
+
+    private static final int MOST_SECONDS = 3600;
+
+    @Mixin
+    private PortOption port;
+
+    @Option(names = "--id", paramLabel = "ADDRESS", converter = AddressOption.Device.class,
+            description = "The RF id that the board should have.")
+    private Address id;
+
+    @Option(names = "--keyring", paramLabel = "FILE",
+            description = "A file as keygen makes it; the board should have the keys in it for --id. Needs --id.")
+    private Path keyring;
+
+    @Option(names = "--listen", paramLabel = "SECONDS", defaultValue = "10",
+            description = "How long to wait for a radio packet, 0 to 3600; 10 unless given.")
+    private int seconds;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException, JavinoException, InterruptedException {
+        if (seconds < 0 || seconds > MOST_SECONDS) {
+            throw wrongUsage("--listen takes 0 to " + MOST_SECONDS + " seconds, not " + seconds);
+        }
+        if (keyring != null && id == null) {
+            throw wrongUsage("--keyring needs --id: whose keys the board should have");
+        }
+        Map<Address, Key> keys = keyring == null ? Map.of() : Keyring.keysOf(keyring, id);
+        Doctor doctor = new Doctor(port, spec.commandLine().getOut());
+        return doctor.examine(id, keys, Duration.ofSeconds(seconds)) ? 0 : 1;
+    }
+
+    private ParameterException wrongUsage(String what) {
+        return new ParameterException(spec.commandLine(), what);
+    }
+}

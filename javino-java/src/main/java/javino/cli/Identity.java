@@ -1,0 +1,77 @@
+package javino.cli;
+
+import java.util.List;
+import java.util.Map;
+import javino.protocol.Address;
+import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+import javino.protocol.Reply.Role;
+import javino.protocol.Reply.StoredKey;
+
+/** Examines what a board has in its EEPROM: RF id, keys, epoch. */
+final class Identity {
+
+    /** An epoch that is never used: the board has none left (SPEC 5.1). */
+    private static final int LAST_EPOCH = 0xFFFFFF;
+
+    private final String port;
+    private final Findings findings;
+
+    /** @param port for the remedies. */
+    Identity(String port, Findings findings) {
+        this.port = port;
+        this.findings = findings;
+    }
+
+    /** @param wanted null where any will do. */
+    void examineId(BoardInfo info, Address wanted) {
+        if (info.rfId().isEmpty()) {
+            findings.trouble("RF id", "none; " + provision(wanted));
+        } else if (wanted != null && !info.rfId().get().equals(wanted)) {
+            findings.trouble("RF id", info.rfId().get() + " instead of " + wanted + "; another board, or "
+                    + provision(wanted));
+        } else {
+            findings.ok("RF id", info.rfId().get());
+        }
+    }
+
+    /** @param wanted none where any will do. */
+    void examineKeys(List<StoredKey> stored, Map<Address, Key> wanted, Address id) {
+        List<StoredKey> current = stored.stream().filter(key -> key.role() == Role.CURRENT).toList();
+        if (wanted.isEmpty() && current.isEmpty()) {
+            findings.trouble("keys", "none, so that only broadcasts are sent and heard; javino keygen once, and "
+                    + provision(id));
+        } else if (wanted.isEmpty()) {
+            findings.ok("keys", current.size());
+        }
+        wanted.forEach((address, key) -> examineKey(address, current.stream()
+                .filter(each -> each.address().equals(address)).map(StoredKey::check).findFirst().orElse(null),
+                key.check(), id));
+    }
+
+    private void examineKey(Address address, Bytes found, Bytes expected, Address id) {
+        String what = "key " + address;
+        if (found == null) {
+            findings.trouble(what, "missing; " + provision(id));
+        } else if (!found.equals(expected)) {
+            findings.trouble(what, "another than in the keyring: check value " + found + " instead of "
+                    + expected + "; " + provision(id));
+        } else {
+            findings.ok(what, "check value " + found);
+        }
+    }
+
+    void examineNonces(BoardInfo info) {
+        if (info.bootCount() == LAST_EPOCH) {
+            findings.trouble("nonces", "used up by " + LAST_EPOCH + " boots; another board, with new keys");
+        } else {
+            findings.ok("nonces", info.bootCount() + " of " + LAST_EPOCH + " boots");
+        }
+    }
+
+    private String provision(Address id) {
+        return "javino provision --port " + port + " --id " + (id == null ? "ADDRESS" : id)
+                + " --keyring FILE";
+    }
+}

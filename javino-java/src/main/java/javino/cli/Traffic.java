@@ -1,0 +1,67 @@
+package javino.cli;
+
+import java.time.Duration;
+import java.util.Map;
+import javino.JavinoException;
+import javino.board.Board;
+import javino.board.SessionCounter;
+import javino.protocol.Counter;
+
+/** Examines how well packets come through, on the serial line and on the radio. */
+final class Traffic {
+
+    private static final int ASK_INTERVAL_MILLIS = 200;
+    /** A line is bad from so many damaged packets on, if they are more than one in so many. */
+    private static final int FEW_DAMAGED = 3;
+    private static final int ONE_IN = 20;
+
+    private final Findings findings;
+
+    Traffic(Findings findings) {
+        this.findings = findings;
+    }
+
+    /** @param listen how long to wait for a radio packet. */
+    void examine(Board board, Duration listen) throws JavinoException, InterruptedException {
+        Map<Counter, Long> counters = listen(board, listen);
+        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L), board.counters());
+        examineRadio(counters, listen);
+    }
+
+    /** The counters once a radio packet was received undamaged, or when the time is over. */
+    private static Map<Counter, Long> listen(Board board, Duration longest)
+            throws JavinoException, InterruptedException {
+        long end = System.nanoTime() + longest.toNanos();
+        Map<Counter, Long> counters = Await.result(board.statistics());
+        while (counters.getOrDefault(Counter.RADIO_RECEIVED, 0L) == 0 && System.nanoTime() < end) {
+            Thread.sleep(ASK_INTERVAL_MILLIS);
+            counters = Await.result(board.statistics());
+        }
+        return counters;
+    }
+
+    private void examineLine(long damagedAtBoard, Map<SessionCounter, Long> session) {
+        long damaged = damagedAtBoard + session.get(SessionCounter.DAMAGED_PACKETS);
+        long packets = session.get(SessionCounter.REQUESTS) + session.get(SessionCounter.REPEATS);
+        String count = damaged + " of " + packets + " packets were damaged";
+        if (damaged >= FEW_DAMAGED && damaged * ONE_IN > packets) {
+            findings.trouble("serial line", count + "; a shorter or better cable, away from motors");
+        } else {
+            findings.ok("serial line", count);
+        }
+    }
+
+    private void examineRadio(Map<Counter, Long> counters, Duration listened) {
+        long received = counters.getOrDefault(Counter.RADIO_RECEIVED, 0L);
+        long damaged = counters.getOrDefault(Counter.RADIO_DAMAGED, 0L);
+        String count = received + " packets received, " + damaged + " damaged";
+        if (received + damaged == 0) {
+            findings.trouble("radio", "nothing was heard in " + listened.toSeconds() + " s; if another board was sending, "
+                    + "look at the receiver's supply, ground and data wire (pin 11), the antennas, the distance");
+        } else if (damaged > received) {
+            findings.trouble("radio", count + "; antenna, distance, the same bit rate in all sketches, other transmitters");
+        } else {
+            findings.ok("radio", count);
+        }
+    }
+}

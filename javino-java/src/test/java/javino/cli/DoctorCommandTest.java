@@ -1,0 +1,199 @@
+package javino.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javino.protocol.Counter;
+import javino.protocol.Key;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DoctorCommandTest extends CommandFixture {
+
+    private static final Key KEY = Key.ofHex("000102030405060708090a0b0c0d0e0f");
+    private static final String PROVISION = "javino provision --port fake --id ";
+
+    @TempDir
+    private Path folder;
+
+    /** A board that nothing is wrong with; it has a key for SUPO. */
+    @BeforeEach
+    void makeWell() {
+        fake.setRfId("ROMA");
+        fake.setCounter(Counter.RADIO_RECEIVED, 3);
+    }
+
+    private int examine(String... more) {
+        return run(Stream.concat(Stream.of("doctor", "--port", "fake", "--listen", "0"), Stream.of(more))
+                .toArray(String[]::new));
+    }
+
+    private Path keyring(String... lines) throws IOException {
+        return Files.write(folder.resolve("keys"), List.of(lines));
+    }
+
+    /** All was ok but for one thing, of which the line says this. */
+    private void assertTrouble(String what, String remedy, String... options) {
+        assertEquals(1, examine(options), err.toString());
+        assertEquals("", err.toString());
+        List<String> troubles = new ArrayList<>(lines());
+        troubles.removeIf(line -> line.substring(20).startsWith("ok, "));
+        assertEquals(1, troubles.size(), out.toString());
+        assertEquals(what, troubles.get(0).substring(0, 20).strip());
+        assertTrue(troubles.get(0).contains(remedy), troubles.get(0));
+    }
+
+    @Test
+    void board_well_isOk() {
+        assertEquals(0, examine("--id", "ROMA"), out.toString());
+        List<String> expected = List.of("port                ok, fake", "board               ok, fake",
+                "protocol            ok, version 1", "RF id               ok, ROMA", "keys                ok, 1",
+                "nonces              ok, 1 of 16777215 boots");
+        assertEquals(expected, lines().subList(0, expected.size()));
+        assertTrue(lines().get(6).matches("serial line         ok, 0 of \\d+ packets were damaged"), out.toString());
+        assertEquals("radio               ok, 3 packets received, 0 damaged", lines().get(7));
+        assertEquals(8, lines().size());
+    }
+
+    @Test
+    void board_examined_isAskedButNotChanged() {
+        examine();
+        assertEquals(List.of("list", "statistics"), fake.performed());
+    }
+
+    @Test
+    void port_missing_endsThere() {
+        port.unplug();
+        assertTrouble("port", "fake: there is no such port");
+        assertEquals(1, lines().size());
+    }
+
+    @Test
+    void board_silent_endsThere() {
+        patience = Duration.ofMillis(50);
+        fake.setSilent(true);
+        assertTrouble("board", "no Javino board answers; is its sketch flashed, and at the same baud rate?");
+        assertEquals("port                ok, fake", lines().get(0));
+        assertEquals(2, lines().size());
+    }
+
+    @Test
+    void protocol_otherVersion_endsThere() {
+        fake.setVersion(2);
+        assertTrouble("protocol", "flash a sketch");
+        assertEquals(3, lines().size());
+    }
+
+    @Test
+    void rfId_none_isToBeProvisioned() {
+        fake.setRfId("++++");
+        assertTrouble("RF id", "none; " + PROVISION + "ADDRESS --keyring FILE");
+    }
+
+    @Test
+    void rfId_another_isTold() {
+        assertTrouble("RF id", "ROMA instead of SUHO; another board, or " + PROVISION + "SUHO", "--id", "SUHO");
+    }
+
+    @Test
+    void keys_none_areToBeProvisioned() {
+        run("forget", "--port", "fake", "--all");
+        out.getBuffer().setLength(0);
+        assertTrouble("keys", "none, so that only broadcasts");
+    }
+
+    @Test
+    void key_asInTheKeyring_isOk() throws IOException {
+        fake.setCheck(KEY.check());
+        Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
+        assertEquals(0, examine("--id", "ROMA", "--keyring", keys.toString()), out.toString());
+        assertTrue(lines().contains("key SUPO            ok, check value " + KEY.check()), out.toString());
+        assertFalse(out.toString().contains(KEY.bytes().hex()));
+    }
+
+    @Test
+    void key_other_tellsBothCheckValues() throws IOException {
+        Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
+        assertTrouble("key SUPO", "check value 010203 instead of " + KEY.check() + "; " + PROVISION + "ROMA",
+                "--id", "ROMA", "--keyring", keys.toString());
+    }
+
+    @Test
+    void key_missing_isToBeProvisioned() throws IOException {
+        fake.setCheck(KEY.check());
+        Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex(), "//RO = " + KEY.bytes().hex());
+        assertTrouble("key //RO", "missing; " + PROVISION + "ROMA", "--id", "ROMA", "--keyring", keys.toString());
+    }
+
+    @Test
+    void keyring_withoutTheDevice_saysWhichItHas() throws IOException {
+        Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
+        assertFails(1, keys + " has no key for SUHO; it has ROMA, SUPO", "doctor", "--port", "fake", "--id", "SUHO",
+                "--keyring", keys.toString());
+    }
+
+    @Test
+    void keyring_withoutId_isWrongUsage() {
+        assertFails(2, "--keyring needs --id", "doctor", "--port", "fake", "--keyring", "keys");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"-1", "3601", "soon"})
+    void listen_badTime_isWrongUsage(String seconds) {
+        assertFails(2, "--listen", "doctor", "--port", "fake", "--listen", seconds);
+    }
+
+    @Test
+    void nonces_usedUp_isTold() {
+        fake.setBootCount(0xFFFFFF);
+        assertTrouble("nonces", "used up by 16777215 boots");
+    }
+
+    @Test
+    void serialLine_manyDamaged_isTold() {
+        fake.setCounter(Counter.SERIAL_DAMAGED, 1000);
+        assertTrouble("serial line", "1000 of ");
+    }
+
+    @Test
+    void radio_nothingHeard_tellsWhereToLook() {
+        fake.setCounter(Counter.RADIO_RECEIVED, 0);
+        assertTrouble("radio", "nothing was heard in 0 s; if another board was sending");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1", "3, 4"})
+    void radio_moreDamagedThanReceived_isTold(int received, int damaged) {
+        fake.setCounter(Counter.RADIO_RECEIVED, received);
+        fake.setCounter(Counter.RADIO_DAMAGED, damaged);
+        assertTrouble("radio", received + " packets received, " + damaged + " damaged; antenna");
+    }
+
+    @Test
+    void radio_heardWhileListening_isOk() throws Exception {
+        fake.setCounter(Counter.RADIO_RECEIVED, 0);
+        start("doctor", "--port", "fake", "--listen", "3600");
+        await(out, written -> fake.performed().contains("statistics"));
+        fake.setCounter(Counter.RADIO_RECEIVED, 1);
+        assertEquals(0, status());
+    }
+
+    @Test
+    void firmware_commandsForTheTerminal_areWritten() {
+        fake.setFirmware("\033[2J");
+        assertEquals(0, examine(), out.toString());
+        assertTrue(lines().contains("board               ok, \\u001b[2J"), out.toString());
+    }
+}
