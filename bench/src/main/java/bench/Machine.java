@@ -21,9 +21,18 @@ final class Machine {
         return Row.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(), System.getProperty("java.version"));
     }
 
-    /** Where gradle has put the program of a sketch. */
+    /** Where gradle has put the program of a sketch for a Mega. */
     static Path firmware(String sketch) {
-        return ROOT.resolve("javino-firmware/build/" + sketch.toLowerCase(java.util.Locale.ROOT) + "/" + sketch + ".ino.elf");
+        return firmware(sketch, "");
+    }
+
+    /** The same for an Uno. */
+    static Path unoFirmware(String sketch) {
+        return firmware(sketch, "-uno");
+    }
+
+    private static Path firmware(String sketch, String board) {
+        return ROOT.resolve("javino-firmware/build/" + sketch.toLowerCase(java.util.Locale.ROOT) + board + "/" + sketch + ".ino.elf");
     }
 
     /** A program of bench/native. */

@@ -1,6 +1,7 @@
 package bench;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -23,26 +24,30 @@ final class Sizes implements Subject {
             received and to be sent, two messages in pieces of 534. Tried: compiler flags (540 bytes of flash less), CRC in one go, one
             expanded key instead of two, radio payloads left in place (77 bytes of RAM less); without `noinline` where it helps the stack
             86 bytes more would go. Not tried, as they would change what a board can do: one buffer for request and reply, queues that
-            share their memory. With shorter messages all of it fits an Uno (`BlinkUno`).""";
+            share their memory. With shorter messages it fits an Uno.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
         List<Row> rows = new ArrayList<>();
-        Size vehicle = sizeOf("Vehicle");
+        Size vehicle = sizeOf(Machine.firmware("Vehicle"));
         rows.add(Row.cited("Vehicle, flash", "%.0f bytes", vehicle.flash, 21300, "the paper's police sketch").goal("smaller"));
         rows.add(Row.cited("Vehicle, static RAM", "%.0f bytes", vehicle.ram, 2908, "the paper's police sketch").goal("smaller"));
-        for (String sketch : List.of("Station", "Blink", "BlinkUno", "StationUno")) {
-            Size size = sizeOf(sketch);
-            rows.add(Row.of(sketch + ", flash and static RAM", size.flash + " and " + size.ram + " bytes"));
+        for (String sketch : List.of("Station", "Blink")) {
+            rows.add(row(sketch, sizeOf(Machine.firmware(sketch))));
+            rows.add(row(sketch + " on an Uno", sizeOf(Machine.unoFirmware(sketch))));
         }
         return rows;
     }
 
     private record Size(int flash, int ram) { }
 
-    private static Size sizeOf(String sketch) throws IOException, InterruptedException {
-        String[] fields = Command.run("avr-size", Machine.firmware(sketch)).get(1).trim().split("\\s+");
+    private static Row row(String title, Size size) {
+        return Row.of(title + ", flash and static RAM", size.flash + " and " + size.ram + " bytes");
+    }
+
+    private static Size sizeOf(Path program) throws IOException, InterruptedException {
+        String[] fields = Command.run("avr-size", program).get(1).trim().split("\\s+");
         int text = Integer.parseInt(fields[0]);
         int data = Integer.parseInt(fields[1]);
         int bss = Integer.parseInt(fields[2]);
