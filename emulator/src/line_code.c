@@ -50,10 +50,20 @@ static void finish_packet(line_decoder *decoder)
     decoder->listener.packet(decoder->listener.context, &packet);
 }
 
+// The low nibble of a packet's last byte, by its CRC; -1 elsewhere.
+static int mended_end(const line_decoder *decoder)
+{
+    if (!decoder->mends_end || decoder->byte_count < LINE_MIN_COUNT - 1 || decoder->byte_count + 1 != decoder->bytes[0])
+        return -1;
+    return crc_x25(decoder->bytes, decoder->byte_count - 1) >> 8 & 0xF;
+}
+
 static void take_byte(line_decoder *decoder)
 {
     int high = nibble_of(decoder->window & 0x3F);
     int low = nibble_of(decoder->window >> 6);
+    if (low < 0)
+        low = mended_end(decoder);
     if (high < 0 || low < 0) {
         fail(decoder, LINE_BAD_SYMBOL);
         return;

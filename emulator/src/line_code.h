@@ -36,6 +36,9 @@ typedef struct {
     double bit_cycles;
     bool level;
     double next_sample; // cycle at which the level is read next: the middle of a bit
+    // Whether a packet counts though its last symbol was cut short, as when its sender lost its power: boards mend one
+    // symbol, so that they may have it. False unless it is set after line_decoder_init().
+    bool mends_end;
     unsigned idle_bits; // zeros in a row, up to LINE_IDLE_BITS
     double start;       // of the packet being received, in cycles
     uint16_t window;    // the last 12 bits, first one lowest

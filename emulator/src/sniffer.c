@@ -145,6 +145,7 @@ int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *o
         station->board = i;
         line_decoder_init(&station->tx, config->radio.bit_rate,
                           (line_listener){station, tx_packet, tx_damaged});
+        station->tx.mends_end = true;
         line_decoder_init(&station->rx, config->radio.bit_rate,
                           (line_listener){station, rx_packet, rx_damaged});
     }

@@ -145,6 +145,27 @@ TEST(LineCode, no_single_wrong_bit_after_the_start_symbol_gets_through)
     json_decref(root);
 }
 
+TEST(LineCode, a_packet_whose_last_symbol_was_cut_short_counts_where_it_is_to)
+{
+    json_t *root = load_vectors("radio.json");
+    json_t *vector = json_array_get(json_object_get(root, "packets"), 0);
+    const std::string bits = text_of(vector, "bits");
+    for (size_t cut = 1; cut <= 12; cut++) {
+        for (bool mends : {false, true}) {
+            Receiver receiver;
+            receiver.decoder.mends_end = mends;
+            receiver.send(bits.substr(0, bits.size() - cut));
+            // What is 0 anyway is not missed.
+            const size_t missing = bits.find('1', bits.size() - cut);
+            const bool counts = missing == std::string::npos || (mends && missing >= bits.size() - 6);
+            EXPECT_EQ(receiver.packets.size(), counts ? 1u : 0u) << cut;
+            for (const auto &packet : receiver.packets)
+                EXPECT_EQ(packet, from_hex(text_of(vector, "payload")));
+        }
+    }
+    json_decref(root);
+}
+
 TEST(LineCode, random_levels_do_no_harm)
 {
     std::mt19937 random(3);
