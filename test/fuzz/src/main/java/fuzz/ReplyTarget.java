@@ -14,7 +14,7 @@ import javino.protocol.Reply;
 /** A board's answer, read as the answer to each request; what a poll brings accounts for every byte of it. */
 public final class ReplyTarget {
 
-    private static final int FLAGS = 3;
+    private static final int FLAGS = 7;
 
     /** One way to read the body of an answer. */
     private interface Reader {
