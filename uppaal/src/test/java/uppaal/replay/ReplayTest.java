@@ -207,11 +207,10 @@ class ReplayTest {
     @Test
     void replay_forgery_mayBeOnTheAirButIsNeverHandedOver() {
         Lines lines = twoBoards();
-        send(lines, 2, "thief", UNICAST + "00".repeat(10), "unicast");
-        hear(lines, 2, "support", "thief", UNICAST + "00".repeat(10), "unicast");
+        reach(lines, 2, "thief", UNICAST + "00".repeat(10), "unicast");
         send(lines, 3, "thief", "2b4b41415355504f4241" + "00".repeat(8), "acknowledgement");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
-        lines.add(4, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "SUPO", "id", "010000"));
+        hand(lines, 4, 0, "010000");
         assertRefused(lines, lines.all.size(), "support hands to its host what nobody has sent");
     }
 
@@ -221,13 +220,11 @@ class ReplayTest {
         String payload = UNICAST + "00".repeat(10);
         send(lines, 2, "police", payload, "unicast");
         for (int play = 3; play < 5; play++) {
-            send(lines, play, "thief", payload, "unicast");
-            hear(lines, play, "support", "thief", payload, "unicast");
+            reach(lines, play, "thief", payload, "unicast");
         }
         for (int number = 0; number < 2; number++) {
-            lines.add(6 + number, "support", "host-handed", Map.of("number", number, "destination", "SUPP", "origin", "SUPO", "id", "010000"));
-            lines.add(6.1 + number, "support", "host-taking", Map.of("number", number));
-            lines.add(6.2 + number, "support", "host-taken", Map.of("number", number));
+            hand(lines, 6 + number, number, "010000");
+            take(lines, 6.1 + number, number);
         }
         assertRefused(lines, lines.all.size() - 2, "support hands it to its host (SUPO to SUPP, ");
     }
@@ -237,13 +234,12 @@ class ReplayTest {
         Lines lines = twoBoards();
         String forged = "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
         String answer = "2b4b4141" + "53555050" + "4249" + "01" + "00".repeat(8);
-        send(lines, 2, "thief", forged, "piece");
-        hear(lines, 2, "support", "thief", forged, "piece");
+        reach(lines, 2, "thief", forged, "piece");
         send(lines, 3, "support", answer, "acknowledgement");
         lines.add(4.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 4.0));
         send(lines, 5, "police", UNICAST + "00".repeat(10), "unicast");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
-        lines.add(6, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "SUPO", "id", "010000"));
+        hand(lines, 6, 0, "010000");
         assertRefused(lines, lines.all.size(), "support hands it to its host (SUPO to SUPP, ");
     }
 
@@ -251,8 +247,7 @@ class ReplayTest {
     void replay_strangerWithAnIdOfItsOwn_isHeard() {
         Lines lines = twoBoards();
         String payload = UNICAST.replace("5355504f", "43414645") + "00".repeat(10);
-        send(lines, 2, "thief", payload, "unicast");
-        hear(lines, 2, "support", "thief", payload, "unicast");
+        reach(lines, 2, "thief", payload, "unicast");
         lines.add(4, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "CAFE", "id", "010000"));
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
@@ -261,19 +256,46 @@ class ReplayTest {
     void replay_handedAgainAfterAReset_onlyIfItWasNotTaken() {
         for (boolean taken : List.of(false, true)) {
             Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
-            Map<String, Object> handed = Map.of("number", 0, "destination", "SUPP", "origin", "SUPO", "id", "010000");
             String payload = UNICAST + "00".repeat(10);
-            send(lines, 2, "police", payload, "unicast");
-            hear(lines, 2, "support", "police", payload, "unicast");
-            lines.add(3, "support", "host-handed", handed).add(3.1, "support", "host-taking", Map.of("number", 0));
+            reach(lines, 2, "police", payload, "unicast");
+            hand(lines, 3, 0, "010000");
+            lines.add(3.1, "support", "host-taking", Map.of("number", 0));
             if (taken) {
                 lines.add(3.2, "support", "host-taken", Map.of("number", 0));
             }
             lines.add(4, "support", "reset", Map.of("why", "fault"));
-            send(lines, 5, "police", payload, "unicast");
-            hear(lines, 5, "support", "police", payload, "unicast");
-            lines.add(6, "support", "host-handed", handed);
+            reach(lines, 5, "police", payload, "unicast");
+            hand(lines, 6, 0, "010000");
             assertEquals(taken, lines.replay().refusal().isPresent(), lines.replay().verdict());
+        }
+    }
+
+    /** Only the whole tells by its tag that it is refused: until then a board asks for the rest of it. */
+    @Test
+    void replay_firstPieceOfWhatABoardWillRefuse_isAnswered() {
+        String first = "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
+        String rest = "2b46414a" + "5355504f" + "4959" + "77".repeat(7);
+        for (boolean stale : List.of(true, false)) {
+            Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            reach(lines, 2, "police", first, "piece");
+            reach(lines, 3, "police", rest, "piece");
+            hand(lines, 4, 0, "010000");
+            if (stale) {
+                lines.add(4.5, "support", "reset", Map.of("why", "power"));
+            } else {
+                take(lines, 4.1, 0);
+                String delivered = "2b4b4141" + "53555050" + "4241" + "00".repeat(8);
+                send(lines, 5, "support", delivered, "acknowledgement");
+                hear(lines, 5, "police", "support", delivered, "acknowledgement");
+                lines.add(5.5, "police", "host-outcome", Map.of("number", 0, "outcome", "delivered"));
+                lines.add(6.1, "police", "host-transmit", Map.of("number", 1, "destination", "SUPP", "asked", 6.0));
+                reach(lines, 6, "police", UNICAST.replace("1000000", "1000001") + "00".repeat(10), "unicast");
+                hand(lines, 7, 1, "010001");
+                take(lines, 7.1, 1);
+            }
+            reach(lines, 8, "thief", first, "piece");
+            send(lines, 9, "support", "2b4b4141" + "53555050" + "4249" + "01" + "00".repeat(8), "acknowledgement");
+            assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
         }
     }
 
@@ -364,6 +386,20 @@ class ReplayTest {
 
     private static void send(Lines lines, double start, String board, String payload, String kind) {
         lines.add(start + 0.3, board, "rf-tx", Map.of("payload", payload, "kind", kind, "start", start, "end", start + 0.3));
+    }
+
+    /** A packet to the support's board that is sent and heard. */
+    private static void reach(Lines lines, double start, String board, String payload, String kind) {
+        send(lines, start, board, payload, kind);
+        hear(lines, start, "support", board, payload, kind);
+    }
+
+    private static void hand(Lines lines, double seconds, int number, String id) {
+        lines.add(seconds, "support", "host-handed", Map.of("number", number, "destination", "SUPP", "origin", "SUPO", "id", id));
+    }
+
+    private static void take(Lines lines, double seconds, int number) {
+        lines.add(seconds, "support", "host-taking", Map.of("number", number)).add(seconds + 0.1, "support", "host-taken", Map.of("number", number));
     }
 
     private static void hear(Lines lines, double start, String board, String from, String payload, String kind) {
