@@ -81,9 +81,9 @@ final class Behaviour {
         return this;
     }
 
-    /** Takes note of what was seen. */
-    void see(Observation observation) {
-        awaited.stream().filter(evidence -> evidence.shows.test(observation)).findFirst().ifPresent(awaited::remove);
+    /** Takes note of what was seen: whether it is evidence that was still awaited. */
+    boolean see(Observation observation) {
+        return awaited.stream().filter(evidence -> evidence.shows.test(observation)).findFirst().map(awaited::remove).orElse(false);
     }
 
     boolean observed() {

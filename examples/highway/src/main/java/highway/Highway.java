@@ -60,6 +60,7 @@ public final class Highway implements Callable<Integer> {
         } else {
             scenario.startAgents();
             scenario.follow();
+            scenario.draw();
         }
     }
 }

@@ -42,8 +42,11 @@ final class Scenario implements AutoCloseable {
     /** What the emulator has written, for a second look: {@code gradle checkTrace -Ptrace=FILE}. */
     private static final Path TRACE = Path.of("build", "trace.jsonl");
 
+    private static final Path PICTURE = Path.of("build", "highway.svg");
+
     private final Options options;
     private final Timeline timeline;
+    private final Chart chart = new Chart();
     private final Trace trace = new Trace();
     private final Replay model = new Replay();
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
@@ -101,6 +104,12 @@ final class Scenario implements AutoCloseable {
         }
         record.println(line);
         model.line(line);
+    }
+
+    /** Draws what was seen. */
+    void draw() throws IOException {
+        chart.write(PICTURE);
+        timeline.note("the run as a picture: " + PICTURE.toAbsolutePath());
     }
 
     /** Whether the model allows what the boards did; after the end. */
@@ -176,7 +185,7 @@ final class Scenario implements AutoCloseable {
 
     private void see(Observation observation) {
         timeline.show(observation);
-        behaviours.forEach(behaviour -> behaviour.see(observation));
+        if (behaviours.stream().filter(behaviour -> behaviour.see(observation)).count() > 0) chart.add(observation);
         if (observation instanceof Observation.Said said && said.text().equals("Ready")) ready.add(said.device());
     }
 

@@ -13,9 +13,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
 
 /** The scenario as a user runs it: its launcher, which starts everything else. */
 class HighwayTest {
@@ -64,7 +69,17 @@ class HighwayTest {
         assertTrue(run.last().matches("model: trace accepted \\(\\d+ events\\)"), run::toString);
         assertEquals(0, run.status);
         assertFalse(run.children.isEmpty());
+        assertPictured(run);
         run.assertNothingLeft();
+    }
+
+    /** The picture has the eight messages with an arrow to each receiver, and what the agents said, in well-formed SVG. */
+    private static void assertPictured(Run run) throws Exception {
+        Document svg = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(run.folder.resolve("build/highway.svg").toFile());
+        NodeList lines = svg.getElementsByTagName("line");
+        long arrows = IntStream.range(0, lines.getLength()).filter(i -> ((Element) lines.item(i)).hasAttribute("marker-end")).count();
+        assertEquals(4 + 3 + 6, arrows);
+        assertTrue(svg.getDocumentElement().getTextContent().contains("“Help is coming, says SUPO”"));
     }
 
     @Test

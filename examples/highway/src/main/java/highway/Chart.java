@@ -1,0 +1,107 @@
+package highway;
+
+import highway.Observation.Aired;
+import highway.Observation.Pin;
+import highway.Observation.Said;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** A run as a picture: a lifeline for each device, and going down, in the order of time, all that was evidence. */
+final class Chart {
+
+    private static final int WIDTH = 1000;
+    private static final int FIRST_LIFELINE = 130;
+    private static final int BETWEEN_LIFELINES = 190;
+    private static final int HEAD = 56;
+    private static final int ROW = 30;
+    /** Pixels that a letter of 12 pixels takes at most, on the average of a line. */
+    private static final double LETTER = 6.6;
+
+    private final List<Observation> evidence = new ArrayList<>();
+
+    void add(Observation seen) {
+        evidence.add(seen);
+    }
+
+    /** Writes the picture as SVG. */
+    void write(Path file) throws IOException {
+        Files.writeString(file, svg(), StandardCharsets.UTF_8);
+    }
+
+    private String svg() {
+        int height = HEAD + ROW * (evidence.size() + 1);
+        StringBuilder svg = new StringBuilder(String.format("""
+            <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %1$d %2$d" font-family="sans-serif" font-size="12">
+            <title>The highway: what five agents said, sent and did</title>
+            <rect width="%1$d" height="%2$d" fill="white"/>
+            """, WIDTH, height));
+        for (Device device : Device.values()) svg.append(lifeline(device, height));
+        for (int row = 0; row < evidence.size(); row++) svg.append(row(evidence.get(row), HEAD + ROW * (row + 1)));
+        return svg.append("</svg>\n").toString();
+    }
+
+    private static String lifeline(Device device, int height) {
+        int x = x(device);
+        return String.format("""
+            <marker id="%6$s" markerUnits="userSpaceOnUse" markerWidth="11" markerHeight="8" refX="11" refY="4" orient="auto"><path d="M0,0 L11,4 L0,8 Z" fill="%4$s"/></marker>
+            <line x1="%1$d" y1="%2$d" x2="%1$d" y2="%3$d" stroke="#bbb"/>
+            <text x="%1$d" y="24" text-anchor="middle" font-size="15" font-weight="bold" fill="%4$s">%5$s</text>
+            <text x="%1$d" y="42" text-anchor="middle" fill="#555">%6$s</text>
+            """, x, HEAD, height - ROW / 2, device.hue, device.title(), device.address);
+    }
+
+    private static String row(Observation seen, int y) {
+        // Of what an agent says it is only known between which events it was.
+        if (seen instanceof Said said) return box(said.device(), "“" + said.text() + "”", y, "white");
+        String time = String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",
+            y + 4, seen.seconds());
+        if (seen instanceof Pin pin) {
+            return time + box(pin.device(), pin.name() + (pin.level() == 1 ? " on" : " off"), y, "#eee");
+        }
+        return seen instanceof Aired aired ? time + arrows(aired, y) : "";
+    }
+
+    /** What a device said or did: a box that begins at its lifeline, and the last one's ends there. */
+    private static String box(Device device, String text, int y, String fill) {
+        int width = (int) (text.length() * LETTER) + 16;
+        int left = Math.min(x(device) - 8, WIDTH - 8 - width);
+        return String.format("""
+            <rect x="%d" y="%d" width="%d" height="20" rx="6" fill="%s" stroke="%s"/><text x="%d" y="%d">%s</text>
+            """, left, y - 10, width, fill, device.hue, left + 8, y + 4, escaped(text));
+    }
+
+    /** A packet: an arrow to each device that it is for, and above it what an eavesdropper can read. */
+    private static String arrows(Aired aired, int y) {
+        Device from = Device.withAddress(aired.origin()).orElseThrow();
+        String tips = receivers(aired).map(to -> String.format("""
+            <line x1="%d" y1="%d" x2="%d" y2="%2$d" stroke="%s" stroke-width="2" marker-end="url(#%s)"%s/>
+            """, x(from), y, x(to), from.hue, from.address, aired.sealed() ? "" : " stroke-dasharray=\"6 3\"")).collect(Collectors.joining());
+        int middle = receivers(aired).mapToInt(Chart::x).filter(x -> x > x(from)).min()
+            .orElseGet(() -> receivers(aired).mapToInt(Chart::x).max().orElse(x(from)));
+        String label = aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content());
+        return tips + String.format("<text x=\"%d\" y=\"%d\" text-anchor=\"middle\" fill=\"%s\">%s</text>%n",
+            (x(from) + middle) / 2, y - 5, from.hue, escaped(label));
+    }
+
+    private static Stream<Device> receivers(Aired aired) {
+        String to = aired.destination();
+        return Arrays.stream(Device.values()).filter(device -> !device.address.equals(aired.origin()))
+            .filter(device -> to.equals("////") || to.equals("//" + device.address.substring(0, 2)) || to.equals(device.address));
+    }
+
+    private static int x(Device device) {
+        return FIRST_LIFELINE + BETWEEN_LIFELINES * device.ordinal();
+    }
+
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    }
+}
