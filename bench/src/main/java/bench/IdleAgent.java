@@ -15,8 +15,8 @@ final class IdleAgent implements Subject {
     private static final String PLAIN = "!start. +!start <- .print(started).";
     private static final String WITH_BOARD =
         "!start. +!start <- .port(\"ports/board\"); .percepts(open); .setMyRFId(ROMA); .getRFMessages(open); .print(started).";
-    private static final Duration WARM_UP = Duration.ofSeconds(40);
-    private static final Duration MEASURED = Duration.ofSeconds(20);
+    private static final Duration WARM_UP = Duration.ofSeconds(90);
+    private static final Duration MEASURED = Duration.ofSeconds(40);
 
     @Override
     public String name() {
@@ -27,7 +27,7 @@ final class IdleAgent implements Subject {
     public String method() {
         return """
             an agent as a user starts it, in a Java virtual machine of its own, with an emulated board (Vehicle, percepts and radio open,
-            polled every 35 ms), and the same without board and architecture, both at once: CPU time of the process over 20 s, after 40 s
+            polled every 35 ms), and the same without board and architecture, both at once: CPU time of the process over 40 s, after 90 s
             in which Java compiles. The emulator is another process and does not count.
             About four fifths are the session's thread, most of it for being woken, three times a poll; the rest is Java compiling.
             On a Raspberry Pi Zero it would be some 20 times as much, a fifth of its core: its ARM1176 makes about 1250 DMIPS at 1 GHz
