@@ -60,8 +60,12 @@ public final class Campaigns implements Callable<Integer> {
         for (Campaign campaign : ALL) {
             if (!only.isEmpty() && !only.contains(campaign.name())) continue;
             Report report = new Report(campaign.name(), System.err);
-            campaign.run(settings, report);
-            System.out.println("\n" + campaign.name() + "\n" + report.screen() + "\n");
+            try {
+                campaign.run(settings, report);
+            } finally {
+                // Also where the model refuses what the boards did: it says so only when they are switched off.
+                System.out.println("\n" + campaign.name() + "\n" + report.screen() + "\n");
+            }
             Document document = new Document(root.resolve("docs/reliability.md"), known);
             document.put(campaign.name(), command(campaign), report);
             document.write();

@@ -3,9 +3,12 @@ package harness;
 import com.google.gson.Gson;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -27,6 +30,8 @@ public final class Emulator implements AutoCloseable {
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
+    /** So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards. */
+    private static final int LATEST_LINES = 10_000;
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
     static {
@@ -39,6 +44,8 @@ public final class Emulator implements AutoCloseable {
     private final Consumer<TraceEvent> listener;
     private final List<TraceEvent> trace = new ArrayList<>();
     private final List<String> complaints = new ArrayList<>();
+    /** Written by the thread that reads the trace; read when that has ended. */
+    private final Deque<String> latest = new ArrayDeque<>();
     private final Replay model = new Replay();
     private Thread reader;
     private boolean keeping = true;
@@ -158,8 +165,14 @@ public final class Emulator implements AutoCloseable {
     private void traced(String line) {
         TraceEvent event = TraceEvent.parse(line);
         model.line(line);
+        if (model.refusal().isEmpty()) remember(line);
         listener.accept(event);
         keep(event);
+    }
+
+    private void remember(String line) {
+        latest.add(line);
+        if (latest.size() > LATEST_LINES) latest.remove();
     }
 
     private synchronized void keep(TraceEvent event) {
@@ -229,6 +242,15 @@ public final class Emulator implements AutoCloseable {
         return trace().stream().filter(event -> event.is("rf-tx", board)).toList();
     }
 
+    /** Writes what led to a refusal where it outlives the run. */
+    private Path writeLatest() {
+        try {
+            return Files.write(Files.createTempFile("javino-refused", ".jsonl"), latest);
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+    }
+
     /**
      * Ends the emulator; EEPROM contents stay in the folder.
      *
@@ -244,9 +266,7 @@ public final class Emulator implements AutoCloseable {
             reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
             if (status != 0) throw new AssertionError("the emulator ended with " + status + ": " + complaints);
             model.finish();
-            model.refusal().ifPresent(refusal -> {
-                throw new AssertionError(model.verdict());
-            });
+            if (model.refusal().isPresent()) throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
