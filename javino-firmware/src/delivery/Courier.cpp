@@ -126,13 +126,14 @@ void Courier::packetSent() {
   }
 }
 
-// No answer came: of a frame in pieces, the first one asks what has arrived.
+// No answer came: of a frame in pieces one asks what has arrived, in the end the first one, without which none can be
+// answered; where that was there, the one that has just asked, every other time, as it is likely what is lacking.
 void Courier::attemptFailed() {
   attempt_++;
   if (attempt_ == MAX_ATTEMPTS) {
     finish(Outcome::UNDELIVERED);
   } else {
-    contend(1);
+    contend((arrived_ & attempt_ & 1) != 0 ? onAir_ : 1);
   }
 }
 
@@ -187,7 +188,8 @@ bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
   return false;
 }
 
-// Sends what is lacking. While a new attempt is already on the air, its own answer is waited for.
+// Sends what is lacking, as soon as pieces follow each other: whoever heard the answer or the question leaves the air to
+// them. While a new attempt is already on the air, its own answer is waited for.
 bool Courier::onPieces(uint8_t have) {
   const uint8_t all = pieces::all(count_);
   if (!isUnicast() || count_ == 1 || (have & 1) == 0 || (have & ~all) != 0) return false;
@@ -200,7 +202,8 @@ bool Courier::onPieces(uint8_t have) {
     finish(Outcome::UNDELIVERED);
     return true;
   }
-  contend(static_cast<uint8_t>(all & ~have));
+  pending_ = static_cast<uint8_t>(all & ~have);
+  phase_ = PAUSING;
   return true;
 }
 

@@ -176,11 +176,33 @@ TEST_F(InPieces, a_unicast_is_sent_again_only_where_pieces_are_lacking) {
   board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 7, {0x15}));
   EXPECT_EQ(sent[1], board.sendNext());
   EXPECT_EQ(wantingAnswer(sent[3]), board.sendNext());
-  EXPECT_EQ(wantingAnswer(sent[0]), board.sendNext()) << "no answer came: the first one asks";
+  EXPECT_EQ(wantingAnswer(sent[3]), board.sendNext()) << "no answer came: it asks again, the first one is there";
+  EXPECT_EQ(wantingAnswer(sent[0]), board.sendNext()) << "or was";
   board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 7, {0x17}));
   EXPECT_EQ(wantingAnswer(sent[3]), board.sendNext());
   board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 6));
   EXPECT_EQ((std::vector<std::string>{std::string("\0\1", 2)}), board.poll().texts('T'));
+}
+
+TEST_F(InPieces, the_first_piece_asks_as_long_as_the_receiver_has_not_said_that_it_has_it) {
+  board.transmit("SUPP", "SUHO", std::string(100, 'y'));
+  const Bytes first = board.sendNext();
+  board.sendNext();
+  for (int i = 0; i < 7; i++) EXPECT_EQ(wantingAnswer(first), board.sendNext());
+}
+
+TEST_F(InPieces, what_an_answer_asks_for_follows_it_after_a_quiet_slot) {
+  for (int round = 0; round < 50; round++) {
+    board.start("SUHO");
+    board.transmit("SUPP", "SUHO", std::string(100, 'y'));
+    const Bytes first = board.sendNext();
+    board.sendNext();
+    const Bytes nonce(first.begin() + 20, first.begin() + 26);
+    const size_t before = board.radio.sent.size();
+    board.receive(acknowledgement(KEY, "SUHO", "SUPP", nonce, 7, {1}));
+    board.pass(16);
+    EXPECT_EQ(before + 1, board.radio.sent.size()) << "no random wait: the air is still theirs";
+  }
 }
 
 TEST_F(InPieces, answers_without_a_new_piece_do_not_keep_a_message_alive) {
