@@ -46,8 +46,13 @@ public abstract class BoardAction extends DiffuserAction {
         checkArguments(args);
         CompletableFuture<?> answer = start(Diffuser.of(ts), args);
         String key = suspend(ts.getC());
-        answer.whenComplete((done, thrown) -> ConcurrentInternalAction.resume(ts, key, thrown != null,
-                thrown == null ? null : Failure.of(thrown).annotations()));
+        answer.whenComplete((done, thrown) -> {
+            if (thrown == null) {
+                ConcurrentInternalAction.resume(ts, key, false, null);
+            } else {
+                Intentions.fail(ts, key, Failure.of(thrown));
+            }
+        });
         return true;
     }
 

@@ -226,6 +226,19 @@ class DeliverTest {
     }
 
     @Test
+    void deliver_undeliveredInAnAtomicPlan_fails() {
+        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
+        String program = PROGRAM + """
+                @a[atomic] +!atomic <- .deliver("ROMA",tell,help).
+                -!atomic[error(E)] <- diffuser.note(E).
+                """;
+        try (RunningAgent agent = ready(program, board)) {
+            agent.achieve("atomic");
+            agent.notes("undelivered");
+        }
+    }
+
+    @Test
     void deliver_triedAgainAfterFailure_secondSucceeds() {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + """
