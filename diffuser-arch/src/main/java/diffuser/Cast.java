@@ -33,7 +33,7 @@ final class Cast {
                 ASSyntax.createAtom(message.from().toString()));
         boolean marked = switch (message.content().force()) {
             case TELL, ACHIEVE -> true;
-            case UNTELL, UNACHIEVE -> false;
+            default -> false;
         };
         if (!(content instanceof ListTerm list)) {
             return mark((Literal) content, marked, mark);

@@ -36,7 +36,7 @@ public final class Texts {
      *                        read back as what agents say, too_long if it is longer than any message.
      */
     public static Content content(String force, String text) throws JasonException {
-        Force known = Force.of(force).orElseThrow(() -> new JasonException(
+        Force known = Force.of(force).filter(any -> !any.requiresSeal()).orElseThrow(() -> new JasonException(
                 "by radio go tell, untell, achieve and unachieve, not " + force, JasonException.WRONG_ARGS));
         said(text);
         try {

@@ -28,7 +28,8 @@ final class SendCommand implements Callable<Integer> {
     private Address to;
 
     @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
-            description = "Such as 'tell;help': tell, untell, achieve or unachieve, and a term of AgentSpeak.")
+            description = "Such as 'tell;help': a force and a term of AgentSpeak; where it asks or answers, with three"
+                    + " digits for the conversation, such as 'askOne#AbC;speed(X)'.")
     private Content content;
 
     @Spec

@@ -1,28 +1,72 @@
 package javino.protocol;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Optional;
 
-/** What a message is meant to do to its receiver (SPEC 3). */
+/** What a message is meant to do to its receiver: the performatives of Jason, and {@code sorry} (SPEC 3). */
 public enum Force {
     /** The receiver comes to believe the term. */
-    TELL,
+    TELL("tell"),
     /** The receiver ceases to believe it. */
-    UNTELL,
+    UNTELL("untell"),
     /** The receiver comes to have it as a goal. */
-    ACHIEVE,
+    ACHIEVE("achieve"),
     /** The receiver drops the goal. */
-    UNACHIEVE;
+    UNACHIEVE("unachieve"),
+    /** The receiver has an event of which no belief comes. */
+    SIGNAL("signal"),
+    /** The receiver answers with one belief that matches the term. */
+    ASK_ONE("askOne"),
+    /** The receiver answers with a list of all beliefs that match it. */
+    ASK_ALL("askAll"),
+    /** The receiver answers with its plans for the triggering event. */
+    ASK_HOW("askHow"),
+    /** The receiver comes to have the plans. */
+    TELL_HOW("tellHow"),
+    /** The receiver gives up the plans that it had from the sender. */
+    UNTELL_HOW("untellHow"),
+    /** The receiver's question has no answer that can be sent (KQML's term). */
+    SORRY("sorry");
 
-    private final String text = name().toLowerCase(Locale.ROOT);
+    private final String text;
+
+    Force(String text) {
+        this.text = text;
+    }
 
     /** The force of that AgentSpeak name, if there is one. */
     public static Optional<Force> of(String name) {
         return Arrays.stream(values()).filter(force -> force.text.equals(name)).findFirst();
     }
 
-    /** The AgentSpeak name: {@code tell}, {@code untell}, {@code achieve} or {@code unachieve}. */
+    /** Whether it asks for an answer; then it names the conversation. */
+    public boolean isQuestion() {
+        return switch (this) {
+            case ASK_ONE, ASK_ALL, ASK_HOW -> true;
+            default -> false;
+        };
+    }
+
+    /** Whether it can be an answer, which names the conversation of the question; {@link #SORRY} always is. */
+    public boolean canAnswer() {
+        return switch (this) {
+            case TELL, UNTELL, TELL_HOW, SORRY -> true;
+            default -> false;
+        };
+    }
+
+    /**
+     * Whether it is taken only from a unicast or multicast: what makes an agent speak in somebody's name, what shows its
+     * plans, and what changes them, no stranger may send.
+     */
+    public boolean requiresSeal() {
+        return switch (this) {
+            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> false;
+            default -> true;
+        };
+    }
+
+    /** The AgentSpeak name, such as {@code tell} or {@code askOne}. */
     @Override
     public String toString() {
         return text;

@@ -3,37 +3,78 @@ package javino.protocol;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import com.google.gson.JsonObject;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ContentTest {
 
+    private static final VectorFile FILE = new VectorFile("contents.json");
+
+    static Stream<JsonObject> valid() {
+        return FILE.list("valid");
+    }
+
+    static Stream<JsonObject> invalid() {
+        return FILE.list("invalid");
+    }
+
     @ParameterizedTest
-    @EnumSource(Force.class)
-    void decode_eachForce_roundTrips(Force force) throws ProtocolException {
-        Content content = new Content(force, "goTo(12,\"km;\u00e9\")");
-        assertEquals(content, Content.decode(content.encode()));
+    @MethodSource("valid")
+    void decode_validVector_hasItsPartsAndRoundTrips(JsonObject vector) throws ProtocolException {
+        Bytes bytes = VectorFile.bytes(vector, "content");
+        Content content = Content.decode(bytes);
+        assertEquals(VectorFile.text(vector, "force"), content.force().toString());
+        assertEquals(vector.get("conversation").isJsonNull() ? Optional.empty()
+                : Optional.of(new Conversation(vector.get("conversation").getAsInt())), content.conversation());
+        assertEquals(VectorFile.text(vector, "term"), content.term());
+        assertEquals(bytes, content.encode());
+        assertEquals(bytes, new Content(content.force(), content.conversation(), content.term()).encode());
+    }
+
+    @ParameterizedTest
+    @MethodSource("invalid")
+    void decode_invalidVector_throwsItsError(JsonObject vector) {
+        assertEquals(VectorFile.text(vector, "error"), assertThrows(ProtocolException.class,
+                () -> Content.decode(VectorFile.bytes(vector, "content"))).error().name(),
+                VectorFile.text(vector, "why"));
     }
 
     @Test
-    void decode_severalDividers_firstDivides() throws ProtocolException {
-        assertEquals(new Content(Force.TELL, ";a;"), Content.decode(Bytes.ofText("tell;;a;")));
+    void decode_vectors_haveEachForce() {
+        assertEquals(EnumSet.allOf(Force.class), valid().map(vector -> VectorFile.text(vector, "force"))
+                .map(name -> Force.of(name).orElseThrow()).collect(Collectors.toSet()));
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", ";", "tell", "tell;", ";help", "Tell;help", "ask;help", " tell;help", "\0tell;help"})
-    void decode_noContent_throwsBadContent(String text) {
-        assertEquals(ProtocolError.BAD_CONTENT,
-                assertThrows(ProtocolException.class, () -> Content.decode(Bytes.ofText(text))).error());
+    @EnumSource(Force.class)
+    void constructor_conversationWhereNoneBelongs_throws(Force force) {
+        boolean may = force.isQuestion() || force.canAnswer();
+        boolean must = force.isQuestion() || force == Force.SORRY;
+        Optional<Conversation> some = Optional.of(new Conversation(7));
+        if (may) {
+            assertEquals(some, new Content(force, some, "x").conversation());
+        } else {
+            assertThrows(IllegalArgumentException.class, () -> new Content(force, some, "x"));
+        }
+        if (must) {
+            assertThrows(IllegalArgumentException.class, () -> new Content(force, "x"));
+        } else {
+            assertEquals(Optional.empty(), new Content(force, "x").conversation());
+        }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"74656c6c3bff", "74656c6c3bc3", "74656c6c3bc080", "74656c6c3beda080", "80"})
-    void decode_noUtf8_throwsBadText(String hex) {
-        assertEquals(ProtocolError.BAD_TEXT,
-                assertThrows(ProtocolException.class, () -> Content.decode(Bytes.ofHex(hex))).error());
+    @ValueSource(ints = {-1, 1 << 18})
+    void conversation_outOfRange_throws(int id) {
+        assertThrows(IllegalArgumentException.class, () -> new Conversation(id));
     }
 
     @Test

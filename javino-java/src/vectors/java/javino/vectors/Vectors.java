@@ -32,6 +32,7 @@ public final class Vectors {
         Map<String, String> files = new LinkedHashMap<>();
         files.put("addresses.json", format(AddressVectors.all()));
         files.put("frames.json", format(FrameVectors.all()));
+        files.put("contents.json", format(ContentVectors.all()));
         files.put("packets.json", format(PacketVectors.all()));
         files.put("commands.json", format(CommandVectors.all()));
         files.put("radio.json", format(RadioVectors.all()));
