@@ -42,6 +42,9 @@ public class Diffuser extends AgArch {
     private transient Warnings warnings;
     private transient Inbox inbox;
     private transient Outbox outbox;
+    private transient Intentions intentions;
+    private transient Questions questions;
+    private transient Answers answers;
     private transient ActionRouter router;
     private transient Means means;
     private transient Senses senses;
@@ -54,8 +57,11 @@ public class Diffuser extends AgArch {
     public void init() throws Exception {
         super.init();
         warnings = new Warnings(() -> getTS().getLogger());
-        inbox = new Inbox(warnings);
         outbox = new Outbox(warnings, this::signal);
+        intentions = new Intentions(this::getTS);
+        questions = new Questions(intentions, outbox);
+        answers = new Answers(outbox);
+        inbox = new Inbox(questions, intentions, warnings);
         means = new Means();
         senses = new Senses();
         router = new ActionRouter(this, super::act, warnings);
@@ -162,7 +168,9 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_port if no port was opened.
      */
     public CompletableFuture<?> diffuse(Letter letter) throws JasonException {
-        return outbox.diffuse(letter, requireDevice());
+        Device board = requireDevice();
+        questions.remember(letter);
+        return outbox.diffuse(letter, board);
     }
 
     /**
@@ -173,7 +181,9 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_port if no port was opened.
      */
     public CompletableFuture<?> deliver(Letter letter) throws JasonException {
-        return outbox.deliver(letter, requireDevice());
+        Device board = requireDevice();
+        questions.remember(letter);
+        return outbox.deliver(letter, board);
     }
 
     /** The board, if a port was opened. */
@@ -209,8 +219,20 @@ public class Diffuser extends AgArch {
             super.sendMsg(message);
         } catch (ReceiverNotFoundException e) {
             if (device == null || Destinations.find(message.getReceiver()).isEmpty()) {
+                intentions.forget(message.getMsgId());
                 throw e;
             }
+            sendByRadio(message);
+        }
+    }
+
+    private void sendByRadio(Message message) throws JasonException {
+        Optional<Enquiry> enquiry = Enquiry.of(message.getInReplyTo());
+        if (message.isAsk()) {
+            questions.ask(message, device);
+        } else if (enquiry.isPresent()) {
+            answers.send(message, enquiry.get(), device);
+        } else {
             outbox.post(Letter.of(message), device);
         }
     }
@@ -234,6 +256,7 @@ public class Diffuser extends AgArch {
         status.put("openness", openness().atom());
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
+        status.put("rfMessagesRefused", inbox.refused());
         status.put("rfDelivered", outbox.delivered());
         status.put("rfUndelivered", outbox.undelivered());
         device().ifPresent(board -> {

@@ -26,6 +26,9 @@ import javino.protocol.Status;
 record Failure(String error, String message) {
 
     private static final String UNKNOWN_ACTION = nameOf(Status.UNKNOWN_ACTION);
+    private static final String TOO_LONG = nameOf(Status.TOO_LONG);
+    private static final String UNDELIVERED = "undelivered";
+    private static final int MOST_BRIEF = 80;
 
     /** Reads what a future of the board failed with. */
     static Failure of(Throwable thrown) {
@@ -65,6 +68,21 @@ record Failure(String error, String message) {
     /** Whether the board's sketch has no such action. */
     boolean isUnknownAction() {
         return error.equals(UNKNOWN_ACTION);
+    }
+
+    /** Whether a message was sent and not acknowledged. */
+    boolean isUndelivered() {
+        return error.equals(UNDELIVERED);
+    }
+
+    /** Whether something has more bytes than fit. */
+    boolean isTooLong() {
+        return error.equals(TOO_LONG);
+    }
+
+    /** The message if it is short, else the error. */
+    String brief() {
+        return message.length() <= MOST_BRIEF ? message : error;
     }
 
     /** As an exception of an internal action. */

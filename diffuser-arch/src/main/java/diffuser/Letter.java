@@ -1,6 +1,9 @@
 package diffuser;
 
+import java.security.SecureRandom;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 
 import jason.JasonException;
 import jason.asSemantics.Message;
@@ -11,12 +14,16 @@ import jason.bb.BeliefBase;
 
 import javino.protocol.Address;
 import javino.protocol.Content;
+import javino.protocol.Conversation;
+import javino.protocol.Force;
 
 /** A message for the radio: what travels, and how the agent that gave it calls it. */
 public final class Letter {
 
     private static final String DELIVERED = "delivered";
     private static final String UNDELIVERED = "undelivered";
+
+    private static final AtomicInteger CONVERSATIONS = new AtomicInteger(new SecureRandom().nextInt());
 
     private final Address to;
     private final Content content;
@@ -33,15 +40,12 @@ public final class Letter {
      *
      * @param to      as {@link Destinations#of} reads it.
      * @param force   an atom, as {@link Texts#content} reads it.
-     * @param content a literal or a list of literals.
-     * @throws JasonException bad_address, wrong_arguments, bad_content or too_long.
+     * @param content what goes with the force.
+     * @throws JasonException bad_address, wrong_arguments, bad_content, too_long or not_sealed.
      */
     public static Letter of(Term to, Term force, Term content) throws JasonException {
-        Address address = Destinations.of(to);
-        // Where a variable's name was meant, the variable itself would match anything.
-        Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();
-        return new Letter(address, Texts.content(force.toString(), content.toString()),
-                List.of(named, force.clone(), content.clone()));
+        Force known = Texts.force(force.toString());
+        return of(to, known, known.isQuestion() ? Optional.of(nextConversation()) : Optional.empty(), content);
     }
 
     /**
@@ -50,9 +54,51 @@ public final class Letter {
      * @throws JasonException as the other.
      */
     static Letter of(Message message) throws JasonException {
+        return of(receiver(message), ASSyntax.createAtom(message.getIlForce()), said(message));
+    }
+
+    /**
+     * Reads what {@code .send} was given as an answer.
+     *
+     * @throws JasonException as the others.
+     */
+    static Letter answer(Message message, Conversation conversation) throws JasonException {
+        Force force = Texts.force(message.getIlForce());
+        Term to = receiver(message);
+        boolean answers = force.canAnswer() && Destinations.of(to).kind() == Address.Kind.DEVICE;
+        return of(to, force, answers ? Optional.of(conversation) : Optional.empty(), said(message));
+    }
+
+    /** That a message cannot be sent as an answer, and why. */
+    static Letter sorry(Message answer, Conversation conversation, Failure why) throws JasonException {
+        return of(receiver(answer), Force.SORRY, Optional.of(conversation), ASSyntax.createString(why.brief()));
+    }
+
+    private static Letter of(Term to, Force force, Optional<Conversation> conversation, Term content)
+            throws JasonException {
+        Address address = Destinations.of(to);
+        if (force.requiresSeal() && address.kind() == Address.Kind.BROADCAST) {
+            throw new Failure("not_sealed", force + " goes to a device or a group, not to all: nobody takes it from a"
+                    + " broadcast, which anyone can send in anyone's name").toException();
+        }
+        // Where a variable's name was meant, the variable itself would match anything.
+        Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();
+        return new Letter(address, Texts.content(force, conversation, content),
+                List.of(named, ASSyntax.createAtom(force.toString()), content.clone()));
+    }
+
+    /** From a random one on, so that a late answer to a question before the last start answers none of this run. */
+    private static Conversation nextConversation() {
+        return new Conversation(Math.floorMod(CONVERSATIONS.getAndIncrement(), Conversation.COUNT));
+    }
+
+    private static Term receiver(Message message) {
+        return ASSyntax.createString(message.getReceiver());
+    }
+
+    private static Term said(Message message) throws JasonException {
         Object content = message.getPropCont();
-        return of(ASSyntax.createString(message.getReceiver()), ASSyntax.createAtom(message.getIlForce()),
-                content instanceof Term term ? term : Texts.said(String.valueOf(content)));
+        return content instanceof Term term ? term : Texts.said(String.valueOf(content));
     }
 
     /** Whom it is for. */
@@ -63,6 +109,16 @@ public final class Letter {
     /** What travels. */
     Content content() {
         return content;
+    }
+
+    /** Whether it asks for an answer. */
+    boolean isQuestion() {
+        return content.force().isQuestion();
+    }
+
+    /** Whether it is an answer that says only that nothing is known. */
+    boolean knowsNothing() {
+        return content.force() == Force.UNTELL || content.term().equals("[]");
     }
 
     /** Whether its receiver says that it has come: only a single device does (SPEC 7.2). */

@@ -28,7 +28,7 @@ public abstract class LetterAction extends BoardAction {
         super.checkArguments(args);
         if (!args[1].isAtom()) {
             throw JasonException.createWrongArgument(this,
-                    "tell, untell, achieve or unachieve was expected, not '" + args[1] + "'.");
+                    "a force such as tell was expected, not '" + args[1] + "'.");
         }
     }
 

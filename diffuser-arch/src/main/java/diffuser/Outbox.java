@@ -57,7 +57,19 @@ final class Outbox {
                     + group + "\"");
         }
         Transmissions.Transmission transmission = board.transmit(letter.to(), letter.content());
-        return new Transmissions.Transmission(transmission.taken(), transmission.outcome().thenApply(this::counted));
+        return new Transmissions.Transmission(
+                transmission.taken().handle((number, thrown) -> taken(number, thrown, letter)),
+                transmission.outcome().thenApply(this::counted));
+    }
+
+    /** A board tells how long a message may be, but not how long this one is. */
+    private static Integer taken(Integer number, Throwable thrown, Letter letter) {
+        if (thrown == null) {
+            return number;
+        }
+        Failure failure = Failure.of(thrown);
+        throw new CompletionException(!failure.isTooLong() ? thrown : new Failure(failure.error(),
+                failure.message() + "; this one has " + letter.content().encode().length()).toException());
     }
 
     private Outcome counted(Outcome outcome) {

@@ -1,5 +1,6 @@
 package diffuser;
 
+import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 
 import jason.asSyntax.ASSyntax;
@@ -105,10 +106,11 @@ final class TermWriter {
 
     private static String escaped(String value) throws MalformedTextException {
         String text = value.replace("\n", "\\n").replace("\"", "\\\"");
-        boolean same = STRING.matcher(text).matches() && text.replace("\\n", "\n").replace("\\\"", "\"").equals(value);
+        boolean same = StandardCharsets.UTF_8.newEncoder().canEncode(value) && STRING.matcher(text).matches()
+                && text.replace("\\n", "\n").replace("\\\"", "\"").equals(value);
         if (!same) {
-            throw new MalformedTextException(value, "a string with a single backslash or a carriage return does not read"
-                    + " back");
+            throw new MalformedTextException(value, "a string with a single backslash, a carriage return or half a"
+                    + " character does not read back");
         }
         return text;
     }

@@ -1,6 +1,10 @@
 package diffuser;
 
+import java.util.Arrays;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 import jason.JasonException;
 import jason.asSemantics.Unifier;
@@ -9,13 +13,17 @@ import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.LiteralImpl;
+import jason.asSyntax.NumberTermImpl;
+import jason.asSyntax.Plan;
 import jason.asSyntax.Pred;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
+import jason.asSyntax.Trigger;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
 
 import javino.protocol.Content;
+import javino.protocol.Conversation;
 import javino.protocol.Force;
 
 /** Turns terms into the texts that travel, and texts into terms (SPEC 3). */
@@ -24,39 +32,59 @@ public final class Texts {
     private static final Set<Class<?>> LITERALS =
             Set.of(Atom.class, Structure.class, Pred.class, LiteralImpl.class);
 
+    private static final String FORCES = Arrays.stream(Force.values()).filter(force -> force != Force.SORRY)
+            .map(Force::toString).collect(Collectors.joining(", "));
+
     private Texts() {
+    }
+
+    /**
+     * The force of that name, as a program gives it.
+     *
+     * @throws JasonException wrong_arguments if it is none that can travel.
+     */
+    static Force force(String name) throws JasonException {
+        // Javino says sorry by itself.
+        return Force.of(name).filter(force -> force != Force.SORRY).orElseThrow(() -> new JasonException(
+                "by radio go " + FORCES + ", not " + name, JasonException.WRONG_ARGS));
     }
 
     /**
      * What one agent says to another.
      *
-     * @param force the name of a force.
-     * @param text  a term's.
-     * @throws JasonException wrong_arguments if the force is none that can travel, bad_content if the text does not
-     *                        read back as what agents say, too_long if it is longer than any message.
+     * @throws JasonException bad_content if the term is not what goes with the force, or its text does not read back;
+     *                        too_long if it is longer than any message.
      */
-    public static Content content(String force, String text) throws JasonException {
-        Force known = Force.of(force).filter(any -> !any.requiresSeal()).orElseThrow(() -> new JasonException(
-                "by radio go tell, untell, achieve and unachieve, not " + force, JasonException.WRONG_ARGS));
-        said(text);
+    static Content content(Force force, Optional<Conversation> conversation, Term term) throws JasonException {
+        String text;
         try {
-            return new Content(known, text);
+            text = TermWriter.write(Cast.unmark(term));
+            check(text, read(text, force), force, conversation.isPresent());
+        } catch (MalformedTextException e) {
+            throw unsayable(e);
+        }
+        try {
+            return new Content(force, conversation, text);
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
         }
     }
 
     /**
-     * What an agent is about to say, as its text reads.
+     * What an agent is about to say, where it is given as a text.
      *
-     * @throws JasonException bad_content if it is nothing that agents say.
+     * @throws JasonException bad_content if it is no term.
      */
     static Term said(String text) throws JasonException {
         try {
-            return readContent(text);
+            return read(text);
         } catch (MalformedTextException e) {
-            throw new Failure("bad_content", "this cannot be sent: " + e.getMessage()).toException();
+            throw unsayable(e);
         }
+    }
+
+    private static JasonException unsayable(MalformedTextException e) {
+        return new Failure("bad_content", "this cannot be sent: " + e.getMessage()).toException();
     }
 
     /**
@@ -86,26 +114,77 @@ public final class Texts {
         return (Literal) term;
     }
 
-    /** Reads what a message says: a belief or goal, or a list of such. */
-    static Term readContent(String text) throws MalformedTextException {
-        Term term = read(text);
-        // A variable is an instance of ListTerm, too.
-        boolean understood = term.isList() ? ((ListTerm) term).stream().allMatch(Texts::isBelief) : isBelief(term);
-        if (!understood) {
-            throw new MalformedTextException(text, "a belief, a goal or a list of such was expected");
-        }
+    /** Reads what a message says: what goes with its force. */
+    static Term readContent(Content content) throws MalformedTextException {
+        Term term = read(content.term(), content.force());
+        check(content.term(), term, content.force(), content.conversation().isPresent());
         return term;
     }
 
+    /** Plans are not evaluated: what they compute, they compute when they run. */
+    private static Term read(String text, Force force) throws MalformedTextException {
+        return force == Force.TELL_HOW ? parsed(text) : read(text);
+    }
+
+    private static void check(String text, Term term, Force force, boolean conversing) throws MalformedTextException {
+        switch (force) {
+            case TELL, UNTELL -> {
+                if (conversing) {
+                    expect(isDatum(term), text, "beliefs, numbers, strings or a list of such were expected");
+                } else {
+                    expectBeliefs(term, text);
+                }
+            }
+            case ACHIEVE, UNACHIEVE, SIGNAL -> expectBeliefs(term, text);
+            case ASK_ONE, ASK_ALL -> expect(isBelief(term), text, "a belief was expected");
+            case ASK_HOW -> expect(term instanceof Trigger || term.isPlanBody() || term.isString(), text,
+                    "a triggering event such as { +!go(_) } was expected");
+            case TELL_HOW -> expect(all(term, plan -> plan instanceof Plan || plan.isString()), text,
+                    "a plan such as { +!go <- run }, or a list of such, was expected");
+            case UNTELL_HOW -> expect(all(term, label -> isBelief(label) || label.isString()), text,
+                    "a plan's label or a list of such was expected");
+            case SORRY -> expect(term.isString(), text, "a string was expected");
+        }
+    }
+
+    private static void expectBeliefs(Term term, String text) throws MalformedTextException {
+        expect(all(term, Texts::isBelief), text, "a belief, a goal or a list of such was expected");
+    }
+
+    private static void expect(boolean met, String text, String what) throws MalformedTextException {
+        if (!met) {
+            throw new MalformedTextException(text, what);
+        }
+    }
+
+    /** What holds of a term, or of all in a list. A variable is an instance of ListTerm, too. */
+    private static boolean all(Term term, Predicate<Term> condition) {
+        return term.isList() ? ((ListTerm) term).stream().allMatch(condition) : condition.test(term);
+    }
+
+    /** What a question may be answered with, as Jason's askOne binds anything to the variable that waits. */
+    private static boolean isDatum(Term term) {
+        return all(term, single -> isBelief(single) || single instanceof NumberTermImpl || single.isString()
+                || single.isList() && isDatum(single));
+    }
+
     /** Plain literals only: Jason's classes for variables, formulas, plans and internal actions extend these. */
-    private static boolean isBelief(Term term) {
+    static boolean isBelief(Term term) {
         return LITERALS.contains(term.getClass());
     }
 
     private static Term read(String text) throws MalformedTextException {
         try {
             // Evaluated, since Jason parses -3 as an expression and not as a number.
-            return ASSyntax.parseTerm(text).capply(new Unifier());
+            return parsed(text).capply(new Unifier());
+        } catch (RuntimeException e) {
+            throw new MalformedTextException(text, firstLine(e));
+        }
+    }
+
+    private static Term parsed(String text) throws MalformedTextException {
+        try {
+            return ASSyntax.parseTerm(text);
         } catch (ParseException | TokenMgrError | RuntimeException e) {
             throw new MalformedTextException(text, firstLine(e));
         }

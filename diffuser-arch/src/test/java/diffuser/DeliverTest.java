@@ -66,7 +66,7 @@ class DeliverTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"NO_KEY,no_key", "TOO_LONG,too_long", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
+    @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
         "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
     void deliver_boardRefuses_failsWithItsError(Status status, String error) {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);

@@ -35,7 +35,13 @@ class DiffuseTest {
         ".diffuse(ROMA,unachieve,go)                | ROMA unachieve;go",
         ".diffuse(bus1,tell,[a,~b(\"x y\")])        | bus1 tell;[a,~b(\"x y\")]",
         "X = \"ROMA\"; .diffuse(X,tell,p(X))         | ROMA tell;p(\"ROMA\")",
+        "X = \"a\\\"b\\nc\"; .diffuse(ROMA,tell,p(X)) | ROMA tell;p(\"a\\\"b\\nc\")",
+        ".diffuse(ROMA,tell,p[cast(unicast,a),b])  | ROMA tell;p[b]",
+        ".diffuse(ROMA,signal,help)                | ROMA signal;help",
+        ".diffuse(ROMA,tellHow,{ +!go <- run })    | ROMA tellHow;{ +!go <- run }",
+        ".diffuse(\"//SU\",untellHow,[go,stay])  | //SU untellHow;[go,stay]",
         ".send(\"ROMA\",tell,help)                  | ROMA tell;help",
+        ".send(\"ROMA\",tell,help,mid1)             | ROMA tell;help",
         ".send(\"//SU\",achieve,go(1))              | //SU achieve;go(1)",
     })
     void diffuse_anyDestination_boardIsAsked(String action, String expected) {
@@ -47,12 +53,21 @@ class DiffuseTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"NO_KEY,no_key", "TOO_LONG,too_long", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
-        "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
+    @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id", "BAD_DESTINATION,bad_destination",
+        "NONCE_EXHAUSTED,nonce_exhausted"})
     void diffuse_boardRefuses_failsWithItsError(Status status, String error) {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
         try (RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board)) {
             agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
+        }
+    }
+
+    @Test
+    void diffuse_tooLongForTheBoard_saysBothLengths() {
+        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.TOO_LONG);
+        try (RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board)) {
+            agent.notes("too_long : transmit to ROMA: tell;help failed: TOO_LONG, " + Status.TOO_LONG.explanation()
+                    + "; this one has 9");
         }
     }
 
@@ -88,7 +103,7 @@ class DiffuseTest {
     @Test
     void diffuse_contentHasNoTextThatReadsBack_fails() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run("X = \"a\\\"b\"; .diffuse(broadcast,tell,p(X))", board)) {
+        try (RunningAgent agent = run(".substring(\"\\\\\",X,0,1); .diffuse(broadcast,tell,p(X))", board)) {
             String note = agent.nextNote();
             assertTrue(note.startsWith("bad_content : this cannot be sent:"), note);
         }
@@ -106,8 +121,9 @@ class DiffuseTest {
     @Test
     void send_otherForceToRfAddress_fails() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run(".send(\"ROMA\",askOne,help)", board)) {
-            agent.notes("wrong_arguments : by radio go tell, untell, achieve and unachieve, not askOne");
+        try (RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board)) {
+            agent.notes("wrong_arguments : by radio go tell, untell, achieve, unachieve, signal, askOne, askAll, askHow,"
+                    + " tellHow, untellHow, not sorry");
         }
     }
 

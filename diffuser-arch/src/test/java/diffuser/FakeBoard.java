@@ -47,6 +47,7 @@ final class FakeBoard implements LinkOpener {
     private volatile boolean silent;
     private volatile String swallowed = "";
     private volatile Outcome everyOutcome;
+    private volatile Status everyRefusal = Status.OK;
     private volatile boolean hearing;
     private volatile boolean uncounting;
     private long packetsHeard;
@@ -142,6 +143,12 @@ final class FakeBoard implements LinkOpener {
         return this;
     }
 
+    /** All transmissions are refused. */
+    FakeBoard refusingAll(Status status) {
+        everyRefusal = status;
+        return this;
+    }
+
     /** From here on every transmission ends at once, and so. */
     FakeBoard endingAll(Outcome outcome) {
         everyOutcome = outcome;
@@ -151,6 +158,11 @@ final class FakeBoard implements LinkOpener {
     /** The transmission that was asked for last with this request ends so. */
     void end(String request, Outcome outcome) {
         end(transmissions.get(request), outcome);
+    }
+
+    /** The transmission that was asked for last ends so. */
+    void endLast(Outcome outcome) {
+        end(transmissionCount - 1 & 0xFF, outcome);
     }
 
     /** A transmission ends, whoever has asked for it. */
@@ -299,6 +311,9 @@ final class FakeBoard implements LinkOpener {
         int number = transmissionCount;
         transmissions.put(request, number);
         Bytes reply = recorded(request, Bytes.of(number));
+        if (everyRefusal != Status.OK) {
+            return Bytes.of(everyRefusal.ordinal());
+        }
         if (reply.at(0) == Status.OK.ordinal()) {
             transmissionCount = number + 1 & 0xFF;
             if (everyOutcome != null) {

@@ -208,7 +208,7 @@ class TermWriterTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"\\", "a\\d", "\\n", "\\\"", "\r", "a\\"})
+    @ValueSource(strings = {"\\", "a\\d", "\\n", "\\\"", "\r", "a\\", "\ud800"})
     void write_stringThatCannotReadBack_throws(String value) {
         assertThrows(MalformedTextException.class,
                 () -> TermWriter.write(ASSyntax.createLiteral("p", ASSyntax.createString(value))));

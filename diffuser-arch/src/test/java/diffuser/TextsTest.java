@@ -4,10 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import java.util.Random;
+
+import javino.protocol.Content;
+import javino.protocol.Conversation;
+import javino.protocol.Force;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class TextsTest {
@@ -36,16 +42,72 @@ class TextsTest {
             for (int length = random.nextInt(12); length > 0; length--) {
                 text.append(alphabet.charAt(random.nextInt(alphabet.length())));
             }
-            try {
-                Texts.readContent(text.toString());
-            } catch (MalformedTextException e) {
-                assertTrue(e.getMessage().startsWith("\"" + text + "\": "), e.getMessage());
+            for (Force force : Force.values()) {
+                readOrMalformed(force, "p" + text);
             }
         }
     }
 
+    private static void readOrMalformed(Force force, String text) {
+        Optional<Conversation> conversation = force.isQuestion() || force == Force.SORRY
+                ? Optional.of(new Conversation(1)) : Optional.empty();
+        try {
+            Texts.readContent(new Content(force, conversation, text));
+        } catch (MalformedTextException e) {
+            assertTrue(e.getMessage().startsWith("\"" + text + "\": "), e.getMessage());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
+        "tell        | 3",
+        "tell        | \"p\"",
+        "tell        | { +!p <- q }",
+        "tell#AbC    | { +!p <- q }",
+        "tell#AbC    | X",
+        "tell#AbC    | .stopMAS",
+        "tell#AbC    | [p,[.stopMAS]]",
+        "untell#AbC  | X",
+        "signal      | 3",
+        "achieve     | .stopMAS",
+        "askOne#AbC  | 3",
+        "askOne#AbC  | [p]",
+        "askOne#AbC  | X",
+        "askOne#AbC  | .stopMAS",
+        "askAll#AbC  | { +!p }",
+        "askHow#AbC  | p",
+        "askHow#AbC  | { @l +!p <- q }",
+        "askHow#AbC  | X",
+        "tellHow     | p",
+        "tellHow     | { +!p }",
+        "tellHow     | { !p; !q }",
+        "tellHow     | .stopMAS",
+        "tellHow     | X",
+        "tellHow     | [{ +!p <- q },p]",
+        "tellHow     | [{ +!p <- q }|X]",
+        "tellHow     | { +!p <- q",
+        "untellHow   | 3",
+        "untellHow   | X",
+        "untellHow   | { @l +!p <- q }",
+        "sorry#AbC   | p",
+    })
+    void readContent_notWhatGoesWithTheForce_isMalformed(String head, String text) {
+        Content content = Content.parse(head + ";" + text);
+        assertThrows(MalformedTextException.class, () -> Texts.readContent(content));
+    }
+
     @Test
-    void readContent_deeplyNested_isReadOrMalformed() throws Exception {
-        Texts.readContent("p(".repeat(160) + "1" + ")".repeat(160));
+    void readContent_deeplyNested_isRead() throws Exception {
+        Texts.readContent(new Content(Force.TELL, "p(".repeat(160) + "1" + ")".repeat(160)));
+    }
+
+    /** As deep as a content can be: the parser comes back, with a plan or without. */
+    @ParameterizedTest
+    @CsvSource({"(,x,),230", "'[','x',']',230", "{,x,},230", "'{ ',x,' }',115", "'p(',x,')',155", "'not ',x,,115", "-,1,,450",
+        "'!x;',!y,,150", "'if(x){',x,'}',65", "'.a({ ',x,' })',55", "'x[',x,']',155",
+        "'(x & ',x,')',75"})
+    void readContent_deepPlan_isReadOrMalformed(String opening, String inside, String closing, int depth) {
+        String text = "{ +!g <- " + opening.repeat(depth) + inside + (closing == null ? "" : closing).repeat(depth) + " }";
+        readOrMalformed(Force.TELL_HOW, text);
     }
 }

@@ -20,8 +20,8 @@ import diffuser.LetterAction;
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): a device such as <code>"ROMA"</code>. Messages to
  *     all or to a group are not acknowledged: send those with <code>.diffuse</code>.
- * <li>+ Force (atom): <code>tell</code>, <code>untell</code>, <code>achieve</code> or <code>unachieve</code>.
- * <li>+ Content (literal or list of literals): with the force, at most 494 bytes.
+ * <li>+ Force (atom): as of <code>.diffuse</code>. Of a question it is delivery that is waited for, not the answer.
+ * <li>+ Content (literal or list of literals, or what goes with the force): with the force, at most 494 bytes.
  * </ul>
  *
  * <p>Examples:<ul>

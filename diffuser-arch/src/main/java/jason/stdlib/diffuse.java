@@ -14,7 +14,8 @@ import diffuser.LetterAction;
  * <p>Description: sends a message by radio, from the address that <code>.setMyRFId</code> gave: to all in range, in
  * plain, or to a group or one device, encrypted with the key that the board shares with them. The intention is suspended
  * until the board has taken the message. It fails, among others, with the errors <code>no_key</code>,
- * <code>no_rf_id</code>, <code>too_long</code>, <code>queue_full</code>, <code>port_off</code>.
+ * <code>no_rf_id</code>, <code>not_sealed</code>, <code>too_long</code>, <code>queue_full</code>,
+ * <code>port_off</code>.
  *
  * <p>What becomes of a message to a device is told later by an event, to which no belief belongs:
  * <code>+delivered(<i>To</i>,<i>Force</i>,<i>Content</i>)[source(percept)]</code> or
@@ -25,15 +26,19 @@ import diffuser.LetterAction;
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): <code>broadcast</code> or <code>"////"</code>;
  *     <code>"//SU"</code> or <code>"SU\\"</code> for the group SU; or a device such as <code>"ROMA"</code>.
- * <li>+ Force (atom): <code>tell</code>, <code>untell</code>, <code>achieve</code> or <code>unachieve</code>.
- * <li>+ Content (literal or list of literals): with the force, at most 494 bytes; up to 67 bytes to all and 53 to a
- *     group or device fit one radio packet, longer ones are cut into pieces.
+ * <li>+ Force (atom): <code>tell</code>, <code>untell</code>, <code>achieve</code>, <code>unachieve</code> or
+ *     <code>signal</code>; and, but not to all, <code>askOne</code>, <code>askAll</code>, <code>askHow</code>,
+ *     <code>tellHow</code> or <code>untellHow</code>. What is answered is told as a belief or learnt as a plan; to wait
+ *     for an answer there is <code>.send(<i>To</i>,<i>Force</i>,<i>Content</i>,<i>Answer</i>)</code>.
+ * <li>+ Content (literal or list of literals, or what goes with the force): with the force, at most 494 bytes; up to 67
+ *     bytes to all and 53 to a group or device fit one radio packet, longer ones are cut into pieces.
  * </ul>
  *
  * <p>Examples:<ul>
  * <li> <code>.diffuse(broadcast,tell,help)</code>
  * <li> <code>.diffuse("//SU",tell,someoneNeedHelp)</code>
  * <li> <code>.diffuse("ROMA",achieve,goTo(12,"km"))</code>
+ * <li> <code>.diffuse("//SU",askOne,free(_))</code>: each that answers makes a belief <code>free(X)</code>.
  * </ul>
  *
  * @see deliver

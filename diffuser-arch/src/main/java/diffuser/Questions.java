@@ -1,0 +1,123 @@
+package diffuser;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+import jason.JasonException;
+import jason.asSemantics.Message;
+
+import javino.protocol.Address;
+import javino.protocol.Conversation;
+
+/**
+ * The agent's questions to other devices. An answer is taken from a device that was asked, once. For the agent's own
+ * thread.
+ */
+final class Questions {
+
+    /** So many of those for whose answers no intention waits: after that their answers come too late. */
+    static final int MOST_UNAWAITED = 32;
+
+    private final Map<Conversation, Question> open = new LinkedHashMap<>();
+    private final Intentions intentions;
+    private final Outbox outbox;
+
+    /**
+     * A question that was asked.
+     *
+     * @param letter    what was asked of whom.
+     * @param messageId by which an intention waits for the answer; empty if none does.
+     * @param answered  who has answered.
+     */
+    record Question(Letter letter, Optional<String> messageId, Set<Address> answered) {
+    }
+
+    Questions(Intentions intentions, Outbox outbox) {
+        this.intentions = intentions;
+        this.outbox = outbox;
+    }
+
+    /**
+     * Sends what Jason's {@code .send} asks, and fails the intention that waits for the answer if none can come.
+     *
+     * @throws JasonException if it cannot be sent; then no intention waits for it any more, and the one that asks fails.
+     */
+    void ask(Message message, Device board) throws JasonException {
+        try {
+            Letter letter = Letter.of(message);
+            if (intentions.isWaiting(message.getMsgId())) {
+                await(letter, message.getMsgId(), board);
+            } else {
+                remember(letter);
+                outbox.post(letter, board);
+            }
+        } catch (JasonException e) {
+            intentions.forget(message.getMsgId());
+            throw e;
+        }
+    }
+
+    private void await(Letter letter, String messageId, Device board) throws JasonException {
+        if (!letter.isAcknowledged()) {
+            throw new JasonException("an answer can be awaited from one device, not from " + letter.to()
+                    + "; without the argument for it, each answer comes as a belief", JasonException.WRONG_ARGS);
+        }
+        boolean limited = intentions.hasTimeout(messageId);
+        remember(letter, Optional.of(messageId));
+        outbox.deliver(letter, board).exceptionally(thrown -> {
+            Failure failure = Failure.of(thrown);
+            // What is undelivered may have arrived all the same, and the answer still come in time.
+            if (!limited || !failure.isUndelivered()) {
+                intentions.fail(messageId, failure);
+            }
+            return null;
+        });
+    }
+
+    /** Expects answers to a letter, if it is a question, for which no intention waits. */
+    void remember(Letter letter) {
+        if (letter.isQuestion()) {
+            remember(letter, Optional.empty());
+        }
+    }
+
+    private void remember(Letter letter, Optional<String> messageId) {
+        open.values().removeIf(question -> question.messageId().filter(id -> !intentions.isWaiting(id)).isPresent());
+        if (messageId.isEmpty()) {
+            forgetOldUnawaited();
+        }
+        Question question = new Question(letter, messageId, new HashSet<>());
+        open.put(conversation(question), question);
+    }
+
+    /** Leaves room for one more of those that nobody waits for. */
+    private void forgetOldUnawaited() {
+        List<Conversation> unawaited = open.values().stream().filter(question -> question.messageId().isEmpty())
+                .map(Questions::conversation).toList();
+        unawaited.stream().limit(Math.max(0, unawaited.size() + 1 - MOST_UNAWAITED)).forEach(open::remove);
+    }
+
+    private static Conversation conversation(Question question) {
+        return question.letter().content().conversation().orElseThrow();
+    }
+
+    /** The open question that a device answers; none if it was not asked, has answered, or nobody waits any more. */
+    Optional<Question> answered(Conversation conversation, Address by) {
+        Question question = open.get(conversation);
+        if (question == null || !wasAsked(by, question.letter().to()) || !question.answered().add(by)) {
+            return Optional.empty();
+        }
+        if (question.letter().isAcknowledged()) {
+            open.remove(conversation);
+        }
+        return Optional.of(question).filter(known -> known.messageId().map(intentions::isWaiting).orElse(true));
+    }
+
+    private static boolean wasAsked(Address device, Address asked) {
+        return device.equals(asked) || asked.kind() == Address.Kind.MULTICAST && device.group().equals(asked.member());
+    }
+}

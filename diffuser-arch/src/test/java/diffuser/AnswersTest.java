@@ -1,0 +1,101 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What an agent answers other devices. */
+class AnswersTest {
+
+    private static final String PROGRAM = """
+            speed(80). near(bus1,3). near(bus2,7)[seen].
+            !start.
+            +!start <- .port(antenna); .setMyRFId("SUPO"); .getRFMessages(open); diffuser.note(ready).
+            +?far(X) <- X = 9.
+            +?long(X) <- .concat("%s","",X).
+            @go +!go(X) : near(X,_) <- .print("on my \\"way\\"\\n"); run(X).
+            +!probe <- diffuser.note(probed).
+            """.formatted("x".repeat(600));
+
+    private static RunningAgent ready(FakeBoard board) {
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "R open");
+        return agent;
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
+        "askOne#AbC;speed(X)    | tell#AbC;speed(80)",
+        "askOne#/+9;near(bus2,X) | tell#/+9;near(bus2,7)[seen]",
+        "askOne#AAA;near(bus2,X)[cast(unicast,a)] | tell#AAA;near(bus2,7)[seen]",
+        "askOne#AbC;far(X)      | tell#AbC;far(9)",
+        "askOne#AbC;unknown     | untell#AbC;unknown",
+        "askAll#AbC;near(W,_)   | tell#AbC;[near(bus1,3),near(bus2,7)[seen]]",
+        "askAll#AbC;unknown     | tell#AbC;[]",
+        "askHow#AbC;{ +!stop }  | tellHow#AbC;[]",
+        "askHow#AbC;\"+!stop\"  | tellHow#AbC;[]",
+    })
+    void ask_unicast_isAnsweredInItsConversation(String question, String answer) {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = ready(board)) {
+            board.receive("SUPO", "ROMA", question);
+            RunningAgent.asked(board, "ROMA " + answer);
+            agent.notesNothingElse();
+        }
+    }
+
+    @Test
+    void askHow_planWithStrings_isTheWholePlan() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = ready(board)) {
+            board.receive("SUPO", "ROMA", "askHow#AbC;{ +!go(_) }");
+            String answer = RunningAgent.next(board.requests, "an answer");
+            assertTrue(answer.matches("ROMA tellHow#AbC;\\[\\{ @go \\+!go\\((\\w+)\\) : near\\(\\1,\\w+\\) <- "
+                    + "\\.print\\(\"on my \\\\\"way\\\\\"\\\\n\"\\); run\\(\\1\\) }]"), answer);
+            agent.notesNothingElse();
+        }
+    }
+
+    @Test
+    void ask_group_isAnsweredToTheAskerAloneWhereSomethingIsKnown() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = ready(board)) {
+            board.receive("//SU", "ROMA", "askOne#AAA;unknown");
+            board.receive("//SU", "ROMA", "askAll#AAB;unknown");
+            board.receive("//SU", "ROMA", "askHow#AAC;{ +!stop }");
+            board.receive("//SU", "ROMA", "askOne#AAD;speed(X)");
+            RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
+            agent.notesNothingElse();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"askOne#AAA;speed(X)", "askAll#AAA;speed(X)", "askHow#AAA;{ +!go(_) }"})
+    void ask_broadcast_isRefusedAndCounted(String question) throws Exception {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = ready(board)) {
+            board.receive("////", "ROMA", question);
+            agent.warns("dropped " + question.split("#")[0] + " from ROMA: it came as a broadcast, which anyone can send"
+                    + " in anyone's name");
+            board.receive("SUPO", "ROMA", "askOne#AAD;speed(X)");
+            RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
+            assertEquals(1L, agent.diffuser().getStatus().get("rfMessagesRefused"));
+        }
+    }
+
+    @Test
+    void ask_answerIsTooLong_askerIsToldBothLengths() {
+        FakeBoard board = new FakeBoard("antenna");
+        try (RunningAgent agent = ready(board)) {
+            board.receive("SUPO", "ROMA", "askOne#AbC;long(X)");
+            RunningAgent.asked(board, "ROMA sorry#AbC;\"a content has at most 494 bytes of UTF-8, not 617\"");
+            agent.notesNothingElse();
+        }
+    }
+}
