@@ -3,7 +3,6 @@ package javino.board;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ThreadLocalRandom;
 import javino.JavinoException;
 import javino.link.Link;
 import javino.link.LinkException;
@@ -11,11 +10,8 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Outcome;
-import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
-import javino.protocol.Reply;
 import javino.protocol.Request;
-import javino.protocol.Status;
 
 /** What the session's thread does: opens the link, greets the board, has it served, and begins again. */
 final class Session implements Runnable {
@@ -27,6 +23,7 @@ final class Session implements Runnable {
     private volatile BoardInfo info;
     private final CompletableFuture<BoardInfo> greeted = new CompletableFuture<>();
     private String offlineWhy;
+    private Deadline patience;
 
     Session(LinkOpener opener, Context context) {
         this.opener = opener;
@@ -95,13 +92,10 @@ final class Session implements Runnable {
     }
 
     private void use(Link link) throws LinkException {
-        // Random, so that a reply to the program that had the port before is hardly taken for one to this.
-        Exchange exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context.tally());
+        Greeting greeting = new Greeting(link, context, this::keepGreeting);
         while (!context.queue().isClosed()) {
             try {
-                if (greet(exchange)) {
-                    serve(new Service(context, exchange, inbox));
-                }
+                greet(greeting);
             } catch (LostException e) {
                 goOffline(e.getMessage());
             } catch (LinkException e) {
@@ -111,39 +105,41 @@ final class Session implements Runnable {
         }
     }
 
-    private void serve(Service service) throws LinkException, LostException {
-        service.restoreRadio();
-        state = BoardState.ONLINE;
-        offlineWhy = null;
-        context.listener().online(info);
-        greeted.complete(info);
-        service.run(() -> info);
-    }
-
-    /** Says hello until the board answers; false if the session was closed, or the answer makes no sense. */
-    private boolean greet(Exchange exchange) throws LinkException {
-        Deadline patience = Deadline.in(context.config().patience());
+    private void greet(Greeting greeting) throws LinkException, LostException {
+        patience = Deadline.in(context.config().patience());
         try {
-            Optional<Reply> reply = exchange.ask(new Request.Hello(), context.config().helloInterval(),
-                    attempts -> keepGreeting(patience));
-            return reply.isPresent() && welcome(boardInfo(reply.get()));
+            Optional<BoardInfo> board = greeting.greet();
+            if (board.isPresent() && welcome(board.get())) {
+                serve(greeting);
+            }
         } catch (ProtocolException e) {
             context.tally().count(SessionCounter.BAD_REPLIES);
             goOffline(context.name() + ": what is there answers hello, but not as a Javino board does: "
                     + e.getMessage());
             context.queue().pause(context.config().helloInterval());
-            return false;
         }
     }
 
-    private static BoardInfo boardInfo(Reply reply) throws ProtocolException {
-        if (reply.status() != Status.OK) {
-            throw new ProtocolException(ProtocolError.BAD_REPLY, "hello answered with " + reply.status());
+    private void serve(Greeting greeting) throws LinkException, LostException {
+        if (info.isLegacy()) {
+            nowOnline();
+            new LegacyService(context, greeting.legacyExchange()).run(info);
+        } else {
+            Service service = new Service(context, greeting.exchange(), inbox);
+            service.restoreRadio();
+            nowOnline();
+            service.run(() -> info);
         }
-        return reply.boardInfo();
     }
 
-    private boolean keepGreeting(Deadline patience) {
+    private void nowOnline() {
+        state = BoardState.ONLINE;
+        offlineWhy = null;
+        context.listener().online(info);
+        greeted.complete(info);
+    }
+
+    private boolean keepGreeting() {
         failExpired();
         if (patience.passed()) {
             goOffline(context.name() + ": the port is open, but no Javino board answers; is its sketch flashed, "
@@ -153,7 +149,7 @@ final class Session implements Runnable {
     }
 
     private boolean welcome(BoardInfo board) {
-        if (board.protocolVersion() != Request.PROTOCOL_VERSION) {
+        if (board.protocolVersion() != Request.PROTOCOL_VERSION && !board.isLegacy()) {
             String why = context.name() + ": the board speaks version " + board.protocolVersion()
                     + " of the protocol and this program version " + Request.PROTOCOL_VERSION
                     + "; flash a sketch that was built with the same release of Javino";

@@ -31,6 +31,25 @@ public interface Link extends AutoCloseable {
         return Duration.ZERO;
     }
 
+    /**
+     * The speed of the line.
+     *
+     * @return bits a second; zero where the link has no such thing.
+     */
+    default int baud() {
+        return 0;
+    }
+
+    /**
+     * Changes the speed of the line, and leaves it open: a board is not reset by it. What is still under way may be
+     * spoilt. Does nothing where the link has no such thing.
+     *
+     * @param baud bits a second.
+     * @throws LinkException if the link is broken, or does not take this speed.
+     */
+    default void setBaud(int baud) throws LinkException {
+    }
+
     /** Closes the link; a second time does nothing. */
     @Override
     void close();

@@ -28,7 +28,7 @@ public final class SerialLink implements Link {
 
     private final String name;
     private final SerialPort port;
-    private final int baud;
+    private int baud;
     private int timeoutMillis = -1;
 
     private SerialLink(String name, SerialPort port, int baud) {
@@ -148,6 +148,20 @@ public final class SerialLink implements Link {
     @Override
     public Duration timeFor(int bytes) {
         return Duration.ofNanos(1_000_000_000L * BITS_A_BYTE * bytes / baud);
+    }
+
+    @Override
+    public int baud() {
+        return baud;
+    }
+
+    @Override
+    public void setBaud(int speed) throws LinkException {
+        if (speed != baud && !port.setBaudRate(speed)) {
+            throw new LinkException(name, "cannot be set to " + speed + " baud" + cause(port)
+                    + "; was the board unplugged?");
+        }
+        baud = speed;
     }
 
     @Override

@@ -5,12 +5,15 @@ import java.util.Optional;
 /**
  * What a board says of itself when it is greeted (SPEC 4.3, hello).
  *
- * @param protocolVersion the board's, 0…255.
+ * @param protocolVersion the board's, 1…255; {@link #LEGACY_VERSION} where it speaks the older protocol.
  * @param rfId            its address on the radio, if it has one.
  * @param bootCount       how often it booted, 0…0xFFFFFF; also the epoch of its nonces.
  * @param firmware        the sketch's name.
  */
 public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCount, String firmware) {
+
+    /** In the place of a version: the board speaks the older protocol (SPEC 9), which has no hello. */
+    public static final int LEGACY_VERSION = 0;
 
     private static final int ID_OFFSET = 1;
     private static final int BOOT_COUNT_OFFSET = ID_OFFSET + Address.LENGTH;
@@ -23,6 +26,16 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCou
                 id.equals(Address.SERIAL) ? Optional.empty() : Optional.of(id),
                 (int) body.number(BOOT_COUNT_OFFSET, FIRMWARE_OFFSET),
                 body.from(FIRMWARE_OFFSET).text());
+    }
+
+    /** A board that speaks the older protocol: it tells nothing of itself. */
+    public static BoardInfo legacy() {
+        return new BoardInfo(LEGACY_VERSION, Optional.empty(), 0, "a sketch with the older Javino library");
+    }
+
+    /** Whether it speaks the older protocol, which has percepts and actions, and nothing else. */
+    public boolean isLegacy() {
+        return protocolVersion == LEGACY_VERSION;
     }
 
     /** The same board after it was given an address. */

@@ -1,0 +1,99 @@
+package javino.board;
+
+import java.util.Optional;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.function.BooleanSupplier;
+import javino.legacy.LegacyMessage;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.protocol.BoardInfo;
+import javino.protocol.ProtocolError;
+import javino.protocol.ProtocolException;
+import javino.protocol.Reply;
+import javino.protocol.Request;
+import javino.protocol.Status;
+
+/**
+ * Finds out who is at the other end of an open link: says hello, and now and then asks in the older protocol, at its
+ * speed. Which of them is answered is how the board is then spoken with. For the session's thread only.
+ */
+final class Greeting {
+
+    /**
+     * How many hellos before the older protocol is tried: with the default interval 2 s, in which a board of ours has
+     * booted, so that it need not wait for that.
+     */
+    private static final int HELLOS = 20;
+    /** For how many hello intervals an answer in the older protocol is waited for: by default 1 s. */
+    private static final int LEGACY_INTERVALS = 10;
+
+    private final Link link;
+    private final Context context;
+    private final BooleanSupplier goOn;
+    private final int baud;
+    private final Exchange exchange;
+    private final LegacyExchange legacyExchange;
+
+    /** @param goOn asked between attempts whether to make another one. */
+    Greeting(Link link, Context context, BooleanSupplier goOn) {
+        this.link = link;
+        this.context = context;
+        this.goOn = goOn;
+        baud = link.baud();
+        // Random, so that a reply to the program that had the port before is hardly taken for one to this.
+        exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context.tally());
+        legacyExchange = new LegacyExchange(link, context.tally());
+    }
+
+    /** For a board that has answered hello. */
+    Exchange exchange() {
+        return exchange;
+    }
+
+    /** For a board that has answered in the older protocol. */
+    LegacyExchange legacyExchange() {
+        return legacyExchange;
+    }
+
+    /**
+     * Asks until a board answers.
+     *
+     * @return nothing if there was no need to go on.
+     * @throws ProtocolException if what answers hello is no board.
+     */
+    Optional<BoardInfo> greet() throws LinkException, ProtocolException {
+        Optional<BoardInfo> board = Optional.empty();
+        while (board.isEmpty() && goOn.getAsBoolean()) {
+            board = hello();
+            if (board.isEmpty() && goOn.getAsBoolean()) {
+                board = askInLegacy();
+            }
+        }
+        return board;
+    }
+
+    private Optional<BoardInfo> hello() throws LinkException, ProtocolException {
+        link.setBaud(baud);
+        Optional<Reply> reply = exchange.ask(new Request.Hello(), context.config().helloInterval(),
+                attempts -> attempts < HELLOS && goOn.getAsBoolean());
+        return reply.isEmpty() ? Optional.empty() : Optional.of(boardInfo(reply.get()));
+    }
+
+    private Optional<BoardInfo> askInLegacy() throws LinkException {
+        link.setBaud(LegacyMessage.BAUD);
+        return legacyExchange.askPercepts(context.config().helloInterval().multipliedBy(LEGACY_INTERVALS), goOn)
+                .map(answer -> BoardInfo.legacy());
+    }
+
+    private static BoardInfo boardInfo(Reply reply) throws ProtocolException {
+        if (reply.status() != Status.OK) {
+            throw new ProtocolException(ProtocolError.BAD_REPLY, "hello answered with " + reply.status());
+        }
+        BoardInfo board = reply.boardInfo();
+        if (board.isLegacy()) {
+            throw new ProtocolException(ProtocolError.BAD_REPLY, "hello answered with version "
+                    + board.protocolVersion());
+        }
+        return board;
+    }
+}

@@ -1,0 +1,22 @@
+package javino.board;
+
+import javino.JavinoException;
+
+/** A request was not performed since the board speaks the older protocol, in which there is no such request (SPEC 9). */
+public final class LegacyBoardException extends JavinoException {
+
+    private static final long serialVersionUID = 1L;
+
+    /** @param request describes what was asked. */
+    public LegacyBoardException(String request) {
+        this(request, "which has percepts and actions only; for all else flash a sketch with the Javino library");
+    }
+
+    /**
+     * @param request describes what was asked.
+     * @param remedy  what the older protocol lacks, and what to do.
+     */
+    LegacyBoardException(String request, String remedy) {
+        super(request + " was not performed: the board speaks the older protocol, " + remedy);
+    }
+}

@@ -1,0 +1,124 @@
+package javino.board;
+
+import java.time.Duration;
+import java.util.Optional;
+import javino.legacy.LegacyMessage;
+import javino.link.LinkException;
+import javino.protocol.BoardInfo;
+import javino.protocol.Bytes;
+import javino.protocol.ProtocolException;
+import javino.protocol.Reply;
+import javino.protocol.Request;
+import javino.protocol.Status;
+
+/** Serves a board that speaks the older protocol, until it is lost (SPEC 9.2). For the session's thread only. */
+final class LegacyService {
+
+    /** From an answer to the next question, at least: at 9600 bit/s an exchange takes some 70 ms, and actions wait for it. */
+    private static final Duration PAUSE = Duration.ofMillis(100);
+    /** How often to look whether the link is still there while nothing is asked. */
+    private static final Duration LOOK_INTERVAL = Duration.ofSeconds(1);
+    /** How many questions in a row may stay without an answer. A sketch may well be busy for a second, as with a motor. */
+    private static final int MOST_SILENCES = 3;
+
+    private final Context context;
+    private final LegacyExchange exchange;
+    private final Perception perception;
+    private Deadline next = Deadline.in(Duration.ZERO);
+    private int silences;
+    private long skipped;
+    private boolean damaged;
+
+    LegacyService(Context context, LegacyExchange exchange) {
+        this.context = context;
+        this.exchange = exchange;
+        perception = new Perception(context.wishes(), context.listener(), context.tally());
+        skipped = exchange.skipped();
+    }
+
+    /** Returns when the session was closed. */
+    void run(BoardInfo board) throws LinkException, LostException {
+        if (Boolean.TRUE.equals(context.wishes().radio())) {
+            context.listener().warning(new LegacyBoardException(new Request.Radio(true).toString()).getMessage());
+        }
+        while (!context.queue().isClosed()) {
+            Pending<?> request = context.queue().next(next);
+            if (request != null && !request.result().isDone()) {
+                perform(request, board);
+            }
+            // No request: it is time, or a wish has changed.
+            if (request == null || next.passed()) {
+                look();
+            }
+        }
+    }
+
+    private void perform(Pending<?> pending, BoardInfo board) throws LinkException {
+        try {
+            if (pending.source().request(board) instanceof Request.Act act) {
+                exchange.act(message(act));
+                pending.answer(new Reply(Status.OK, Bytes.EMPTY));
+            } else {
+                pending.fail(new LegacyBoardException(pending.description()));
+            }
+        } catch (LegacyBoardException e) {
+            pending.fail(e);
+        } catch (RequestFailedException | ProtocolException e) {
+            // What is missing is more than an address.
+            pending.fail(new LegacyBoardException(pending.description()));
+        } catch (LinkException e) {
+            pending.fail(new OutcomeUnknownException(pending.description(), e.getMessage()));
+            throw e;
+        }
+    }
+
+    private static LegacyMessage message(Request.Act act) throws LegacyBoardException {
+        Bytes action = Bytes.ofText(act.action());
+        if (action.length() > LegacyMessage.MAX_LENGTH) {
+            throw new LegacyBoardException(act.toString(), "in which an action has at most " + LegacyMessage.MAX_LENGTH
+                    + " bytes of UTF-8, not " + action.length());
+        }
+        return new LegacyMessage(action);
+    }
+
+    private void look() throws LinkException, LostException {
+        perception.followWish();
+        if (perception.isDue()) {
+            perception.asked();
+            askPercepts();
+        } else if (!context.wishes().percepts()) {
+            exchange.listen();
+        }
+        tellOfDamage();
+        next = Deadline.in(context.wishes().percepts() ? pause() : LOOK_INTERVAL);
+    }
+
+    private Duration pause() {
+        Duration usual = context.config().pollInterval();
+        return usual.compareTo(PAUSE) > 0 ? usual : PAUSE;
+    }
+
+    private void askPercepts() throws LinkException, LostException {
+        // As long as for a reply in our own protocol with all its repeats: 1 s by default.
+        Duration timeout = context.config().replyTimeout().multipliedBy(context.config().attempts());
+        Optional<LegacyMessage> answer = exchange.askPercepts(timeout, () -> !context.queue().isClosed());
+        if (answer.isPresent()) {
+            silences = 0;
+            perception.take(answer.get().percepts(), false);
+        } else if (++silences == MOST_SILENCES && !context.queue().isClosed()) {
+            context.tally().count(SessionCounter.SILENCES);
+            throw new LostException(context.name() + ": the board left " + MOST_SILENCES + " requests unanswered");
+        }
+    }
+
+    /** Once for a row of them: there may be ten a second. */
+    private void tellOfDamage() {
+        long more = exchange.skipped() - skipped;
+        skipped += more;
+        if (more > 0 && !damaged) {
+            context.listener().warning(more + " bytes from the board were skipped, as they are no message: the line is"
+                    + " damaged, or its percepts are longer than " + LegacyMessage.MAX_LENGTH + " bytes together");
+        }
+        damaged = more > 0;
+    }
+}
