@@ -21,6 +21,13 @@ final class Exchange {
     /** An empty packet, which ends what damage may have left open at the other side. */
     private static final Bytes SEPARATOR = Bytes.of(0);
 
+    /**
+     * Has a Mega's boot loader start the sketch: CMD_LEAVE_PROGMODE_ISP of STK500 version 2 (Atmel AVR068), the first
+     * message, of one byte. A byte that comes in the first second after a reset has this boot loader wait for a new sketch,
+     * some 5 s from each further one on: a host that says hello until it is answered would wait for ever.
+     */
+    private static final Bytes START_SKETCH = Bytes.of(0x1B, 0x01, 0x00, 0x01, 0x0E, 0x11, 0x04);
+
     /** What a board takes to find its answer. */
     private static final Duration THINKING = Duration.ofMillis(1);
     /** The longest that a reply is left to gather: one that is shorter than the last must not wait for long. */
@@ -55,13 +62,15 @@ final class Exchange {
         sequence = sequence + 1 & 0xFF;
         Bytes packet = new Packet(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
+        byte[] toBootLoader = Bytes.join(START_SKETCH, SEPARATOR, packet).toArray();
         tally.count(SessionCounter.REQUESTS);
         int attempts = 0;
         do {
             if (attempts > 0) {
                 tally.count(SessionCounter.REPEATS);
             }
-            link.write(bytes);
+            // Every other time, as to a sketch that runs it is damage.
+            link.write(request instanceof Request.Hello && attempts % 2 == 1 ? toBootLoader : bytes);
             attempts++;
             gather(bytes.length + replyLength);
             Optional<Packet> reply = awaitReply(Deadline.in(timeout));

@@ -70,6 +70,13 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void open_bootLoaderWaitsForASketch_isHadToStartTheOneThatIsThere() throws Exception {
+        fake.setLoading();
+        open();
+        assertEquals("online 1", listener.next());
+    }
+
+    @Test
     void open_noPort_saysWhyOnceAndWaits() throws Exception {
         port.unplug();
         open();

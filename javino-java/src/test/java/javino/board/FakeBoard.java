@@ -29,6 +29,9 @@ public final class FakeBoard {
     /** A board that was booted so often stays there (SPEC 5.1). */
     private static final int MAX_BOOT_COUNT = 0xFFFFFF;
 
+    /** What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all. */
+    private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
+
     private final List<String> performed = new ArrayList<>();
 
     private final List<String> percepts = new ArrayList<>();
@@ -44,6 +47,7 @@ public final class FakeBoard {
     private int bootCount = 1;
     private boolean greeted;
     private boolean silent;
+    private boolean loading;
     private boolean corruptsKeys;
     private boolean badPolls;
     private boolean hasKey = true;
@@ -74,6 +78,9 @@ public final class FakeBoard {
         try {
             while (true) {
                 int count = link.read(buffer, Duration.ofSeconds(60));
+                if (isLoading(buffer, count)) {
+                    continue;
+                }
                 for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
                     if (result instanceof PacketDecoder.Found found) {
                         answer(found.packet(), link);
@@ -84,6 +91,13 @@ public final class FakeBoard {
             // The link's end is the board's.
             return;
         }
+    }
+
+    /** Whether this is for the boot loader: what comes in one piece with its end is lost with it. */
+    private synchronized boolean isLoading(byte[] buffer, int count) {
+        boolean wasLoading = loading;
+        loading = loading && !Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
+        return wasLoading;
     }
 
     private synchronized void answer(Packet request, InMemoryLink link) throws LinkException {
@@ -227,6 +241,11 @@ public final class FakeBoard {
     /** Has the board answer nothing, or again everything. */
     public synchronized void setSilent(boolean isSilent) {
         silent = isSilent;
+    }
+
+    /** Has the boot loader wait for a sketch, and what runs there wait for its end. */
+    synchronized void setLoading() {
+        loading = true;
     }
 
     /** Has the board answer polls with half a record. */
