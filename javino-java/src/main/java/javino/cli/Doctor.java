@@ -77,8 +77,13 @@ final class Doctor {
             BoardInfo info = Await.result(board.greeted());
             findings.ok("port", port.name());
             findings.ok("board", info.firmware());
-            findings.ok("protocol", "version " + info.protocolVersion());
-            return true;
+            if (info.isLegacy()) {
+                findings.trouble("protocol", "older protocol: percepts and actions work, the radio does not; for that "
+                        + "flash a sketch with the Javino library");
+            } else {
+                findings.ok("protocol", "version " + info.protocolVersion());
+            }
+            return !info.isLegacy();
         } catch (JavinoException e) {
             boolean incompatible = board.state() == BoardState.INCOMPATIBLE;
             if (link.opened) {

@@ -102,9 +102,7 @@ public final class FakeLegacyBoard implements LinkOpener {
                 List<LegacyMessage> round = new ArrayList<>(
                         decoder.feed(buffer, link.read(buffer, Duration.ofSeconds(60))));
                 Thread.sleep(ROUND_MILLIS);
-                for (int more = link.read(buffer, Duration.ZERO); more > 0; more = link.read(buffer, Duration.ZERO)) {
-                    round.addAll(decoder.feed(buffer, more));
-                }
+                round.addAll(rest(link, decoder));
                 // The library remembers one message, until the sketch's loop comes round.
                 if (!round.isEmpty()) {
                     take(round.get(round.size() - 1), link);
@@ -116,6 +114,21 @@ public final class FakeLegacyBoard implements LinkOpener {
             // The link's end is the board's.
             return;
         }
+    }
+
+    /** What else has come by now. */
+    private static List<LegacyMessage> rest(InMemoryLink link, LegacyDecoder decoder) {
+        byte[] buffer = new byte[1024];
+        List<LegacyMessage> rest = new ArrayList<>();
+        try {
+            for (int count = link.read(buffer, Duration.ZERO); count > 0; count = link.read(buffer, Duration.ZERO)) {
+                rest.addAll(decoder.feed(buffer, count));
+            }
+        } catch (LinkException e) {
+            // What came before the link's end counts.
+            return rest;
+        }
+        return rest;
     }
 
     private synchronized void take(LegacyMessage message, InMemoryLink link) throws LinkException {

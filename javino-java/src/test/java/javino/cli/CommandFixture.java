@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import javino.board.BoardConfig;
 import javino.board.FakeBoard;
+import javino.board.FakeLegacyBoard;
 import javino.board.FakePort;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
@@ -18,7 +19,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Help.Ansi;
 
-/** The whole command with a fake board at every port. */
+/** The whole command with a fake board at every port but one. */
 @Timeout(60)
 abstract class CommandFixture {
 
@@ -30,6 +31,8 @@ abstract class CommandFixture {
     final StringWriter err = new StringWriter();
     final FakeBoard fake = new FakeBoard();
     final FakePort port = new FakePort(fake);
+    /** At the port "older". */
+    final FakeLegacyBoard older = new FakeLegacyBoard();
     Ansi ansi = Ansi.OFF;
     /** Shorter where a board is to be waited for in vain. */
     Duration patience = Duration.ofSeconds(30);
@@ -40,7 +43,7 @@ abstract class CommandFixture {
                 .setReplyTimeout(Duration.ofMillis(20)).setAttempts(20)
                 .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
                 .setPatience(patience));
-        CommandLine commandLine = Main.commandLine(PortOption.factory(name -> port, config));
+        CommandLine commandLine = Main.commandLine(PortOption.factory(name -> name.equals(older.name()) ? older : port, config));
         commandLine.setColorScheme(Help.defaultColorScheme(ansi));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));

@@ -97,6 +97,15 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void protocol_older_saysWhatDoesNotWork() {
+        assertEquals(1, run("doctor", "--port", "older"));
+        assertEquals(List.of("port                ok, older",
+                "board               ok, a sketch with the older Javino library",
+                "protocol            older protocol: percepts and actions work, the radio does not; for that flash a sketch "
+                        + "with the Javino library"), lines());
+    }
+
+    @Test
     void rfId_none_isToBeProvisioned() {
         fake.setRfId("++++");
         assertTrouble("RF id", "none; " + PROVISION + "ADDRESS --keyring FILE");

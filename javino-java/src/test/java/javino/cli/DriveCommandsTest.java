@@ -155,6 +155,24 @@ class DriveCommandsTest extends CommandFixture {
     }
 
     @Test
+    void olderBoard_perceptsAndActions_work() throws Exception {
+        older.perceiving("light(312);door(open);");
+        assertEquals(0, run("percepts", "--port", "older"), err.toString());
+        assertEquals(List.of("light(312)", "door(open)"), lines());
+        assertEquals(0, run("act", "--port", "older", "speed", "3"), err.toString());
+        assertEquals("speed(3)", older.actions.take());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"send SUPO tell;help", "info", "monitor", "forget --all"})
+    void olderBoard_commandOfTheRadio_saysWhatToDo(String arguments) {
+        assertEquals(1, run((arguments + " --port older").split(" ")));
+        assertTrue(err.toString().contains("the board speaks the older protocol, which has percepts and actions only; for "
+                + "all else flash a sketch with the Javino library"), err.toString());
+        assertEquals(1, err.toString().lines().count(), err.toString());
+    }
+
+    @Test
     void send_longerThanAnyBoardTakes_isWrongUsage() {
         assertFails(2, "at most 494 bytes", "send", "--port", "fake", "SUPO", "tell;" + "x".repeat(490));
     }
