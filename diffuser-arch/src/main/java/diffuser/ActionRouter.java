@@ -32,11 +32,24 @@ final class ActionRouter {
         String name = action.getActionTerm().getFunctor();
         if (device == null || device.disowns(name)) {
             behind.accept(action);
+        } else if (device.isLegacy()) {
+            actBehind(device, action);
         } else if (device.isOnline() || !somethingIsBehind()) {
             askBoard(device, action);
         } else {
             warnings.once("the board on " + device.port() + " is off: " + name + " goes to the environment");
             behind.accept(action);
+        }
+    }
+
+    /** A board with the older protocol does not say which actions it has: one that it does not know may well crash it. */
+    private void actBehind(Device device, ActionExec action) {
+        if (somethingIsBehind()) {
+            behind.accept(action);
+        } else {
+            String text = action.getActionTerm().toString();
+            finish(action, new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
+                    + " which it cannot be asked whether it has an action; write .act(" + text + ") instead of " + text));
         }
     }
 

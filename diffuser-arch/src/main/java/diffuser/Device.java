@@ -1,5 +1,6 @@
 package diffuser;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -8,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 
 import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
 
 import javino.board.Board;
 import javino.board.BoardConfig;
@@ -28,6 +30,8 @@ final class Device implements BoardListener {
 
     /** Longer than a session waits and repeats, so that it ends only what the session itself has lost. */
     private static final long ANSWER_SECONDS = 10;
+    /** Until sensors that are held are read by themselves. */
+    private static final Duration NEVER = Duration.ofDays(36_500);
 
     private final String port;
     private final Surroundings surroundings;
@@ -39,6 +43,7 @@ final class Device implements BoardListener {
     private final Transmissions transmissions = new Transmissions();
     private volatile Wishes wishes;
     private volatile boolean online;
+    private volatile boolean legacy;
     private volatile boolean closed;
 
     /**
@@ -52,17 +57,21 @@ final class Device implements BoardListener {
     record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake) {
     }
 
-    private Device(String port, Wishes wishes, Surroundings surroundings) {
+    private Device(String port, Term term, Wishes wishes, Surroundings surroundings) {
         this.port = port;
         this.wishes = wishes;
         this.surroundings = surroundings;
-        this.percepts = new Percepts(port, wishes.percepts(), surroundings.warnings());
+        this.percepts = new Percepts(term, wishes.percepts(), surroundings.warnings());
         this.channel = new Channel(this::packetsReceived, this::tellAgent, surroundings.warnings());
     }
 
-    /** Starts to look for a board, and returns at once. */
-    static Device open(LinkOpener link, BoardConfig config, Wishes wishes, Surroundings surroundings) {
-        Device device = new Device(link.name(), wishes, surroundings);
+    /**
+     * Starts to look for a board, and returns at once.
+     *
+     * @param port as beliefs name it.
+     */
+    static Device open(LinkOpener link, Term port, BoardConfig config, Wishes wishes, Surroundings surroundings) {
+        Device device = new Device(link.name(), port, wishes, surroundings);
         Board board = Board.open(link, config, device);
         device.session.complete(board);
         device.wish(wishes);
@@ -87,6 +96,11 @@ final class Device implements BoardListener {
     /** Whether the board is there. */
     boolean isOnline() {
         return online;
+    }
+
+    /** Whether the board speaks the older protocol, as far as is known: then it has actions for {@code .act} only. */
+    boolean isLegacy() {
+        return legacy;
     }
 
     /** Whether agents can communicate by the board's radio. */
@@ -118,9 +132,9 @@ final class Device implements BoardListener {
     void wish(Wishes wanted) {
         wishes = wanted;
         Board board = session.join();
-        board.perceptInterval(wanted.limit());
-        board.percepts(wanted.percepts());
-        percepts.open(wanted.percepts());
+        percepts.sensing(wanted.percepts());
+        board.perceptInterval(wanted.percepts() == Sensing.HELD ? NEVER : wanted.limit());
+        board.percepts(wanted.percepts() != Sensing.BLOCKED);
         channel.silence(wanted.silence());
     }
 
@@ -175,6 +189,11 @@ final class Device implements BoardListener {
             return;
         }
         unknownActions.clear();
+        legacy = info.isLegacy();
+        if (legacy) {
+            surroundings.warnings().once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
+                    + " radio does not; for that flash a sketch with the Javino library");
+        }
         Wishes wanted = wishes;
         boolean stranger = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
         if (stranger) {

@@ -18,7 +18,9 @@ import jason.asSemantics.Event;
 import jason.asSemantics.Intention;
 import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 import javino.board.BoardConfig;
@@ -87,6 +89,11 @@ public class Diffuser extends AgArch {
         return SerialLink.opener(port);
     }
 
+    /** What beliefs call a port: a string; something else is a subclass. */
+    protected Term portTerm(String port) {
+        return ASSyntax.createString(port);
+    }
+
     /** How the session with the board behaves; other times are a subclass. */
     protected BoardConfig boardConfig() {
         return BoardConfig.create();
@@ -100,14 +107,20 @@ public class Diffuser extends AgArch {
      *         fails, since a board may come later.
      */
     public CompletableFuture<Void> openPort(String port) {
-        device = Device.open(new Handover(link(port), closeDevice()), boardConfig(), wishes,
+        device = Device.open(new Handover(link(port), closeDevice()), portTerm(port), boardConfig(), wishes,
                 new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
         return device.decided();
     }
 
+    /** Leaves the port, if one was opened: the agent has no board then. */
+    public void closePort() {
+        closeDevice();
+        device = null;
+    }
+
     /** Makes sensors beliefs, or not. */
-    public void openPercepts(boolean open) {
-        wish(old -> old.withPercepts(open));
+    public void sense(Sensing wanted) {
+        wish(old -> old.withPercepts(wanted));
     }
 
     /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */

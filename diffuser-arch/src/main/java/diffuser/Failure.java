@@ -11,6 +11,7 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
 
 import javino.board.BoardOfflineException;
+import javino.board.LegacyBoardException;
 import javino.board.OutcomeUnknownException;
 import javino.board.QueueFullException;
 import javino.board.RequestFailedException;
@@ -54,6 +55,9 @@ record Failure(String error, String message) {
         }
         if (thrown instanceof OutcomeUnknownException) {
             return "outcome_unknown";
+        }
+        if (thrown instanceof LegacyBoardException) {
+            return "legacy_board";
         }
         if (thrown instanceof QueueFullException) {
             return "queue_full";

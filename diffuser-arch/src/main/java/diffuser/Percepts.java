@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicLong;
 
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
 
 /**
  * What a board lets its agent perceive: {@code port(P,on)} or {@code port(P,off)}, and its sensors where they are open.
@@ -16,22 +17,24 @@ import jason.asSyntax.Literal;
  */
 final class Percepts {
 
-    private final String port;
+    private final Term port;
     private final Warnings warnings;
     private final AtomicLong malformed = new AtomicLong();
     private List<Literal> state = List.of();
     /** By their texts, so that only those that changed are parsed: that takes a third of a millisecond each. */
     private Map<String, Literal> sensors = Map.of();
-    private boolean open;
+    /** Of the sensors, what the agent is to believe. */
+    private List<Literal> shown = List.of();
+    private Sensing sensing;
     private volatile List<Literal> snapshot = List.of();
 
     /**
-     * @param port as the agent's program names it.
-     * @param open whether sensors become beliefs.
+     * @param port    as beliefs name it.
+     * @param sensing what becomes of the sensors.
      */
-    Percepts(String port, boolean open, Warnings warnings) {
+    Percepts(Term port, Sensing sensing, Warnings warnings) {
         this.port = port;
-        this.open = open;
+        this.sensing = sensing;
         this.warnings = warnings;
     }
 
@@ -43,16 +46,17 @@ final class Percepts {
     /** Lets the agent perceive whether its board is there. A board that is not has no sensors. */
     synchronized void port(boolean on) {
         state = List.of(ASSyntax.createLiteral("port",
-                ASSyntax.createString(port), ASSyntax.createAtom(on ? "on" : "off")));
+                port, ASSyntax.createAtom(on ? "on" : "off")));
         if (!on) {
             sensors = Map.of();
+            shown = List.of();
         }
         compose();
     }
 
     /** Lets the agent perceive the sensors, or not. */
-    synchronized void open(boolean wanted) {
-        open = wanted;
+    synchronized void sensing(Sensing wanted) {
+        sensing = wanted;
         compose();
     }
 
@@ -76,7 +80,7 @@ final class Percepts {
             return Optional.of(Texts.readPercept(text));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
-            warnings.once("skipped a percept of the board on " + port + " that is no AgentSpeak, " + e.getMessage());
+            warnings.once("skipped a percept of the board on " + Names.of(port).orElseThrow() + " that is no AgentSpeak, " + e.getMessage());
             return Optional.empty();
         }
     }
@@ -87,10 +91,13 @@ final class Percepts {
     }
 
     private void compose() {
+        shown = switch (sensing) {
+            case OPEN -> List.copyOf(sensors.values());
+            case HELD -> shown;
+            case BLOCKED -> List.of();
+        };
         List<Literal> all = new ArrayList<>(state);
-        if (open) {
-            all.addAll(sensors.values());
-        }
+        all.addAll(shown);
         snapshot = List.copyOf(all);
     }
 }

@@ -11,14 +11,14 @@ import javino.protocol.Address;
  *
  * @param rfId     the device's address, if the agent has set one.
  * @param radio    whether radio messages are wanted; boards start without.
- * @param percepts whether sensors become beliefs; agents start without.
+ * @param percepts what becomes of sensors; they are blocked at first.
  * @param limit    the least time between two readings of the sensors; zero means as often as the board is polled.
  * @param silence  the radio silence from which on communicability counts as lost; zero means that it never does.
  */
-record Wishes(Optional<Address> rfId, boolean radio, boolean percepts, Duration limit, Duration silence) {
+record Wishes(Optional<Address> rfId, boolean radio, Sensing percepts, Duration limit, Duration silence) {
 
     /** What holds until the agent says otherwise. */
-    static final Wishes NONE = new Wishes(Optional.empty(), false, false, Duration.ZERO, Duration.ZERO);
+    static final Wishes NONE = new Wishes(Optional.empty(), false, Sensing.BLOCKED, Duration.ZERO, Duration.ZERO);
 
     Wishes withRfId(Address id) {
         return new Wishes(Optional.of(id), radio, percepts, limit, silence);
@@ -28,8 +28,10 @@ record Wishes(Optional<Address> rfId, boolean radio, boolean percepts, Duration 
         return new Wishes(rfId, open, percepts, limit, silence);
     }
 
-    Wishes withPercepts(boolean open) {
-        return new Wishes(rfId, radio, open, limit, silence);
+    /** Where nothing is believed, there is nothing to be held. */
+    Wishes withPercepts(Sensing wanted) {
+        boolean nothing = wanted == Sensing.HELD && percepts == Sensing.BLOCKED;
+        return new Wishes(rfId, radio, nothing ? percepts : wanted, limit, silence);
     }
 
     Wishes withLimit(Duration least) {

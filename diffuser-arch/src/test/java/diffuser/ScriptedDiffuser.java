@@ -22,6 +22,16 @@ public class ScriptedDiffuser extends Diffuser {
 
     @Override
     protected LinkOpener link(String port) {
+        return linkTo(port);
+    }
+
+    @Override
+    protected BoardConfig boardConfig() {
+        return quick();
+    }
+
+    /** To the fake board of that name, or to a port that is missing. */
+    static LinkOpener linkTo(String port) {
         FakeBoard board = BOARDS.get(port);
         return board != null ? board : new LinkOpener() {
             @Override
@@ -36,8 +46,8 @@ public class ScriptedDiffuser extends Diffuser {
         };
     }
 
-    @Override
-    protected BoardConfig boardConfig() {
+    /** Settings with which little is waited for. */
+    static BoardConfig quick() {
         return BoardConfig.create(config -> config
                 .setPollInterval(Duration.ofMillis(5))
                 .setReplyTimeout(Duration.ofMillis(50))

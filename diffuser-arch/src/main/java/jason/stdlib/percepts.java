@@ -1,21 +1,24 @@
 package jason.stdlib;
 
+import jason.JasonException;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Term;
 
-import diffuser.Arguments;
 import diffuser.Diffuser;
 import diffuser.DiffuserAction;
+import diffuser.Names;
+import diffuser.Sensing;
 
 /**
  * <p>Internal action: <b><code>.percepts(<i>S</i>)</code></b>.
  *
  * <p>Description: makes what the board's sensors say beliefs of the agent, or not. At first they are blocked. When they
- * are blocked, the beliefs go. Can be said before there is a board.
+ * are blocked, the beliefs go; when they are closed, the beliefs stay as they are, until the sensors are opened again. Can
+ * be said before there is a board.
  *
  * <p>Parameters:<ul>
- * <li>+ S (atom): <code>open</code> or <code>block</code>.
+ * <li>+ S (atom): <code>open</code>, <code>block</code> or <code>close</code>.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -34,7 +37,17 @@ public class percepts extends DiffuserAction {
     @Override
     public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
         checkArguments(args);
-        Diffuser.of(ts).openPercepts(Arguments.isOpen(this, args[0]));
+        Diffuser.of(ts).sense(sensing(args[0]));
         return true;
+    }
+
+    private Sensing sensing(Term argument) throws JasonException {
+        return switch (Names.of(argument).orElse("")) {
+            case "open" -> Sensing.OPEN;
+            case "close" -> Sensing.HELD;
+            case "block" -> Sensing.BLOCKED;
+            default -> throw JasonException.createWrongArgument(this,
+                    "open, block or close was expected, not '" + argument + "'.");
+        };
     }
 }

@@ -11,7 +11,7 @@ import javino.legacy.LegacyMessage;
 import javino.link.Link;
 import javino.link.LinkException;
 
-/** Asks and tells a board in the older protocol, over an open link at its speed (SPEC 9.2). */
+/** Asks and tells a board in the older protocol, over an open link at its speed (SPEC 8.2). */
 final class LegacyExchange {
 
     /**

@@ -11,7 +11,7 @@ import javino.protocol.Reply;
 import javino.protocol.Request;
 import javino.protocol.Status;
 
-/** Serves a board that speaks the older protocol, until it is lost (SPEC 9.2). For the session's thread only. */
+/** Serves a board that speaks the older protocol, until it is lost (SPEC 8.2). For the session's thread only. */
 final class LegacyService {
 
     /** From an answer to the next question, at least: at 9600 bit/s an exchange takes some 70 ms, and actions wait for it. */

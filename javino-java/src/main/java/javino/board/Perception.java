@@ -1,6 +1,5 @@
 package javino.board;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import javino.protocol.Bytes;
@@ -15,7 +14,8 @@ final class Perception {
     /** What was told last; null where nothing holds. */
     private List<Bytes> percepts;
     private boolean leftOut;
-    private Deadline next = Deadline.in(Duration.ZERO);
+    /** When they were asked for last, on the monotonic clock. */
+    private long asked;
 
     Perception(Wishes wishes, BoardListener listener, Tally tally) {
         this.wishes = wishes;
@@ -38,12 +38,13 @@ final class Perception {
     }
 
     boolean isDue() {
-        return wishes.percepts() && (percepts == null || next.passed());
+        return wishes.percepts() && (percepts == null
+                || System.nanoTime() - asked >= wishes.perceptInterval().toNanos());
     }
 
     /** They are asked for now. */
     void asked() {
-        next = Deadline.in(wishes.perceptInterval());
+        asked = System.nanoTime();
     }
 
     void take(List<Bytes> literals, boolean someLeftOut) {

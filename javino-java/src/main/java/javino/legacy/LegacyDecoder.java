@@ -6,7 +6,7 @@ import java.util.List;
 import javino.protocol.Bytes;
 
 /**
- * Finds messages of the older protocol in the bytes of a serial line, however they are split (SPEC 9.1). They have no
+ * Finds messages of the older protocol in the bytes of a serial line, however they are split (SPEC 8.1). They have no
  * checksum: what looks like a message is taken for one. All else is skipped and counted. Not for several threads.
  */
 public final class LegacyDecoder {

@@ -5,7 +5,7 @@ import java.util.List;
 import javino.protocol.Bytes;
 
 /**
- * A message of the older protocol, in either direction (SPEC 9.1).
+ * A message of the older protocol, in either direction (SPEC 8.1).
  *
  * @param text 0…255 bytes; a board takes no empty one.
  */

@@ -12,7 +12,7 @@ import java.util.Optional;
  */
 public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCount, String firmware) {
 
-    /** In the place of a version: the board speaks the older protocol (SPEC 9), which has no hello. */
+    /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;
 
     private static final int ID_OFFSET = 1;

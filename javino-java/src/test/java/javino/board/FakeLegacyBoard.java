@@ -15,7 +15,7 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Bytes;
 
-/** A port with a board that speaks the older protocol (SPEC 9), as its library does, with faults to order. */
+/** A port with a board that speaks the older protocol (SPEC 8), as its library does, with faults to order. */
 public final class FakeLegacyBoard implements LinkOpener {
 
     private static final int ROUND_MILLIS = 10;

@@ -1,0 +1,174 @@
+package diffuser;
+
+import java.util.List;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Agents as they are written for the public Argo architecture. */
+class ArgoTest {
+
+    /** Blinks, and gives up when the board goes; all ways of calling the actions are in use. */
+    private static final String BLINKER = """
+            /* Initial beliefs and rules */
+            serialPort(ttyACM0).
+
+            /* Initial goals */
+            !connect.
+
+            /* Plans */
+            +!connect : serialPort(Port) <-
+                %1$sport(Port);
+                %1$slimit(10);
+                %1$spercepts(open).
+
+            +led(Status) : Status = on  <- %1$sact(ledOff); diffuser.note(led,on).
+            +led(Status) : Status = off <- %1$sact(ledOn);  diffuser.note(led,off).
+
+            +port(P,S) : serialPort(SP) & P = SP & S = on <- diffuser.note(P,connected).
+            +port(Port,Status) : Status = timeout | Status = off <-
+                %1$spercepts(close);
+                diffuser.note(Port,Status).
+            """;
+
+    private static RunningAgent argo(String program, FakeBoard... boards) {
+        return RunningAgent.run(program, null, List.of(ScriptedArgo.class.getName()), boards);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".", ".argo.", "argo."})
+    void agent_eachWayOfWriting_blinks(String prefix) {
+        FakeBoard board = new FakeBoard("ttyACM0").perceiving("led(off)");
+        try (RunningAgent agent = argo(BLINKER.formatted(prefix), board)) {
+            agent.notesAll("ttyACM0 connected", "led off");
+            RunningAgent.asked(board, "A ledOn");
+            board.perceiving("led(on)");
+            RunningAgent.asked(board, "A ledOff");
+            agent.notes("led on");
+            board.unplug();
+            agent.notes("ttyACM0 off");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".percepts(close)", ".percepts(block)", ".argo.percepts(close)"})
+    void percepts_closedAndOpenedByTheirOwnPlan_areNoNewEvents(String close) {
+        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open).
+                +light(X) <- %s; diffuser.note(light,X); .percepts(open).
+                -light(X) <- diffuser.note(no,light,X).
+                +!probe <- diffuser.note(probed).
+                """.formatted(close);
+        try (RunningAgent agent = argo(program, board)) {
+            agent.notes("light 1");
+            agent.notesNothingElse();
+            board.perceiving("light(2)");
+            agent.notesAll("light 2", "no light 1");
+            agent.notesNothingElse();
+        }
+    }
+
+    @Test
+    void percepts_changeWhileClosed_areBelievedWhenOpened() {
+        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open).
+                +!close <- .percepts(close); diffuser.note(closed).
+                +!open  <- .percepts(open).
+                +light(X) <- diffuser.note(light,X).
+                -light(X) <- diffuser.note(no,light,X).
+                +!probe <- diffuser.note(probed).
+                """;
+        try (RunningAgent agent = argo(program, board)) {
+            agent.notes("light 1");
+            agent.achieve("close");
+            agent.notes("closed");
+            board.perceiving("light(2)");
+            agent.notesNothingElse();
+            agent.achieve("open");
+            agent.notesAll("no light 1", "light 2");
+        }
+    }
+
+    @Test
+    void percepts_closedBeforeTheyWereOpened_areNoBeliefs() {
+        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        String program = "!start. +!start <- .percepts(close); .port(ttyACM0); diffuser.note(ready)."
+                + "+light(X) <- diffuser.note(light,X). +!probe <- diffuser.note(probed).";
+        try (RunningAgent agent = argo(program, board)) {
+            agent.notes("ready");
+            agent.notesNothingElse();
+        }
+    }
+
+    @Test
+    void percepts_boardGoesWhileClosed_areForgotten() {
+        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open).
+                +!close <- .percepts(close); diffuser.note(closed).
+                +light(X) <- diffuser.note(light,X).
+                -light(X) <- diffuser.note(no,light,X).
+                +port(_,off) <- diffuser.note(off).
+                """;
+        try (RunningAgent agent = argo(program, board)) {
+            agent.notes("light 1");
+            agent.achieve("close");
+            agent.notes("closed");
+            board.unplug();
+            agent.notesAll("no light 1", "off");
+        }
+    }
+
+    @Test
+    void port_pathAsString_isBelievedByItsLastPart() {
+        String program = "!start. +!start <- .argo.port(\"/dev/ttyUSB0\"). +port(ttyUSB0,on) <- diffuser.note(on).";
+        try (RunningAgent agent = argo(program, new FakeBoard("/dev/ttyUSB0"))) {
+            agent.notes("on");
+        }
+    }
+
+    @Test
+    void port_noAtom_isBelievedAsAString() {
+        String program = "!start. +!start <- .port(COM3). +port(\"COM3\",on) <- diffuser.note(on).";
+        try (RunningAgent agent = argo(program, new FakeBoard("COM3"))) {
+            agent.notes("on");
+        }
+    }
+
+    @Test
+    void port_none_leavesThePort() {
+        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open).
+                +!leave <- .port(none).
+                +light(X) <- diffuser.note(light,X).
+                -light(X) <- diffuser.note(no,light,X).
+                -port(P,on) <- diffuser.note(no,P).
+                """;
+        try (RunningAgent agent = argo(program, board)) {
+            agent.notes("light 1");
+            agent.achieve("leave");
+            agent.notesAll("no light 1", "no ttyACM0");
+            board.awaitClosing();
+        }
+    }
+
+    @Test
+    void radio_works() {
+        FakeBoard board = new FakeBoard("ttyACM0");
+        String program = "!start. +!start <- .argo.port(ttyACM0); .setMyRFId(\"ROMA\"); .diffuse(broadcast,tell,help);"
+                + "diffuser.note(done).";
+        try (RunningAgent agent = argo(program, board)) {
+            RunningAgent.asked(board, "I ROMA");
+            RunningAgent.asked(board, "//// tell;help");
+            agent.notes("done");
+        }
+    }
+}
