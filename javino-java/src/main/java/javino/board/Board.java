@@ -27,6 +27,7 @@ import javino.protocol.Status;
  * {@link BoardConfig#patience()}. A future fails with
  * <ul>
  * <li>{@link RequestFailedException} where the board refused,
+ * <li>{@link LegacyBoardException} where the board speaks the older protocol (SPEC 8), but for actions and percepts,
  * <li>{@link BoardOfflineException} where it was not reached,
  * <li>{@link OutcomeUnknownException} where it was lost or reset while the request was under way,
  * <li>{@link QueueFullException} where too many requests wait,
@@ -70,7 +71,8 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Has the sketch perform an action.
+     * Has the sketch perform an action. A board that speaks the older protocol answers none: there the future completes
+     * when the action has left.
      *
      * @param action {@code name} or {@code name(arguments)}, 1…510 bytes of UTF-8.
      * @throws IllegalArgumentException if the action is empty or too long.

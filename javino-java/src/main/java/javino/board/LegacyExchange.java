@@ -19,8 +19,8 @@ final class LegacyExchange {
      * loop has come round takes the place of the action; there are sketches with a delay of 50 ms in each round.
      */
     private static final Duration ROUND = Duration.ofMillis(100);
-    /** The longest that a read waits, so that the session's end is noticed. */
-    private static final Duration STEP = Duration.ofMillis(100);
+    /** The longest that a read waits, so that the session's end is noticed; a serial port makes 100 ms of it. */
+    private static final Duration STEP = Duration.ofMillis(50);
 
     private final Link link;
     private final Tally tally;
