@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "firmware.h"
 #include "utf8.h"
 
 // Stream numbers of the seed from here on are those of the boards' power.
@@ -120,7 +121,9 @@ static int open_node(emulation *e, node *n)
 {
     char error[400];
     if (board_init(&n->arduino, n->config->model, n->config->firmware, (board_listener){n, pin_changed, board_was_reset, eeprom_written},
-                   error, sizeof error) != 0) {
+                   error, sizeof error) != 0 ||
+        (n->config->boot_loader &&
+         firmware_add_boot_loader(n->arduino.avr, n->config->model, n->config->boot_loader, error, sizeof error) != 0)) {
         snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
         return -1;
     }

@@ -3,12 +3,15 @@
 
 #include <elf.h>
 #include <errno.h>
+#include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <simavr/sim_avr.h>
 #include <simavr/sim_elf.h>
+#include <simavr/sim_hex.h>
 
 // The bits of an AVR ELF's flags that name the family (binutils, include/elf/avr.h).
 #define AVR_FAMILY_MASK 0x7F
@@ -71,4 +74,32 @@ int firmware_load(struct avr_t *avr, const model *m, const char *path, char *err
     avr_load_firmware(avr, &elf);
     release(&elf);
     return 0;
+}
+
+static bool in_boot_section(const struct avr_t *avr, const model *m, const ihex_chunk_t *chunk)
+{
+    uint32_t end = avr->flashend + 1;
+    return chunk->baseaddr >= end - m->boot_size && chunk->baseaddr < end && chunk->size <= end - chunk->baseaddr;
+}
+
+int firmware_add_boot_loader(struct avr_t *avr, const model *m, const char *path, char *error, size_t error_size)
+{
+    ihex_chunk_p chunks = NULL;
+    int count = read_ihex_chunks(path, &chunks);
+    bool fits = count > 0;
+    for (int i = 0; i < count; i++)
+        fits = fits && in_boot_section(avr, m, &chunks[i]);
+    for (int i = 0; fits && i < count; i++) {
+        memcpy(avr->flash + chunks[i].baseaddr, chunks[i].data, chunks[i].size);
+        if (i == 0 || chunks[i].baseaddr < avr->reset_pc)
+            avr->reset_pc = chunks[i].baseaddr;
+    }
+    if (fits)
+        avr->codeend = avr->flashend;
+    else
+        snprintf(error, error_size, "%s holds no boot loader for the %s; expected Intel HEX in the last %u bytes of its"
+                                    " flash", path, m->chip, m->boot_size);
+    if (chunks)
+        free_ihex_chunks(chunks);
+    return fits ? 0 : -1;
 }

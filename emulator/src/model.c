@@ -9,6 +9,7 @@ const model MEGA = {
     .mcu = "atmega2560",
     .family = 6, // with a program counter of 22 bits
     .eeprom_size = 4096,
+    .boot_size = 8192,
     .pin_count = 70,
     .pin_a0 = 54,
     // Arduino Mega 2560 schematic, revision 3.
@@ -30,6 +31,7 @@ const model UNO = {
     .mcu = "atmega328p",
     .family = 5,
     .eeprom_size = 1024,
+    .boot_size = 4096,
     .pin_count = 20,
     .pin_a0 = 14,
     // Arduino Uno schematic, revision 3.

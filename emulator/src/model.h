@@ -9,6 +9,7 @@ typedef struct {
     const char *mcu;       // the same, as compiler and simavr write it
     unsigned family;       // the low bits of its ELF files' flags (binutils, include/elf/avr.h)
     int eeprom_size;       // bytes
+    unsigned boot_size;    // bytes at the end of the flash where a boot loader may lie
     int pin_count;         // digital pins, the analog ones among them
     int pin_a0;            // they begin with this one
     const char *locations; // two characters a pin: port and bit

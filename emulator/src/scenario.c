@@ -48,11 +48,12 @@ static bool same_text(const char *a, const char *b)
     return a && b && strcmp(a, b) == 0;
 }
 
-// No two boards share a name, a port or an EEPROM file; each firmware is readable.
+// No two boards share a name, a port or an EEPROM file; each firmware and boot loader is readable.
 static void check_board(const scenario *s, size_t index, const json_node *node)
 {
     const board_config *board = &s->boards[index];
     json_node firmware = json_member(node, "firmware");
+    json_node boot_loader = json_member(node, "bootLoader");
     for (size_t i = 0; i < index; i++) {
         const char *shared = same_text(board->name, s->boards[i].name)       ? "name"
                              : same_text(board->port, s->boards[i].port)     ? "port"
@@ -66,6 +67,9 @@ static void check_board(const scenario *s, size_t index, const json_node *node)
     if (board->firmware && access(board->firmware, R_OK) != 0)
         json_fail(&firmware, "cannot read %s (%s); build the firmware or mend the path",
                   board->firmware, strerror(errno));
+    if (board->boot_loader && access(board->boot_loader, R_OK) != 0)
+        json_fail(&boot_loader, "cannot read %s (%s); install arduino-core-avr or mend the path",
+                  board->boot_loader, strerror(errno));
 }
 
 static void read_boards(scenario *s, const json_node *node, const char *scenario_directory,

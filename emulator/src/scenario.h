@@ -37,6 +37,7 @@ typedef struct {
     char *name;
     const model *model;
     char *firmware; // path of an ELF file, as the process sees it
+    char *boot_loader; // path of a HEX file; NULL: none
     char *port;     // path of the pty's symlink, NULL: UART lines go to the trace
     char *eeprom;   // path of the EEPROM file, NULL: forgotten at exit
     double x_m, y_m;

@@ -230,8 +230,8 @@ static void read_wiring(board_config *board, const json_node *node)
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
                        const char *directory)
 {
-    static const char *const KEYS[] = {"name",        "model", "firmware", "port",    "eeprom", "position",
-                                       "resetOnOpen", "txPin", "rxPin",    "sensors", "watch",  NULL};
+    static const char *const KEYS[] = {"name",        "model", "firmware", "bootLoader", "port",    "eeprom",
+                                       "position",    "resetOnOpen", "txPin", "rxPin", "sensors", "watch", NULL};
     if (!json_check_object(node, KEYS))
         return;
     json_node chosen = json_member(node, "model");
@@ -239,6 +239,7 @@ void board_config_read(board_config *board, const json_node *node, const char *s
     board->model = model_at(index < 0 ? 0 : index);
     board->name = required_text(node, "name");
     board->firmware = join_path(scenario_directory, required_text(node, "firmware"));
+    board->boot_loader = join_path(scenario_directory, optional_text(node, "bootLoader"));
     board->port = join_path(directory, optional_text(node, "port"));
     board->eeprom = join_path(directory, optional_text(node, "eeprom"));
     read_wiring(board, node);
@@ -252,6 +253,7 @@ void board_config_release(board_config *board)
 {
     free(board->name);
     free(board->firmware);
+    free(board->boot_loader);
     free(board->port);
     free(board->eeprom);
     for (size_t i = 0; i < board->sensor_count; i++)

@@ -114,6 +114,38 @@ TEST(Board, firmware_for_something_else_is_refused)
     board_release(&b);
 }
 
+// Of Debian's arduino-core-avr, which the sketches are built with.
+static const std::string BOOT_LOADER =
+    "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
+
+TEST(Board, a_boot_loader_waits_for_a_second_and_then_starts_the_program)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@boot_count","bootLoader":")" + BOOT_LOADER + "\"}]}");
+    run.run_until(1.5);
+    board_reset(&run.e.nodes[0].arduino);
+    run.run_until(3);
+    auto lines = run.events("a", "uart");
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[1].text("line"), "1"); // the second start: the first one finds 0xFF and prints 0
+    EXPECT_NEAR(lines[0].t, 0.83, 0.1);
+    EXPECT_NEAR(lines[1].t, 1.5 + 0.83, 0.1);
+}
+
+TEST(Board, what_is_no_boot_loader_is_refused)
+{
+    Scratch scratch;
+    board b;
+    char error[512];
+    // One byte at address 0.
+    std::string program = scratch.write("program.hex", ":0100000000FF\n:00000001FF\n");
+    ASSERT_EQ(board_init(&b, &MEGA, PROGRAMS_DIR "/blink.elf", {}, error, sizeof error), 0);
+    EXPECT_EQ(firmware_add_boot_loader(b.avr, &MEGA, program.c_str(), error, sizeof error), -1);
+    EXPECT_EQ(error, program + " holds no boot loader for the ATmega2560; expected Intel HEX in the last 8192 bytes of "
+                               "its flash");
+    board_release(&b);
+}
+
 TEST(Board, the_timers_of_an_idle_arduino_let_it_sleep)
 {
     Scratch scratch;

@@ -116,6 +116,9 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps)
         {R"({"radio":{"bitErrorRate":1.5},#boards})",
          ": radio.bitErrorRate: expected a number from 0 to 1, found 1.5"},
         {R"({"boards":[{"firmware":"bus.elf"}]})", ": boards[0].name: is missing; expected a text in quotes"},
+        {R"({"boards":[{"name":"b","firmware":"bus.elf","bootLoader":"/no/loader.hex"}]})",
+         ": boards[0].bootLoader: cannot read /no/loader.hex (No such file or directory); install arduino-core-avr or mend "
+         "the path"},
         {R"({"boards":[{"name":"b","firmware":"bus.elf","eprom":"x"}]})",
          ": boards[0]: unknown key \"eprom\"; did you mean \"eeprom\"?"},
         {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":70}]})",

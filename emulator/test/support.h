@@ -13,6 +13,7 @@ extern "C" {
 #include <jansson.h>
 
 #include "emulation.h"
+#include "firmware.h"
 #include "scenario.h"
 #include "simulator_log.h"
 }

@@ -6,6 +6,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
@@ -16,6 +17,7 @@ import javino.board.ReceivedMessage;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
+import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Counter;
@@ -29,12 +31,18 @@ public final class Host implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 60;
 
     public final Board board;
+    private final Semaphore greetings = new Semaphore(0);
     private final BlockingQueue<ReceivedMessage> messages = new LinkedBlockingQueue<>();
     private final BlockingQueue<Integer> sent = new LinkedBlockingQueue<>();
     private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
 
     private Host(LinkOpener link) {
         board = Board.open(link, BoardConfig.create(), new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                greetings.release();
+            }
+
             @Override
             public void message(ReceivedMessage message) {
                 messages.add(message);
@@ -58,6 +66,13 @@ public final class Host implements AutoCloseable {
 
     public static Host over(LinkOpener link) {
         return new Host(link);
+    }
+
+    /** Waits until the board was greeted so often. */
+    public void awaitOnline(int times) throws InterruptedException {
+        if (!greetings.tryAcquire(times, PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            throw new AssertionError("the board did not come " + times + " times");
+        }
     }
 
     /** Gives the board an id and keys, and opens its radio. */

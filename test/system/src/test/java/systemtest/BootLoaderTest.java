@@ -1,0 +1,66 @@
+package systemtest;
+
+import static harness.Host.get;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TraceEvent;
+import java.nio.file.Path;
+import java.util.Map;
+import javino.protocol.Address;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A Mega that begins with Arduino's own boot loader after each reset, as it does where it is not emulated. */
+@Timeout(120)
+class BootLoaderTest {
+
+    /** Of Debian's arduino-core-avr, which the sketches are built with. */
+    private static final String BOOT_LOADER =
+        "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
+    /** Emulated seconds, long after the board was greeted. */
+    private static final double BUTTON_AT = 10;
+    /** Emulated seconds from a reset to a board that does what it is asked: left alone, the boot loader takes 0.8. */
+    private static final double MOST_SECONDS = 2.5;
+
+    private static Emulator.Scenario scenario(String sketch) {
+        return new Emulator.Scenario().board("lamp", sketch, Map.of("bootLoader", BOOT_LOADER));
+    }
+
+    private static TraceEvent reset(Emulator emulator, String why) throws InterruptedException {
+        return emulator.await(why, event -> event.is("reset", "lamp") && event.text("why").equals(why));
+    }
+
+    @Test
+    void host_opensThePort_boardIsGreetedSoon(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = scenario("Station").start(folder); Host host = Host.of(emulator, "lamp")) {
+            get(host.board.setRfId(Address.parse("ROMA")));
+            TraceEvent done = emulator.await("its id", event -> event.is("host-id", "lamp"));
+            double seconds = done.seconds() - reset(emulator, "port opened").seconds();
+            assertTrue(seconds < MOST_SECONDS, seconds + " s");
+        }
+    }
+
+    @Test
+    void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
+        Emulator.Scenario scenario = scenario("Station").fault(BUTTON_AT, "lamp", "reset");
+        try (Emulator emulator = scenario.start(folder); Host host = Host.of(emulator, "lamp")) {
+            int boots = get(host.board.greeted()).bootCount();
+            reset(emulator, "fault");
+            host.awaitOnline(2);
+            assertEquals(boots + 1, host.board.info().orElseThrow().bootCount());
+        }
+    }
+
+    @Test
+    void boardWithTheOlderProtocol_isFound(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = scenario("OlderBoard").start(folder); Host host = Host.of(emulator, "lamp")) {
+            assertTrue(get(host.board.greeted()).isLegacy());
+            get(host.board.act("ledOn"));
+            reset(emulator, "port opened");
+        }
+    }
+}
