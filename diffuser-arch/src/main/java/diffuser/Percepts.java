@@ -45,8 +45,7 @@ final class Percepts {
 
     /** Lets the agent perceive whether its board is there. A board that is not has no sensors. */
     synchronized void port(boolean on) {
-        state = List.of(ASSyntax.createLiteral("port",
-                port, ASSyntax.createAtom(on ? "on" : "off")));
+        state = List.of(ASSyntax.createLiteral("port", port, ASSyntax.createAtom(on ? "on" : "off")));
         if (!on) {
             sensors = Map.of();
             shown = List.of();
@@ -80,7 +79,8 @@ final class Percepts {
             return Optional.of(Texts.readPercept(text));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
-            warnings.once("skipped a percept of the board on " + Names.of(port).orElseThrow() + " that is no AgentSpeak, " + e.getMessage());
+            warnings.once("skipped a percept of the board on " + Names.of(port).orElse(port.toString())
+                    + " that is no AgentSpeak, " + e.getMessage());
             return Optional.empty();
         }
     }
