@@ -289,6 +289,18 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void percepts_intervalMadeShorter_areAskedForAtOnce() throws Exception {
+        openAndAwaitOnline();
+        board.perceptInterval(Duration.ofHours(1));
+        fake.setPercepts("dark");
+        board.percepts(true);
+        assertEquals("percepts [dark]", listener.next());
+        fake.setPercepts("light");
+        board.perceptInterval(Duration.ZERO);
+        assertEquals("percepts [light]", listener.next());
+    }
+
+    @Test
     void percepts_oneNoText_isSkippedWithOneWarning() throws Exception {
         openAndAwaitOnline();
         fake.setPercepts("dark", "\u00ff", "light");
