@@ -18,8 +18,10 @@ final class LegacyService {
     private static final Duration PAUSE = Duration.ofMillis(100);
     /** How often to look whether the link is still there while nothing is asked. */
     private static final Duration LOOK_INTERVAL = Duration.ofSeconds(1);
-    /** How many questions in a row may stay without an answer. A sketch may well be busy for a second, as with a motor. */
-    private static final int MOST_SILENCES = 3;
+    /** How much longer than all repeats of our own protocol an answer may take: a sketch may be busy with a motor. */
+    private static final int SLOWNESS = 2;
+    /** How many questions in a row may stay without an answer. */
+    private static final int MOST_SILENCES = 2;
 
     private final Context context;
     private final LegacyExchange exchange;
@@ -99,8 +101,7 @@ final class LegacyService {
     }
 
     private void askPercepts() throws LinkException, LostException {
-        // As long as for a reply in our own protocol with all its repeats: 1 s by default.
-        Duration timeout = context.config().replyTimeout().multipliedBy(context.config().attempts());
+        Duration timeout = context.config().replyTimeout().multipliedBy((long) SLOWNESS * context.config().attempts());
         Optional<LegacyMessage> answer = exchange.askPercepts(timeout, () -> !context.queue().isClosed());
         if (answer.isPresent()) {
             silences = 0;

@@ -212,7 +212,7 @@ class LegacyBoardTest {
         board.percepts(true);
         listener.until("percepts [dark]");
         fake.setSilent(true);
-        assertEquals("offline older: the board left 3 requests unanswered", listener.next());
+        assertEquals("offline older: the board left 2 requests unanswered", listener.next());
         fake.setSilent(false);
         assertEquals("online 0", listener.next());
         assertEquals("percepts [dark]", listener.next());
