@@ -62,11 +62,12 @@ final class Doctor {
         try (Board board = Board.open(link, port.config(), new BoardListener() { })) {
             if (isReached(board, link)) {
                 BoardInfo info = Await.result(board.greeted());
+                Traffic traffic = new Traffic(board, findings);
                 Identity identity = new Identity(port.name(), findings);
                 identity.examineId(info, id);
                 identity.examineKeys(Await.result(board.keys()), keys, id);
                 identity.examineNonces(info);
-                new Traffic(findings).examine(board, listen);
+                traffic.examine(listen);
             }
         }
         return findings.areHealthy();

@@ -15,21 +15,27 @@ final class Traffic {
     private static final int FEW_DAMAGED = 3;
     private static final int ONE_IN = 20;
 
+    private final Board board;
     private final Findings findings;
+    /** What had passed the line when the board was greeted; its boot loader may have answered before. */
+    private final Map<SessionCounter, Long> before;
 
-    Traffic(Findings findings) {
+    /** @param board greeted just now. */
+    Traffic(Board board, Findings findings) {
+        this.board = board;
         this.findings = findings;
+        before = board.counters();
     }
 
     /** @param listen how long to wait for a radio packet. */
-    void examine(Board board, Duration listen) throws JavinoException, InterruptedException {
-        Map<Counter, Long> counters = listen(board, listen);
-        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L), board.counters());
+    void examine(Duration listen) throws JavinoException, InterruptedException {
+        Map<Counter, Long> counters = listen(listen);
+        examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
         examineRadio(counters, listen);
     }
 
     /** The counters once a radio packet was received undamaged, or when the time is over. */
-    private static Map<Counter, Long> listen(Board board, Duration longest)
+    private Map<Counter, Long> listen(Duration longest)
             throws JavinoException, InterruptedException {
         long end = System.nanoTime() + longest.toNanos();
         Map<Counter, Long> counters = Await.result(board.statistics());
@@ -40,15 +46,19 @@ final class Traffic {
         return counters;
     }
 
-    private void examineLine(long damagedAtBoard, Map<SessionCounter, Long> session) {
-        long damaged = damagedAtBoard + session.get(SessionCounter.DAMAGED_PACKETS);
-        long packets = session.get(SessionCounter.REQUESTS) + session.get(SessionCounter.REPEATS);
+    private void examineLine(long damagedAtBoard) {
+        long damaged = damagedAtBoard + since(SessionCounter.DAMAGED_PACKETS);
+        long packets = since(SessionCounter.REQUESTS) + since(SessionCounter.REPEATS);
         String count = damaged + " of " + packets + " packets were damaged";
         if (damaged >= FEW_DAMAGED && damaged * ONE_IN > packets) {
             findings.trouble("serial line", count + "; a shorter or better cable, away from motors");
         } else {
             findings.ok("serial line", count);
         }
+    }
+
+    private long since(SessionCounter counter) {
+        return board.counters().get(counter) - before.get(counter);
     }
 
     private void examineRadio(Map<Counter, Long> counters, Duration listened) {

@@ -32,6 +32,9 @@ public final class FakeBoard {
     /** What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all. */
     private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
 
+    /** What the boot loader answers to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */
+    private static final Bytes PROGRAMMING_LEFT = Bytes.of(0x1B, 0x01, 0x00, 0x02, 0x0E, 0x11, 0x00, 0x07);
+
     private final List<String> performed = new ArrayList<>();
 
     private final List<String> percepts = new ArrayList<>();
@@ -78,7 +81,7 @@ public final class FakeBoard {
         try {
             while (true) {
                 int count = link.read(buffer, Duration.ofSeconds(60));
-                if (isLoading(buffer, count)) {
+                if (isLoading(buffer, count, link)) {
                     continue;
                 }
                 for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
@@ -94,9 +97,12 @@ public final class FakeBoard {
     }
 
     /** Whether this is for the boot loader: what comes in one piece with its end is lost with it. */
-    private synchronized boolean isLoading(byte[] buffer, int count) {
+    private synchronized boolean isLoading(byte[] buffer, int count, InMemoryLink link) throws LinkException {
         boolean wasLoading = loading;
         loading = loading && !Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
+        if (wasLoading && !loading) {
+            link.write(PROGRAMMING_LEFT.toArray());
+        }
         return wasLoading;
     }
 
@@ -244,7 +250,7 @@ public final class FakeBoard {
     }
 
     /** Has the boot loader wait for a sketch, and what runs there wait for its end. */
-    synchronized void setLoading() {
+    public synchronized void setLoading() {
         loading = true;
     }
 

@@ -171,6 +171,13 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void serialLine_bootLoaderAnsweredFirst_isOk() {
+        fake.setLoading();
+        assertEquals(0, examine(), out.toString());
+        assertTrue(lines().get(6).matches("serial line         ok, 0 of \\d+ packets were damaged"), out.toString());
+    }
+
+    @Test
     void serialLine_manyDamaged_isTold() {
         fake.setCounter(Counter.SERIAL_DAMAGED, 1000);
         assertTrouble("serial line", "1000 of ");
