@@ -3,6 +3,7 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.File;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -29,6 +31,9 @@ class HighwayTest {
     private static final Path HIGHWAY = ROOT.resolve("examples/highway");
     private static final String EMULATOR = ROOT.resolve("emulator/build/javino-emulator").toString();
 
+    private static final Path JAVA = Path.of(System.getProperty("java.home"));
+    private static final String CLASS_PATH = System.getProperty("java.class.path");
+
     private record Run(int status, List<String> lines, List<ProcessHandle> children, Path folder) {
 
         String last() {
@@ -42,6 +47,12 @@ class HighwayTest {
 
         boolean says(String words) {
             return lines.stream().anyMatch(line -> line.contains(words));
+        }
+
+        void assertAllObserved() {
+            assertEquals("highway: 9 of 9 behaviours observed", lastButOne(), this::toString);
+            assertTrue(last().matches("model: trace accepted \\(\\d+ events\\)"), this::toString);
+            assertEquals(0, status);
         }
 
         void assertNothingLeft() throws IOException {
@@ -65,9 +76,7 @@ class HighwayTest {
     void cleanRadio_showsAllNineBehaviours() throws Exception {
         Run run = launch(EMULATOR);
 
-        assertEquals("highway: 9 of 9 behaviours observed", run.lastButOne(), run::toString);
-        assertTrue(run.last().matches("model: trace accepted \\(\\d+ events\\)"), run::toString);
-        assertEquals(0, run.status);
+        run.assertAllObserved();
         assertFalse(run.children.isEmpty());
         assertPictured(run);
         run.assertNothingLeft();
@@ -80,6 +89,21 @@ class HighwayTest {
         long arrows = IntStream.range(0, lines.getLength()).filter(i -> ((Element) lines.item(i)).hasAttribute("marker-end")).count();
         assertEquals(4 + 3 + 6, arrows);
         assertTrue(svg.getDocumentElement().getTextContent().contains("“Help is coming, says SUPO”"));
+    }
+
+    @Test
+    void newerJavaAndJason_showAllNineBehaviours() throws Exception {
+        Path jason = Path.of(System.getProperty("javino.newerJason"));
+        Optional<Path> home = NewerJava.home();
+        String skipped = "skipped: the highway with " + jason.getFileName()
+            + " needs Java 21 or newer, beside " + JAVA + " or named by JAVA_HOME_21_X64";
+        if (home.isEmpty()) System.out.println(skipped);
+        assumeTrue(home.isPresent(), skipped);
+        copyScenario();
+        Run run = follow(start(home.get(), classPathWith(jason), EMULATOR));
+
+        run.assertAllObserved();
+        run.assertNothingLeft();
     }
 
     @Test
@@ -156,7 +180,11 @@ class HighwayTest {
 
     private Run launch(String emulator, String... options) throws Exception {
         copyScenario();
-        Process process = start(emulator, options);
+        return follow(start(emulator, options));
+    }
+
+    /** What it prints and starts until its end. */
+    private Run follow(Process process) throws Exception {
         List<String> lines = new ArrayList<>();
         Set<ProcessHandle> children = new LinkedHashSet<>();
         try (BufferedReader output = process.inputReader()) {
@@ -169,11 +197,22 @@ class HighwayTest {
     }
 
     private Process start(String emulator, String... options) throws IOException {
-        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        List<String> command = new ArrayList<>(List.of(java, "-cp", System.getProperty("java.class.path"),
+        return start(JAVA, CLASS_PATH, emulator, options);
+    }
+
+    /** The launcher starts all others with the Java and the class path that it has. */
+    private Process start(Path javaHome, String classPath, String emulator, String... options) throws IOException {
+        List<String> command = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(), "-cp", classPath,
             "highway.Highway", "--plain", "--emulator", emulator));
         command.addAll(List.of(options));
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+    }
+
+    /** The class path of this test with another Jason. */
+    private static String classPathWith(Path jason) {
+        List<String> others = Stream.of(CLASS_PATH.split(File.pathSeparator))
+            .filter(jar -> !jar.contains("jason-interpreter")).toList();
+        return jason + File.pathSeparator + String.join(File.pathSeparator, others);
     }
 
     /** The scenario in a folder of its own, so that nobody's run is disturbed; it uses the real sketches. */
