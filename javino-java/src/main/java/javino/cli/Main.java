@@ -15,8 +15,8 @@ import picocli.CommandLine.Spec;
 /** The {@code javino} command. */
 @Command(name = "javino", description = "Sets up, inspects and drives Javino boards.",
         subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, InfoCommand.class,
-            KeygenCommand.class, MonitorCommand.class, PerceptsCommand.class, PortsCommand.class,
-            ProvisionCommand.class, SendCommand.class})
+            KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,
+            PortsCommand.class, ProvisionCommand.class, SendCommand.class})
 public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")
@@ -63,7 +63,7 @@ public final class Main implements Callable<Integer> {
             return e.getMessage() + ": there is no such file";
         }
         if (e instanceof FileAlreadyExistsException) {
-            return e.getMessage() + ": the file is there already; move it away first";
+            return e.getMessage() + ": it is there already; move it away first";
         }
         return e instanceof IOException ? e.getClass().getSimpleName() + ": " + e.getMessage() : e.getMessage();
     }

@@ -29,10 +29,15 @@ final class AgentProcess implements AutoCloseable {
         Path agents = ROOT.resolve("test/system/src/test/resources/agents");
         for (String file : List.of(name + ".mas2j", name + ".asl")) Files.copy(agents.resolve(file), folder.resolve(file));
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        return new AgentProcess(new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
+        return start(new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
             "jason.infra.local.RunLocalMAS", name + ".mas2j",
             "--log-conf", ROOT.resolve("examples/highway/logging.properties").toString(), "--no-net")
-            .directory(folder.toFile()).redirectErrorStream(true).start());
+            .directory(folder.toFile()));
+    }
+
+    /** Starts it by a command of its own. */
+    static AgentProcess start(ProcessBuilder command) throws IOException {
+        return new AgentProcess(command.redirectErrorStream(true).start());
     }
 
     private synchronized void printed(String line) {

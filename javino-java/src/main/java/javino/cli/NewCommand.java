@@ -1,0 +1,57 @@
+package javino.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
+import javino.JavinoException;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code javino new}: writes a project that runs at once. */
+@Command(name = "new", description = {
+    "Writes a new project: an agent, its board's sketch, and what builds them and runs them on an emulated board.",
+    "Then 'gradle run' in its folder. Its README says the rest."})
+final class NewCommand implements Callable<Integer> {
+
+    private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]*");
+
+    @Parameters(index = "0", paramLabel = "FOLDER",
+            description = "Where the project is to be; it must not exist yet. Its last part is the project's name: "
+                    + "letters, digits, - and _, a letter first.")
+    private Path folder;
+
+    @ArgGroup
+    private Which which = new Which();
+
+    @Spec
+    private CommandSpec spec;
+
+    /** What runs the agent; Jason unless JaCaMo is chosen. */
+    private static final class Which {
+
+        @Option(names = "--jason", required = true, description = "The agent is run by Jason; so it is unless given.")
+        private boolean jason;
+
+        @Option(names = "--jacamo", required = true, description = "The agent is run by JaCaMo.")
+        private boolean jacamo;
+    }
+
+    @Override
+    public Integer call() throws IOException, JavinoException {
+        Path name = folder.getFileName();
+        if (name == null || !NAME.matcher(name.toString()).matches()) {
+            throw new ParameterException(spec.commandLine(),
+                    "a project is named by letters, digits, - and _, a letter first, not " + folder);
+        }
+        NewProject.Kind kind = which.jacamo ? NewProject.Kind.JACAMO : NewProject.Kind.JASON;
+        new NewProject(name.toString(), kind, NewProject.javinoHome(NewProject.program())).write(folder);
+        spec.commandLine().getOut().println("project " + name + " written; next: cd " + folder + " && gradle run");
+        return 0;
+    }
+}

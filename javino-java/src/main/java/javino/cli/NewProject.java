@@ -1,0 +1,112 @@
+package javino.cli;
+
+import java.io.ByteArrayOutputStream;
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import javino.JavinoException;
+
+/**
+ * A project to be written: its files are the resources under {@code project/}, in which some words are replaced.
+ *
+ * @param name       of the project.
+ * @param kind       what runs its agent.
+ * @param javinoHome Javino's folder, from which the project has the emulator and the library for sketches.
+ */
+record NewProject(String name, Kind kind, Path javinoHome) {
+
+    private static final List<String> COMMON = List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
+            ".gitignore", "logging.properties", "board.json", "src/agt/robot.asl", "sketch/Robot/Robot.ino");
+
+    /** What runs the agent of a project. */
+    enum Kind {
+        JASON("jason", "robot.mas2j", List.of("build.gradle", "robot.mas2j")),
+        JACAMO("jacamo", "robot.jcm", List.of("build.gradle", "robot.jcm", ".jcm-deps.gradle"));
+
+        private final String resources;
+        private final String masFile;
+        private final List<String> files;
+
+        Kind(String resources, String masFile, List<String> files) {
+            this.resources = resources;
+            this.masFile = masFile;
+            this.files = files;
+        }
+    }
+
+    /**
+     * The folder that a program was built in.
+     *
+     * @param program its classes, or their jar.
+     * @throws JavinoException if it has been taken out of there.
+     */
+    static Path javinoHome(Path program) throws JavinoException {
+        for (Path folder = program; folder != null; folder = folder.getParent()) {
+            if (Files.exists(folder.resolve("javino-firmware/library.properties"))
+                    && Files.exists(folder.resolve("emulator/CMakeLists.txt"))) {
+                return folder;
+            }
+        }
+        throw new JavinoException(program + " lies outside of Javino's folder, whose emulator and library a project "
+                + "needs; call the javino that 'gradle install' has made there");
+    }
+
+    /** The classes of this program, or their jar. */
+    static Path program() throws JavinoException {
+        try {
+            return Path.of(NewProject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+        } catch (URISyntaxException e) {
+            throw new JavinoException(e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Writes all files into a new folder.
+     *
+     * @throws IOException if there is such a folder already, or it cannot be written.
+     */
+    void write(Path folder) throws IOException {
+        Files.createDirectories(folder.toAbsolutePath().getParent());
+        Files.createDirectory(folder);
+        for (String file : COMMON) {
+            write(folder.resolve(file), template("common", file));
+        }
+        for (String file : kind.files) {
+            write(folder.resolve(file), template(kind.resources, file));
+        }
+    }
+
+    private void write(Path file, String template) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, template.replace("@name@", name).replace("@masFile@", kind.masFile)
+                .replace("@javinoHome@", property("javinoHome", javinoHome.toString())));
+    }
+
+    /** The resource of a file; what is hidden in a project is not among the resources, as builds leave such files out. */
+    private static String template(String folder, String file) throws IOException {
+        String resource = "project/" + folder + "/" + (file.startsWith(".") ? file.substring(1) : file);
+        try (InputStream template = NewProject.class.getResourceAsStream(resource)) {
+            if (template == null) {
+                throw new FileNotFoundException(resource);
+            }
+            return new String(template.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    /** A line of a properties file, with what is special there escaped. */
+    private static String property(String key, String value) throws IOException {
+        Properties properties = new Properties();
+        properties.setProperty(key, value);
+        ByteArrayOutputStream lines = new ByteArrayOutputStream();
+        properties.store(lines, null);
+        // After a comment with the date.
+        return lines.toString(StandardCharsets.ISO_8859_1).lines().filter(line -> !line.startsWith("#")).findFirst()
+                .orElseThrow();
+    }
+}

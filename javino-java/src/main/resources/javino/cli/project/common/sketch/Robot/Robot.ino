@@ -1,0 +1,39 @@
+// A lamp, and an eye for the light around: what the agent perceives, and what it can do.
+//
+// Wiring: light dependent resistor from A0 to 5 V, 10 kΩ from A0 to ground; the lamp is the one on the board (pin 13).
+//         A radio, if there is one: 433 MHz receiver's data to pin 11, transmitter's to pin 12.
+//
+// Percepts: light(L)  0 (dark) … 1023 (bright)
+//           lamp(on) or lamp(off)
+// Actions:  lampOn, lampOff
+
+#include <Javino.h>
+
+javino::Javino board(Serial, "robot 1.0");
+
+void perceive(javino::Percepts &percepts) {
+  percepts.add(F("light"), analogRead(A0));
+  percepts.literal(digitalRead(LED_BUILTIN) ? F("lamp(on)") : F("lamp(off)"));
+}
+
+bool lampOn(const javino::Arguments &) {
+  digitalWrite(LED_BUILTIN, HIGH);
+  return true;
+}
+
+bool lampOff(const javino::Arguments &) {
+  digitalWrite(LED_BUILTIN, LOW);
+  return true;
+}
+
+void setup() {
+  pinMode(LED_BUILTIN, OUTPUT);
+  board.onPercepts(perceive);
+  board.action(F("lampOn"), lampOn);
+  board.action(F("lampOff"), lampOff);
+  board.begin(115200);
+}
+
+void loop() {
+  board.run();
+}

@@ -1,0 +1,139 @@
+package javino.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import java.util.stream.Stream;
+import javino.JavinoException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What is written; that it builds and runs is tested with an emulated board (test/system). */
+class NewCommandTest extends CommandFixture {
+
+    @TempDir
+    private Path folder;
+
+    private List<Path> files(Path project) throws IOException {
+        try (Stream<Path> files = Files.walk(project)) {
+            return files.filter(Files::isRegularFile).map(project::relativize).sorted().toList();
+        }
+    }
+
+    private static String text(Path file) throws IOException {
+        return Files.readString(file);
+    }
+
+    @Test
+    void new_name_writesAProjectForJason() throws IOException {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, run("new", project.toString()), err.toString());
+        assertEquals(List.of("project my-robot written; next: cd " + project + " && gradle run"), lines());
+        assertEquals(Stream.of(".gitignore", "README.md", "board.json", "build.gradle", "gradle.properties",
+                "javino.gradle", "logging.properties", "robot.mas2j", "settings.gradle", "sketch/Robot/Robot.ino",
+                "src/agt/robot.asl").map(Path::of).toList(), files(project));
+        assertTrue(text(project.resolve("settings.gradle")).contains("'my-robot'"));
+        assertTrue(text(project.resolve("README.md")).contains("`robot.mas2j`"));
+    }
+
+    @Test
+    void new_jacamo_hasTheSameAgentInAProjectOfJaCaMo() throws IOException {
+        Path jason = folder.resolve("one");
+        Path jacamo = folder.resolve("two");
+        assertEquals(0, run("new", "--jason", jason.toString()), err.toString());
+        assertEquals(0, run("new", "--jacamo", jacamo.toString()), err.toString());
+        for (String same : List.of("src/agt/robot.asl", "sketch/Robot/Robot.ino", "board.json", "javino.gradle")) {
+            assertEquals(text(jason.resolve(same)), text(jacamo.resolve(same)));
+        }
+        String library = "org.javino:diffuser-arch:";
+        String version = text(jason.resolve("build.gradle")).split(library)[1].split("'")[0];
+        assertTrue(version.matches("\\d+\\.\\d+.*"), version);
+        String mas = text(jacamo.resolve("robot.jcm"));
+        assertTrue(mas.contains("ag-arch: diffuser.Diffuser\n"), mas);
+        assertTrue(mas.contains("uses package: javino \"" + library + version + "\"\n"), mas);
+        assertTrue(text(jacamo.resolve(".jcm-deps.gradle")).contains("implementation('" + library + version + "')"));
+        assertTrue(text(jacamo.resolve("README.md")).contains("`robot.jcm`"));
+        assertTrue(text(jacamo.resolve("build.gradle")).matches("(?s).*'org\\.jacamo:jacamo:\\d.*"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--jason", "--jacamo"})
+    void new_files_haveNoPlaceholderLeft(String kind) throws IOException {
+        Path project = folder.resolve("robot");
+        assertEquals(0, run("new", kind, project.toString()), err.toString());
+        for (Path file : files(project)) {
+            assertFalse(text(project.resolve(file)).contains("@"), file.toString());
+        }
+    }
+
+    @Test
+    void new_properties_nameJavinosFolder() throws IOException {
+        Path project = folder.resolve("robot");
+        assertEquals(0, run("new", project.toString()), err.toString());
+        Properties properties = new Properties();
+        try (Reader lines = Files.newBufferedReader(project.resolve("gradle.properties"))) {
+            properties.load(lines);
+        }
+        assertTrue(Files.exists(Path.of(properties.getProperty("javinoHome"), "SPEC.md")), properties.toString());
+    }
+
+    @Test
+    void newProject_folderWithOddLetters_isReadBackFromTheProperties() throws IOException {
+        Path project = folder.resolve("robot");
+        Path home = Path.of("/home/josé/a=b\\c #d");
+        new NewProject("robot", NewProject.Kind.JASON, home).write(project);
+        Properties properties = new Properties();
+        try (Reader lines = Files.newBufferedReader(project.resolve("gradle.properties"))) {
+            properties.load(lines);
+        }
+        assertEquals(home.toString(), properties.getProperty("javinoHome"));
+    }
+
+    @Test
+    void javinoHome_programElsewhere_saysWhichToCall() {
+        JavinoException e = assertThrows(JavinoException.class, () -> NewProject.javinoHome(folder));
+        assertTrue(e.getMessage().startsWith(folder + " lies outside of Javino's folder"), e.getMessage());
+    }
+
+    @Test
+    void new_folderThere_leavesItAsItIs() throws IOException {
+        Path project = Files.createDirectory(folder.resolve("robot"));
+        Files.writeString(project.resolve("build.gradle"), "precious");
+        assertFails(1, project + ": it is there already; move it away first", "new", project.toString());
+        assertEquals(List.of(Path.of("build.gradle")), files(project));
+        assertEquals("precious", text(project.resolve("build.gradle")));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"7robot", "my robot", "-", "r'b", "räuber", ".", "..", "/", ""})
+    void new_badName_isWrongUsage(String name) throws IOException {
+        assertFails(2, "a letter first, not", "new", "--", name);
+        assertEquals(List.of(), files(folder));
+    }
+
+    @Test
+    void new_badNameInAFolder_writesNothing() throws IOException {
+        assertFails(2, "a letter first, not", "new", folder.resolve("deep/my robot").toString());
+        assertFalse(Files.exists(folder.resolve("deep")));
+    }
+
+    @Test
+    void new_bothKinds_isWrongUsage() {
+        assertFails(2, "--jacamo", "new", "--jason", "--jacamo", folder.resolve("robot").toString());
+    }
+
+    @Test
+    void new_noName_isWrongUsage() {
+        assertFails(2, "FOLDER", "new");
+    }
+}

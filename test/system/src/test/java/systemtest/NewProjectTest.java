@@ -1,0 +1,75 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.TraceEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A project that {@code javino new} has written, built and run as its user does. */
+@Timeout(value = 5, unit = TimeUnit.MINUTES)
+class NewProjectTest {
+
+    private static final String JAVA_HOME = System.getProperty("java.home");
+    private static final String LAMP_OFF = "\"name\":\"lamp\",\"level\":0}";
+
+    @Test
+    void run_lightsTheLampWhileItIsDarkAndLeavesNothing(@TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project).waitFor());
+        Path trace = project.resolve("build/trace.jsonl");
+
+        try (AgentProcess gradle = AgentProcess.start(gradle("run").directory(project.toFile()))) {
+            gradle.await(LAMP_OFF, 2);
+            List<TraceEvent> lamp = lamp(trace);
+            assertEquals(List.of(1, 0, 1, 0), lamp.stream().map(event -> event.number("level")).toList());
+            double greeted = lamp.get(0).seconds();
+            assertBetween(greeted + 4, lamp.get(2).seconds(), greeted + 9);    // board.json: night
+            assertTrue(lamp.get(3).seconds() > greeted + 9, () -> String.join("\n", gradle.lines()));
+            for (String said : List.of("[robot] my board at ports/robot is on", "[robot] it is dark: ",
+                "[robot] it is bright again: ", "[robot] my lamp is on")) {
+                assertTrue(gradle.lines().stream().anyMatch(line -> line.startsWith(said)),
+                    () -> said + " is missing:\n" + String.join("\n", gradle.lines()));
+            }
+        }
+        awaitGone(project.resolve("ports/robot"));
+    }
+
+    private static void assertBetween(double least, double value, double most) {
+        assertTrue(least <= value && value <= most, () -> value + " is not between " + least + " and " + most);
+    }
+
+    private static Process newProject(Path folder) throws IOException {
+        return new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", System.getProperty("java.class.path"),
+            "javino.cli.Main", "new", folder.toString()).inheritIO().start();
+    }
+
+    /** The Gradle that runs this test, with Javino's libraries in what it takes for the user's Maven repository. */
+    private static ProcessBuilder gradle(String task) {
+        ProcessBuilder gradle = new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
+            "--gradle-user-home", System.getProperty("javino.gradleUserHome"),
+            "-Dmaven.repo.local=" + System.getProperty("javino.repository"), task);
+        gradle.environment().put("JAVA_HOME", JAVA_HOME);
+        return gradle;
+    }
+
+    private static List<TraceEvent> lamp(Path trace) throws IOException {
+        try (Stream<String> lines = Files.lines(trace)) {
+            return lines.map(TraceEvent::parse).filter(event -> event.is("pin", "robot")).toList();
+        }
+    }
+
+    /** The emulator removes its port at its end. */
+    private static void awaitGone(Path port) throws InterruptedException {
+        while (Files.exists(port, LinkOption.NOFOLLOW_LINKS)) Thread.sleep(50);
+    }
+}
