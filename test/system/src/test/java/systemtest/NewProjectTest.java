@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class NewProjectTest {
 
+    private static final long PATIENCE_SECONDS = 30;
     private static final String JAVA_HOME = System.getProperty("java.home");
     private static final String LAMP_OFF = "\"name\":\"lamp\",\"level\":0}";
 
@@ -37,7 +38,7 @@ class NewProjectTest {
             assertTrue(lamp.get(3).seconds() > greeted + 9, () -> String.join("\n", gradle.lines()));
             for (String said : List.of("[robot] my board at ports/robot is on", "[robot] it is dark: ",
                 "[robot] it is bright again: ", "[robot] my lamp is on")) {
-                assertTrue(gradle.lines().stream().anyMatch(line -> line.startsWith(said)),
+                assertTrue(gradle.lines().stream().anyMatch(line -> line.contains(said)),
                     () -> said + " is missing:\n" + String.join("\n", gradle.lines()));
             }
         }
@@ -70,6 +71,10 @@ class NewProjectTest {
 
     /** The emulator removes its port at its end. */
     private static void awaitGone(Path port) throws InterruptedException {
-        while (Files.exists(port, LinkOption.NOFOLLOW_LINKS)) Thread.sleep(50);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (Files.exists(port, LinkOption.NOFOLLOW_LINKS)) {
+            assertTrue(System.nanoTime() < end, "the emulated board runs on");
+            Thread.sleep(50);
+        }
     }
 }
