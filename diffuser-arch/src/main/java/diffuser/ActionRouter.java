@@ -11,7 +11,8 @@ import jason.infra.local.LocalAgArch;
  * Decides who performs a plain external action: the board, or what is behind it (an environment, CArtAgO).
  *
  * <p>The board is asked first, since only it knows what its sketch can do. What it does not know goes behind, and goes
- * there directly the next time. While the board is away, all actions go behind, so that they do not wait for it; where
+ * there directly the next time; what no board can read, such as a variable without a value that an operation of
+ * CArtAgO is to give one, goes behind each time. While the board is away, all actions go behind, so that they do not wait for it; where
  * there is nothing behind, they wait for the board as long as its session allows.
  */
 final class ActionRouter {
@@ -58,18 +59,20 @@ final class ActionRouter {
             diffuser.perform(Texts.action(action.getActionTerm()))
                     .whenComplete((done, thrown) -> answered(device, action, thrown));
         } catch (JasonException e) {
-            finish(action, Failure.of(e));
+            if (somethingIsBehind()) {
+                behind.accept(action);
+            } else {
+                finish(action, Failure.of(e));
+            }
         }
     }
 
     private void answered(Device device, ActionExec action, Throwable thrown) {
         Failure failure = thrown == null ? null : Failure.of(thrown);
-        if (failure == null || !failure.isUnknownAction()) {
-            finish(action, failure);
-            return;
+        if (failure != null && failure.isUnknownAction()) {
+            device.disown(action.getActionTerm().getFunctor());
         }
-        device.disown(action.getActionTerm().getFunctor());
-        if (somethingIsBehind()) {
+        if (failure != null && failure.isNoAction() && somethingIsBehind()) {
             // On the agent's own thread, as Jason calls act.
             diffuser.getTS().runAtBeginOfNextCycle(() -> behind.accept(action));
         } else {

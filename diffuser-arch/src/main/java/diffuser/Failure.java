@@ -30,6 +30,7 @@ record Failure(String error, String message) {
     private static final String TOO_LONG = nameOf(Status.TOO_LONG);
     private static final String UNDELIVERED = "undelivered";
     private static final int MOST_BRIEF = 80;
+    private static final String BAD_ARGUMENT = nameOf(Status.BAD_ARGUMENT);
 
     /** Reads what a future of the board failed with. */
     static Failure of(Throwable thrown) {
@@ -87,6 +88,11 @@ record Failure(String error, String message) {
     /** The message if it is short, else the error. */
     String brief() {
         return message.length() <= MOST_BRIEF ? message : error;
+    }
+
+    /** Whether the board knows no such action, or reads it as none; nothing has been done. */
+    boolean isNoAction() {
+        return isUnknownAction() || error.equals(BAD_ARGUMENT);
     }
 
     /** As an exception of an internal action. */

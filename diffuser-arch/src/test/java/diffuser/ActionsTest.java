@@ -4,10 +4,6 @@ import java.util.List;
 
 import javino.protocol.Status;
 
-import jason.infra.local.BaseLocalMAS;
-import jason.infra.local.LocalEnvironment;
-import jason.mas2j.ClassParameters;
-
 import org.junit.jupiter.api.Test;
 
 class ActionsTest {
@@ -25,9 +21,7 @@ class ActionsTest {
     }
 
     private static RunningAgent withEnvironment(String program, FakeBoard board) throws Exception {
-        LocalEnvironment environment = new LocalEnvironment(
-                new ClassParameters(TestEnvironment.class.getName()), BaseLocalMAS.getRunner());
-        return RunningAgent.run(program, environment, List.of(ScriptedDiffuser.class.getName()), board);
+        return RunningAgent.run(program, RunningAgent.environment(), List.of(ScriptedDiffuser.class.getName()), board);
     }
 
     @Test
@@ -116,6 +110,36 @@ class ActionsTest {
             agent.notes("done");
             RunningAgent.asked(board, "A paint(red)");
             RunningAgent.asked(board, "A stop");
+        }
+    }
+
+    @Test
+    void act_plainActionWithAVariable_goesToTheEnvironment() throws Exception {
+        FakeBoard board = new FakeBoard("body");
+        try (RunningAgent agent = withEnvironment(program("paint(Colour); stop"), board)) {
+            agent.notes("environment paint(Colour)");
+            agent.notes("done");
+            RunningAgent.asked(board, "A stop");
+        }
+    }
+
+    @Test
+    void act_plainActionLongerThanABoardReads_goesToTheEnvironment() throws Exception {
+        String picture = "x".repeat(600);
+        try (RunningAgent agent = withEnvironment(program("paint(\"" + picture + "\")"), new FakeBoard("body"))) {
+            agent.notes("environment paint(\"" + picture + "\")");
+            agent.notes("done");
+        }
+    }
+
+    @Test
+    void act_plainActionThatTheBoardCannotRead_goesToTheEnvironmentAndTheNextOneToTheBoard() throws Exception {
+        FakeBoard board = new FakeBoard("body").refusing("A paint(a(b(c)))", Status.BAD_ARGUMENT);
+        try (RunningAgent agent = withEnvironment(program("paint(a(b(c))); paint(red)"), board)) {
+            agent.notes("environment paint(a(b(c)))");
+            agent.notes("done");
+            RunningAgent.asked(board, "A paint(a(b(c)))");
+            RunningAgent.asked(board, "A paint(red)");
         }
     }
 

@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 
-import jason.infra.local.BaseLocalMAS;
 import jason.infra.local.LocalEnvironment;
-import jason.mas2j.ClassParameters;
 
 import org.junit.jupiter.api.Test;
 
@@ -26,10 +24,6 @@ class PerceptsTest {
             +port(_,S) <- diffuser.note(S).
             -port(_,S) <- diffuser.note(no,S).
             """;
-
-    private static LocalEnvironment environment() throws Exception {
-        return new LocalEnvironment(new ClassParameters(TestEnvironment.class.getName()), BaseLocalMAS.getRunner());
-    }
 
     @Test
     void percepts_sensorsChange_beliefsAppearAreReplacedAndDisappear() {
@@ -102,7 +96,7 @@ class PerceptsTest {
 
     @Test
     void perceive_environmentHasPerceptsToo_bothStay() throws Exception {
-        LocalEnvironment environment = environment();
+        LocalEnvironment environment = RunningAgent.environment();
         TestEnvironment world = (TestEnvironment) environment.getUserEnvironment();
         world.show("e(1)");
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
@@ -142,7 +136,7 @@ class PerceptsTest {
 
     @Test
     void perceive_noPortOpened_nothingChangesForTheAgent() throws Exception {
-        LocalEnvironment environment = environment();
+        LocalEnvironment environment = RunningAgent.environment();
         ((TestEnvironment) environment.getUserEnvironment()).show("e(1)");
         try (RunningAgent agent = RunningAgent.run("+e(X) <- diffuser.note(e,X).", environment,
                 List.of(ScriptedDiffuser.class.getName()))) {

@@ -25,6 +25,7 @@ import jason.infra.local.BaseLocalMAS;
 import jason.infra.local.LocalAgArch;
 import jason.infra.local.LocalEnvironment;
 import jason.infra.local.RunLocalMAS;
+import jason.mas2j.ClassParameters;
 import jason.runtime.Settings;
 import jason.util.Config;
 
@@ -85,6 +86,11 @@ final class RunningAgent implements AutoCloseable {
     static RunningAgent run(String program, LocalEnvironment environment, List<String> archs, FakeBoard... boards) {
         List.of(boards).forEach(ScriptedDiffuser::plug);
         return run(new RunningAgent("tester" + COUNT.incrementAndGet()), program, environment, archs);
+    }
+
+    /** To be given to an agent; its user's part is a {@link TestEnvironment}. */
+    static LocalEnvironment environment() throws Exception {
+        return new LocalEnvironment(new ClassParameters(TestEnvironment.class.getName()), BaseLocalMAS.getRunner());
     }
 
     /** Without a board. */
