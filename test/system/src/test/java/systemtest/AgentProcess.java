@@ -24,10 +24,15 @@ final class AgentProcess implements AutoCloseable {
         reader.start();
     }
 
-    /** Starts the {@code .mas2j} of that name in a folder, to which a copy of its files goes. */
+    /** Starts the {@code .mas2j} of that name in a folder, to which a copy of it and of its agent of that name goes. */
     static AgentProcess start(String name, Path folder) throws IOException {
-        Path agents = ROOT.resolve("test/system/src/test/resources/agents");
-        for (String file : List.of(name + ".mas2j", name + ".asl")) Files.copy(agents.resolve(file), folder.resolve(file));
+        return start(name, List.of(name), folder);
+    }
+
+    /** The same with agents of other names. */
+    static AgentProcess start(String name, List<String> agents, Path folder) throws IOException {
+        copy(name + ".mas2j", folder);
+        for (String agent : agents) copy(agent + ".asl", folder);
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         return start(new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
             "jason.infra.local.RunLocalMAS", name + ".mas2j",
@@ -38,6 +43,10 @@ final class AgentProcess implements AutoCloseable {
     /** Starts it by a command of its own. */
     static AgentProcess start(ProcessBuilder command) throws IOException {
         return new AgentProcess(command.redirectErrorStream(true).start());
+    }
+
+    private static void copy(String file, Path folder) throws IOException {
+        Files.copy(ROOT.resolve("test/system/src/test/resources/agents").resolve(file), folder.resolve(file));
     }
 
     private synchronized void printed(String line) {
