@@ -4,7 +4,7 @@ package diffuser;
  * How open a MAS is: the paper's definitions 2 to 5 and its table 1 (section 2), and the finite-state machine of its
  * figure 1, whose four symbols are the two abilities lost and restored.
  *
- * <pre>
+ * <pre>{@code
  *                        -mob
  *          Open  --------------------->  Closed
  *         |    ^ <---------------------  |    ^
@@ -14,7 +14,7 @@ package diffuser;
  *     Limited Open  -------------->  Totally Closed
  *                   <--------------
  *                        +mob
- * </pre>
+ * }</pre>
  *
  * <p>The paper's text names the states, the symbols and, in table 1, what each state can do; the eight transitions
  * follow. It is silent about a symbol that says nothing new, such as +com where there is communicability: here the
