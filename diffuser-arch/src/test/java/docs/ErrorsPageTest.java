@@ -66,7 +66,9 @@ class ErrorsPageTest {
                 Repository.text("javino-java/src/main/java/javino/link/SerialLink.java"));
         Stream<String> highway = texts("new BrokenOffException\\(([^;]*)\\);|failure = ([^;]*);",
                 Repository.text("examples/highway/src/main/java/highway/Scenario.java"));
-        assertTexts("On the command line", Stream.of(commands, session, port, highway).flatMap(texts -> texts));
+        Stream<String> project = texts("new GradleException\\((.*)\\)",
+                Repository.text("javino-java/src/main/resources/javino/cli/project/common/javino.gradle"));
+        assertTexts("On the command line", Stream.of(commands, session, port, highway, project).flatMap(texts -> texts));
     }
 
     @Test
