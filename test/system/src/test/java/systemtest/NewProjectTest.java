@@ -51,7 +51,8 @@ class NewProjectTest {
 
     private static Process newProject(Path folder) throws IOException {
         return new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", System.getProperty("java.class.path"),
-            "javino.cli.Main", "new", folder.toString()).inheritIO().start();
+            "javino.cli.Main", "new", folder.toString())
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.INHERIT).start();
     }
 
     /** The Gradle that runs this test, with Javino's libraries in what it takes for the user's Maven repository. */
