@@ -2,7 +2,10 @@ package campaign;
 
 import harness.TraceEvent;
 
-/** What became of one fault: when its cause ended, and when each direction of its pair delivered again, in emulated seconds. */
+/**
+ * What became of one fault, in emulated seconds: when its cause ended, when a packet of its pair was answered again, and
+ * when each direction delivered again.
+ */
 final class Recovery {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -14,6 +17,7 @@ final class Recovery {
     private final Field.Post hit;
     private final Field.Post other;
     private double end = NEVER;
+    private double answered = NEVER;
     private double hitDelivers = NEVER;
     private double otherDelivers = NEVER;
 
@@ -34,19 +38,35 @@ final class Recovery {
     /** Takes notice of an event of the trace. */
     void see(TraceEvent event) {
         if (end == NEVER) end = fault.end(event, hit.name()).orElse(NEVER);
-        if (end == NEVER || event.seconds() <= end || !isDelivered(event)) return;
+        if (end == NEVER || event.seconds() <= end || !isAnswer(event)) return;
+        if (concerns(event)) answered = Math.min(answered, event.seconds());
+        if (!isDelivered(event)) return;
         if (event.board().equals(hit.name())) hitDelivers = Math.min(hitDelivers, event.seconds());
         if (event.board().equals(other.name())) otherDelivers = Math.min(otherDelivers, event.seconds());
     }
 
-    private static boolean isDelivered(TraceEvent event) {
-        if (!event.name().equals("rf-rx")) return false;
-        String payload = event.text("payload");
-        return payload.length() == 2 * DELIVERED_BYTES && payload.startsWith(TO_ACKNOWLEDGEMENT);
+    private boolean concerns(TraceEvent event) {
+        return event.board().equals(hit.name()) || event.board().equals(other.name());
+    }
+
+    private static boolean isAnswer(TraceEvent event) {
+        return event.name().equals("rf-rx") && event.text("payload").startsWith(TO_ACKNOWLEDGEMENT);
+    }
+
+    private static boolean isDelivered(TraceEvent answer) {
+        return answer.text("payload").length() == 2 * DELIVERED_BYTES;
     }
 
     boolean ended() {
         return end != NEVER;
+    }
+
+    /**
+     * From the cause's end until a packet of either board came to the other and its answer came back, whatever that said;
+     * infinite if none did.
+     */
+    double answered() {
+        return answered - end;
     }
 
     /** From the cause's end to the first unicast delivered, whoever sent it; infinite if none was. */

@@ -29,11 +29,13 @@ class RecoveryTest {
 
         see(recovery, 11, end.replace("hit", "other"));
         see(recovery, 12, end);
+        see(recovery, 12.25, proofFor("third", 18));
         see(recovery, 12.5, proofFor("other", 19));
         see(recovery, 13, proofFor("other", 18));
         see(recovery, 14, proofFor("hit", 18));
         see(recovery, 15, proofFor("hit", 18));
 
+        assertEquals(0.5, recovery.answered());
         assertEquals(1, recovery.first());
         assertEquals(2, recovery.both());
     }
