@@ -11,7 +11,6 @@
 #include "firmware.h"
 #include "timer_modes.h"
 
-#define SUPPLY_MV 5000
 // simavr may run so many cycles between two looks at the clock; bounds the overrun of board_run.
 #define RUN_LIMIT 64
 // r0…r31 lie at the start of the data space.
@@ -22,6 +21,17 @@ struct board_port_link {
     board *owner;
     int index;
 };
+
+// The chip's own cycles in those of the common clock, and the reverse, up to the next one.
+static cycles_t on_clock(const board *b, avr_cycle_count_t own)
+{
+    return own * b->model->clock_cycles;
+}
+
+static avr_cycle_count_t on_chip(const board *b, cycles_t common)
+{
+    return (common + b->model->clock_cycles - 1) / b->model->clock_cycles;
+}
 
 static int port_index(char port)
 {
@@ -44,7 +54,7 @@ static void port_changed(board *b, int index, uint8_t direction, uint8_t latch)
     for (int bit = 0; changed >> bit; bit++)
         if (changed >> bit & 1)
             b->listener.output(b->listener.context, pin_at(b->model, (char)('A' + index), bit), after >> bit & 1,
-                               b->avr->cycle);
+                               board_now(b));
 }
 
 static void latch_written(struct avr_irq_t *irq, uint32_t value, void *context)
@@ -119,8 +129,8 @@ int board_init(board *b, const model *m, const char *firmware, board_listener li
     avr_init(b->avr);
     b->avr->custom.data = b;
     b->avr->run = run_once;
-    b->avr->frequency = CYCLES_PER_SECOND;
-    b->avr->vcc = b->avr->avcc = b->avr->aref = SUPPLY_MV;
+    b->avr->frequency = CYCLES_PER_SECOND / m->clock_cycles;
+    b->avr->vcc = b->avr->avcc = b->avr->aref = (uint32_t)m->supply_mv;
     b->avr->reset = chip_reset;
     timer_modes_complete(b->avr);
     link_ports(b);
@@ -270,7 +280,7 @@ static cycles_t next_input(const board *b)
 
 static void take_inputs(board *b)
 {
-    while (next_input(b) <= b->avr->cycle) {
+    while (next_input(b) <= board_now(b)) {
         board_input input = b->inputs[--b->input_count];
         board_drive(b, input.pin, input.level);
     }
@@ -292,10 +302,10 @@ static int run_chip(board *b)
 int board_run(board *b, cycles_t until)
 {
     b->stopped = false;
-    while (b->avr->cycle < until && !b->stopped) {
+    while (board_now(b) < until && !b->stopped) {
         take_inputs(b);
         cycles_t next = next_input(b);
-        b->limit = next < until ? next : until;
+        b->limit = on_chip(b, next < until ? next : until);
         if (!b->powered)
             b->avr->cycle = b->limit;
         else if (run_chip(b) != 0)
@@ -306,7 +316,7 @@ int board_run(board *b, cycles_t until)
 
 cycles_t board_now(const board *b)
 {
-    return b->avr->cycle;
+    return on_clock(b, b->avr->cycle);
 }
 
 cycles_t board_next_event(const board *b)
@@ -315,10 +325,10 @@ cycles_t board_next_event(const board *b)
     if (!b->powered)
         return next;
     if (b->avr->state == cpu_Sleeping && !b->halted && b->avr->cycle_timers.timer) {
-        cycles_t timer = b->avr->cycle_timers.timer->when;
+        cycles_t timer = on_clock(b, b->avr->cycle_timers.timer->when);
         return timer < next ? timer : next;
     }
-    return b->avr->state == cpu_Sleeping ? next : b->avr->cycle;
+    return b->avr->state == cpu_Sleeping ? next : board_now(b);
 }
 
 uint32_t board_pc(const board *b)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One emulated Arduino: its chip at 16 MHz with its firmware, its pins and its clock.
+// One emulated Arduino: its chip with its firmware, its pins and its clock.
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
 
@@ -41,7 +41,7 @@ typedef struct {
     struct avr_t *avr;
     board_listener listener;
     eeprom memory;
-    cycles_t limit;     // the board runs up to here
+    cycles_t limit;     // the chip runs up to here, in its own cycles
     bool powered;
     bool stopped;       // board_run returns after the instruction under way
     bool reset_pending; // the chip was reset, its surroundings not yet told

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Emulated time: CPU cycles since the start, the same on all boards.
+// Emulated time: cycles of 16 MHz since the start, the same on all boards, whatever their own clocks.
 #ifndef JAVINO_CLOCK_H
 #define JAVINO_CLOCK_H
 
@@ -7,7 +7,6 @@
 
 typedef uint64_t cycles_t;
 
-// The clock of an Arduino Mega or Uno.
 #define CYCLES_PER_SECOND 16000000u
 #define CYCLES_PER_MS (CYCLES_PER_SECOND / 1000u)
 #define CYCLES_PER_US (CYCLES_PER_SECOND / 1000000u)

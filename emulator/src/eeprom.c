@@ -7,6 +7,7 @@
 #include <simavr/avr_eeprom.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
+#include <simavr/sim_time.h>
 
 // Data space address of EECR, on the ATmega2560 and the ATmega328P alike.
 #define CONTROL 0x3F
@@ -54,7 +55,7 @@ static void begin_write(eeprom *e)
     e->before = *byte;
     e->mode = (uint8_t)avr_regbit_get_array(e->avr, e->part->eepm, 2);
     *byte = e->mode == ERASE_ONLY ? ERASED : e->mode == WRITE_ONLY ? *byte & data : data;
-    cycles_t duration = e->mode == ERASE_AND_WRITE ? EEPROM_WRITE_TIME : EEPROM_SPLIT_TIME;
+    avr_cycle_count_t duration = avr_usec_to_cycles(e->avr, e->mode == ERASE_AND_WRITE ? EEPROM_WRITE_US : EEPROM_SPLIT_US);
     e->done_at = e->avr->cycle + duration;
     avr_regbit_set(e->avr, e->part->eepe);
     avr_cycle_timer_register(e->avr, duration, finish, e);
@@ -104,7 +105,7 @@ void eeprom_reset(eeprom *e)
 {
     if (!e->done_at)
         return;
-    cycles_t left = e->done_at > e->avr->cycle ? e->done_at - e->avr->cycle : 1;
+    avr_cycle_count_t left = e->done_at > e->avr->cycle ? e->done_at - e->avr->cycle : 1;
     avr_regbit_set(e->avr, e->part->eepe);
     avr_cycle_timer_register(e->avr, left, finish, e);
 }

@@ -11,9 +11,10 @@
 struct avr_t;
 struct avr_eeprom_t;
 
-// ATmega640/1280/2560 datasheet, table 8-1: EEPM = 0, and EEPM = 1 or 2.
-#define EEPROM_WRITE_TIME (3400 * CYCLES_PER_US)
-#define EEPROM_SPLIT_TIME (1800 * CYCLES_PER_US)
+// ATmega640/1280/2560 datasheet, table 8-1: EEPM = 0, and EEPM = 1 or 2. An oscillator of its own makes it the same at any
+// clock.
+#define EEPROM_WRITE_US 3400
+#define EEPROM_SPLIT_US 1800
 
 typedef struct {
     void *context;
@@ -25,7 +26,7 @@ typedef struct {
     struct avr_t *avr;
     struct avr_eeprom_t *part; // simavr's, with the bytes
     eeprom_listener listener;
-    cycles_t done_at; // when the write under way ends, 0 while there is none
+    uint64_t done_at; // when the write under way ends, in the chip's cycles; 0 while there is none
     uint16_t address; // of the write under way
     uint8_t before;   // what was there
     uint8_t mode;     // EEPM

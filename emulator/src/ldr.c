@@ -6,7 +6,6 @@
 #include <simavr/avr_adc.h>
 #include <simavr/sim_avr.h>
 
-#define REFERENCE_MV 5000
 #define MAX_READING 1023
 
 // The program starts a conversion: only now the value matters.
@@ -18,7 +17,7 @@ static void conversion_started(struct avr_irq_t *irq, uint32_t value, void *cont
     double seconds = sensor_clock_seconds(&sensor->clock, board_now(sensor->owner));
     double reading = round(series_linear(&sensor->clock.config->values, seconds));
     // Rounded up, as the converter rounds down.
-    avr_raise_irq(sensor->channel, (uint32_t)ceil(reading * REFERENCE_MV / MAX_READING));
+    avr_raise_irq(sensor->channel, (uint32_t)ceil(reading * sensor->owner->model->supply_mv / MAX_READING));
 }
 
 void ldr_init(ldr *sensor, board *owner, const sensor_config *config)

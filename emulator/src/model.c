@@ -8,6 +8,8 @@ const model MEGA = {
     .chip = "ATmega2560",
     .mcu = "atmega2560",
     .family = 6, // with a program counter of 22 bits
+    .clock_cycles = 1,
+    .supply_mv = 5000,
     .eeprom_size = 4096,
     .boot_size = 8192,
     .pin_count = 70,
@@ -25,26 +27,25 @@ const model MEGA = {
     .adc_pins = "\"A0\"…\"A7\"",
 };
 
-const model UNO = {
-    .name = "uno",
-    .chip = "ATmega328P",
-    .mcu = "atmega328p",
-    .family = 5,
-    .eeprom_size = 1024,
-    .boot_size = 4096,
-    .pin_count = 20,
-    .pin_a0 = 14,
-    // Arduino Uno schematic, revision 3.
-    .locations = "D0D1D2D3D4D5D6D7" // 0…7
-                 "B0B1B2B3B4B5"     // 8…13
-                 "C0C1C2C3C4C5",    // A0…A5
-    .pins = "0…19 or \"A0\"…\"A5\"",
-    .adc_pins = "\"A0\"…\"A5\"",
-};
+// What all boards with this chip have alike; pins as in the Arduino Uno schematic, revision 3. A Pro Mini's A6 and A7 go to
+// the converter alone, and are left out.
+#define ATMEGA328P                                                                                                     \
+    .chip = "ATmega328P", .mcu = "atmega328p", .family = 5, .eeprom_size = 1024, .boot_size = 4096,                    \
+    .pin_count = 20, .pin_a0 = 14,                                                                                     \
+    .locations = "D0D1D2D3D4D5D6D7" /* 0…7 */                                                                          \
+                 "B0B1B2B3B4B5"     /* 8…13 */                                                                         \
+                 "C0C1C2C3C4C5",    /* A0…A5 */                                                                        \
+    .pins = "0…19 or \"A0\"…\"A5\"", .adc_pins = "\"A0\"…\"A5\""
 
-const char *const MODEL_NAMES[] = {"mega", "uno", NULL};
+const model UNO = {.name = "uno", .clock_cycles = 1, .supply_mv = 5000, ATMEGA328P};
+
+const model PRO_MINI = {.name = "promini", .clock_cycles = 2, .supply_mv = 3300, ATMEGA328P};
+
+static const model *const MODELS[] = {&MEGA, &UNO, &PRO_MINI};
+
+const char *const MODEL_NAMES[] = {"mega", "uno", "promini", NULL};
 
 const model *model_at(int index)
 {
-    return index == 0 ? &MEGA : &UNO;
+    return MODELS[index];
 }

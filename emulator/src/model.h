@@ -8,6 +8,8 @@ typedef struct {
     const char *chip;      // as its data sheet writes it
     const char *mcu;       // the same, as compiler and simavr write it
     unsigned family;       // the low bits of its ELF files' flags (binutils, include/elf/avr.h)
+    unsigned clock_cycles; // of 16 MHz that a cycle of the board takes
+    double supply_mv;      // of the chip, and the converter's reference
     int eeprom_size;       // bytes
     unsigned boot_size;    // bytes at the end of the flash where a boot loader may lie
     int pin_count;         // digital pins, the analog ones among them
@@ -17,9 +19,9 @@ typedef struct {
     const char *adc_pins;  // those of the first eight channels, which are all that simavr takes values for
 } model;
 
-extern const model MEGA, UNO;
+extern const model MEGA, UNO, PRO_MINI;
 
-// "mega", "uno", NULL: what json_choice takes.
+// "mega", "uno", "promini", NULL: what json_choice takes.
 extern const char *const MODEL_NAMES[];
 
 // The model whose name is the index-th.

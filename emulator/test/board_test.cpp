@@ -35,16 +35,34 @@ TEST(Board, an_uno_blinks_beside_a_mega)
     ASSERT_EQ(run.events("u", "uart").size(), 1u);
 }
 
+TEST(Board, a_pro_mini_blinks_on_time_at_half_the_clock)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[
+        {"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
+        {"name":"p","model":"promini","firmware":"@promini_blink","watch":[{"pin":13,"name":"led"}]}]})");
+    run.run_until(0.505);
+    auto pins = run.events("p", "pin");
+    ASSERT_EQ(pins.size(), 50u);
+    for (size_t i = 0; i < pins.size(); i++)
+        EXPECT_NEAR(pins[i].t, 0.01 * static_cast<double>(i + 1), 0.0001);
+    EXPECT_EQ(run.events("a", "pin").size(), 50u);
+    auto lines = run.events("p", "uart");
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NEAR(lines[0].t, 0.0057, 0.001); // six bytes at 9600 baud
+}
+
 TEST(Board, boards_keep_in_step)
 {
     Scratch scratch;
     Emulation run(scratch, R"({"boards":[
         {"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
         {"name":"b","firmware":"@sensors","sensors":[{"type":"hc-sr04","trigger":22,"echo":2,"distance":[[0,50]]}]},
-        {"name":"c","firmware":"@blink","watch":[{"pin":13,"name":"led"}]}]})");
+        {"name":"c","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
+        {"name":"p","model":"promini","firmware":"@promini_blink"}]})");
     for (int ms = 1; ms <= 300; ms++) {
         run.run_until(ms / 1000.0);
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 4; i++) {
             cycles_t now = board_now(&run.e.nodes[i].arduino);
             EXPECT_GE(now, run.e.now);
             EXPECT_LT(now, run.e.now + 10 * CYCLES_PER_US);

@@ -44,7 +44,7 @@ TEST(Pins, are_where_the_uno_has_them)
 
 TEST(Pins, have_each_a_place_of_their_own_and_are_found_by_it)
 {
-    for (const model *m : {&MEGA, &UNO}) {
+    for (const model *m : {&MEGA, &UNO, &PRO_MINI}) {
         std::set<int> places;
         ASSERT_EQ(std::strlen(m->locations), 2u * static_cast<unsigned>(m->pin_count));
         for (int pin = 0; pin < m->pin_count; pin++) {
