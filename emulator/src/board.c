@@ -164,13 +164,19 @@ bool board_output(const board *b, int pin)
 
 static void raise_inputs(board *b, int index)
 {
-    for (int bit = 0; bit < 8; bit++)
+    for (int bit = 0; bit < 8; bit++) {
+        struct avr_irq_t *irq = port_irq(b, index, bit);
+        if (!irq)
+            return; // no such port
+        // simavr passes on only changes, and the reset has cleared what it had passed on: of the program's pull-ups quietly,
+        // as nothing has happened at the pin.
         if (b->ports[index].driven >> bit & 1) {
-            struct avr_irq_t *irq = port_irq(b, index, bit);
-            // simavr passes on only changes, and the reset has cleared what it had passed on.
             avr_raise_irq(irq, 0);
             avr_raise_irq(irq, b->ports[index].external >> bit & 1);
+        } else {
+            irq->value = 0;
         }
+    }
 }
 
 // Tells that all pins are inputs now, which simavr does not.

@@ -52,6 +52,18 @@ TEST(Board, a_pro_mini_blinks_on_time_at_half_the_clock)
     EXPECT_NEAR(lines[0].t, 0.0057, 0.001); // six bytes at 9600 baud
 }
 
+TEST(Board, a_pull_up_works_after_a_reset_too)
+{
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@pull_up"}],
+        "faults":[{"t":0.1,"board":"a","do":"reset"}]})");
+    run.run_until(0.2);
+    auto lines = run.events("a", "uart");
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].text("line"), "high");
+    EXPECT_EQ(lines[1].text("line"), "high");
+}
+
 TEST(Board, boards_keep_in_step)
 {
     Scratch scratch;
