@@ -9,6 +9,6 @@ static Radio &defaultRadio() {
   return radio;
 }
 
-Javino::Javino(HardwareSerial &serial, const char *firmwareName) : Javino(serial, firmwareName, defaultRadio()) {}
+Javino::Javino(HostSerial &serial, const char *firmwareName) : Javino(serial, firmwareName, defaultRadio()) {}
 
 }  // namespace javino

@@ -4,7 +4,7 @@
 
 namespace javino {
 
-Javino::Javino(HardwareSerial &serial, const char *firmwareName, Radio &radio)
+Javino::Javino(HostSerial &serial, const char *firmwareName, Radio &radio)
     : serial_(serial), board_(SerialPort(serial), radio, firmwareName) {}
 
 bool Javino::begin(unsigned long baud) {

@@ -6,15 +6,18 @@
 
 namespace javino {
 
+/// What `Serial` is: a UART, or on chips with USB of their own (ATmega32U4) that.
+typedef decltype(Serial) HostSerial;
+
 /// An Arduino that an agent can reach: the one object that a sketch needs.
 class Javino {
  public:
   // With the ASK radio on its default pins. The name is told to the host and says which sketch this is: a plain
   // "vehicle 1.0", as F("…") cannot stand outside of functions.
-  Javino(HardwareSerial &serial, const char *firmwareName);
+  Javino(HostSerial &serial, const char *firmwareName);
 
   // With the ASK radio on other pins, or any other radio.
-  Javino(HardwareSerial &serial, const char *firmwareName, Radio &radio);
+  Javino(HostSerial &serial, const char *firmwareName, Radio &radio);
 
   // Names the function that says what the board perceives; it is called for each poll that asks for percepts.
   void onPercepts(PerceptSource source) { board_.onPercepts(source); }
@@ -31,7 +34,7 @@ class Javino {
   void run();
 
  private:
-  HardwareSerial &serial_;
+  HostSerial &serial_;
   Board board_;
 };
 

@@ -2,17 +2,17 @@
 
 #include <stdint.h>
 
-/// A UART of the Arduino core.
-class HardwareSerial;
+/// A serial port of the Arduino core: a UART, or the USB of chips that have their own.
+class Stream;
 
 namespace javino {
 
-/// The bytes between host and board; no function waits. The seam for the UART; bound when linking, to
+/// The bytes between host and board; no function waits. The seam for the port; bound when linking, to
 /// ArduinoSerialPort.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
 /// bytes of flash.
 class SerialPort {
  public:
-  explicit SerialPort(HardwareSerial &serial) : serial_(serial) {}
+  explicit SerialPort(Stream &serial) : serial_(serial) {}
 
   /// @return whether read() has a byte. Safe to call with interrupts off, as is canWrite().
   bool canRead() const;
@@ -27,7 +27,7 @@ class SerialPort {
   void write(uint8_t byte);
 
  private:
-  HardwareSerial &serial_;
+  Stream &serial_;
 };
 
 }  // namespace javino

@@ -21,13 +21,24 @@ int analogRead(uint8_t pin);
 unsigned long millis();
 unsigned long micros();
 
-class HardwareSerial {
+class Stream {
+ public:
+  virtual int available() = 0;
+  virtual int read() = 0;
+  virtual int availableForWrite() = 0;
+  virtual size_t write(uint8_t byte) = 0;
+
+ protected:
+  ~Stream() = default;
+};
+
+class HardwareSerial : public Stream {
  public:
   void begin(unsigned long baud);
-  int available();
-  int read();
-  int availableForWrite();
-  size_t write(uint8_t byte);
+  int available() override;
+  int read() override;
+  int availableForWrite() override;
+  size_t write(uint8_t byte) override;
 };
 
 extern HardwareSerial Serial;

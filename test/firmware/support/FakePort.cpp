@@ -6,23 +6,23 @@
 
 namespace javino {
 
-// Each UART of these tests is a FakePort.
+// Each port of these tests is a FakePort.
 bool SerialPort::canRead() const { return static_cast<FakePort &>(serial_).canRead(); }
-uint8_t SerialPort::read() { return static_cast<FakePort &>(serial_).read(); }
+uint8_t SerialPort::read() { return static_cast<FakePort &>(serial_).take(); }
 bool SerialPort::canWrite() const { return static_cast<FakePort &>(serial_).canWrite(); }
-void SerialPort::write(uint8_t byte) { static_cast<FakePort &>(serial_).write(byte); }
+void SerialPort::write(uint8_t byte) { static_cast<FakePort &>(serial_).put(byte); }
 
 }  // namespace javino
 
-uint8_t FakePort::read() {
-  if (in_.empty()) throw std::logic_error("read() without canRead()");
+uint8_t FakePort::take() {
+  if (in_.empty()) throw std::logic_error("take() without canRead()");
   const uint8_t byte = in_.front();
   in_.pop_front();
   return byte;
 }
 
-void FakePort::write(uint8_t byte) {
-  if (room_ == 0) throw std::logic_error("write() without canWrite() would block");
+void FakePort::put(uint8_t byte) {
+  if (room_ == 0) throw std::logic_error("put() without canWrite() would block");
   if (room_ != SIZE_MAX) room_--;
   out_.push_back(byte);
   ever_.push_back(byte);

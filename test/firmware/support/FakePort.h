@@ -10,9 +10,9 @@
 class FakePort : public HardwareSerial {
  public:
   bool canRead() const { return !in_.empty(); }
-  uint8_t read();
+  uint8_t take();
   bool canWrite() const { return room_ > 0; }
-  void write(uint8_t byte);
+  void put(uint8_t byte);
 
   void arrive(const Bytes &bytes) { in_.insert(in_.end(), bytes.begin(), bytes.end()); }
 
@@ -22,7 +22,7 @@ class FakePort : public HardwareSerial {
   /// All that the board ever wrote.
   const Bytes &everWritten() const { return ever_; }
 
-  /// How many bytes write() takes until the next call; unlimited at first.
+  /// How many bytes put() takes until the next call; unlimited at first.
   void setRoom(size_t room) { room_ = room; }
 
  private:
