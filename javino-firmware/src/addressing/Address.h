@@ -21,6 +21,9 @@ class Address {
   /// The serial line's address, `++++`; as an RF id it means that none is set.
   static Address serialLine() { return Address(PLUSES, PLUSES); }
 
+  /// All in range, `////`.
+  static Address broadcast() { return Address(SLASHES, SLASHES); }
+
   /// A piece's address: `+F` and these two digits (SPEC 7.1).
   /// @param id 0…63
   /// @param index 0…63

@@ -1,0 +1,61 @@
+#include "Broadcaster.h"
+
+#include <string.h>
+
+#include "../radio/Counting.h"
+#include "../support/Clock.h"
+
+namespace javino {
+
+bool Broadcaster::begin(const char *address) {
+  if (strlen(address) != Address::TEXT_LENGTH || !Address::parse(reinterpret_cast<const uint8_t *>(address), address_) ||
+      !address_.isDevice() || !radio_.begin()) {
+    return false;
+  }
+  random_.seed(address_.value(), 0);
+  channel_.begin();
+  return true;
+}
+
+bool Broadcaster::send(const char *text) {
+  const size_t length = strlen(text);
+  if (isBusy() || length == 0 || length > MAX_TEXT) return false;
+  Frame::writeHeader(frame_, Address::broadcast(), address_, static_cast<uint16_t>(length));
+  memcpy(frame_ + HEADER_LENGTH, text, length);
+  length_ = static_cast<uint8_t>(HEADER_LENGTH + length);
+  backoff_.begin(0, channel_.quietSlots(), random_);
+  return true;
+}
+
+void Broadcaster::run() {
+  radio_.update();
+  channel_.update();
+  uint8_t length;
+  while (const uint8_t *packet = radio_.receive(length)) {
+    hear(packet, length);
+    radio_.release();
+  }
+  if (isBusy() && backoff_.isOver(channel_.quietSlots()) && channel_.send(frame_, length_)) length_ = 0;
+}
+
+void Broadcaster::hear(const uint8_t *packet, uint8_t length) {
+  Frame frame;
+  if (Frame::parse(packet, length, frame) != FrameError::NONE || !isNew(frame, packet, length)) {
+    countUp(ignored_);
+    return;
+  }
+  if (!hearer_) return;
+  uint8_t from[Address::TEXT_LENGTH + 1] = {};
+  char text[MAX_TEXT + 1] = {};
+  frame.origin.write(from);
+  memcpy(text, frame.message, frame.length);
+  hearer_(reinterpret_cast<const char *>(from), text);
+}
+
+bool Broadcaster::isNew(const Frame &frame, const uint8_t *packet, uint8_t length) {
+  if (!frame.destination.isBroadcast() || !frame.origin.isDevice() || frame.origin == address_) return false;
+  const uint32_t now = clock::millis();
+  return !heard_.isRepeat(frame.origin, packet, length, now - channel_.airtimeMillis(length), now);
+}
+
+}  // namespace javino

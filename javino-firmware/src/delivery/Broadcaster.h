@@ -1,0 +1,68 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../addressing/Address.h"
+#include "../framing/Frame.h"
+#include "../framing/Limits.h"
+#include "../radio/Radio.h"
+#include "../support/Random.h"
+#include "Backoff.h"
+#include "BroadcastMemory.h"
+#include "Channel.h"
+
+namespace javino {
+
+/// A board that no agent drives: it sends and hears broadcasts, plain and short, in the form that all boards understand
+/// (SPEC 2, 6), and waits for quiet air as they do (SPEC 7.4). It needs neither a host nor the EEPROM.
+class Broadcaster {
+ public:
+  /// The most bytes of a text: what fits one packet.
+  static const uint8_t MAX_TEXT = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
+
+  /// A sketch's function for what is heard.
+  /// @param from the sender's address, four digits and a zero
+  /// @param text what it sent, ended by a zero
+  typedef void (*Hearer)(const char *from, const char *text);
+
+  // The radio outlives the broadcaster.
+  explicit Broadcaster(Radio &radio)
+      : radio_(radio), channel_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
+
+  // Names the function that is told what comes.
+  void onHeard(Hearer hearer) { hearer_ = hearer; }
+
+  // Starts the radio; call it once, in setup(). The address is this board's own, another than that of any board in reach:
+  // four letters or digits such as "ROMA". Returns false where it is none, or the radio could not be started.
+  bool begin(const char *address);
+
+  // Sends a text of 1…67 bytes as soon as the air is free. Returns false, and sends nothing, where it has another length,
+  // or the text before still waits for the air.
+  bool send(const char *text);
+
+  // Whether a text waits for the air.
+  bool isBusy() const { return length_ != 0; }
+
+  // Does what there is to do; call it from loop(), and at least every 5 ms.
+  void run();
+
+  // Packets that came, since the boot, and were no broadcast of another board, or one that had come before.
+  uint32_t ignored() const { return ignored_; }
+
+ private:
+  void hear(const uint8_t *packet, uint8_t length);
+  bool isNew(const Frame &frame, const uint8_t *packet, uint8_t length);
+
+  Radio &radio_;
+  Channel channel_;
+  Backoff backoff_;
+  Random random_;
+  BroadcastMemory heard_;
+  Hearer hearer_;
+  Address address_;
+  uint8_t length_;  // of the frame that waits, 0 where none does
+  uint8_t frame_[MAX_RADIO_PAYLOAD];
+  uint32_t ignored_;
+};
+
+}  // namespace javino
