@@ -44,7 +44,7 @@ class Commands {
 
  private:
   Status dispatch(const Frame &request, Reply &reply);
-  Status transmit(const Frame &request, Reply &reply);
+  JAVINO_NOINLINE Status transmit(const Frame &request, Reply &reply);
   Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
   Status hello(const uint8_t *body, uint16_t length, Reply &reply);
   Status poll(const uint8_t *body, uint16_t length, Reply &reply);

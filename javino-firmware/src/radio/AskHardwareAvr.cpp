@@ -6,11 +6,9 @@
 #include "AskHardware.h"
 #include "AskRadio.h"
 
-// Timer 1 runs freely at an eighth of the CPU's clock (0.5 µs at 16 MHz); its compare unit A is the alarm.
+// The pins; the timer is in AskHardwareAvrTimer.h.
 
 namespace {
-
-const uint8_t PRESCALER = 8;
 
 javino::AskRadio *modem;
 
@@ -18,12 +16,12 @@ volatile uint8_t *txRegister;
 uint8_t txBit;
 volatile uint8_t *rxRegister;
 uint8_t rxBit;
-volatile uint8_t *rxEdgeMask;  // PCMSK0, 1 or 2; its bits are those of the port, on Mega and Uno alike
+volatile uint8_t *rxEdgeMask;  // PCMSK0, 1 or 2; its bits are those of the port, on all boards alike
 uint8_t rxEdgeFlag;            // in PCICR and PCIFR
 
 }  // namespace
 
-ISR(PCINT0_vect) { modem->onEdge(TCNT1, *rxRegister & rxBit); }
+ISR(PCINT0_vect) { modem->onEdge(javino::askhardware::now(), *rxRegister & rxBit); }
 
 #if defined(PCINT1_vect)
 ISR(PCINT1_vect, ISR_ALIASOF(PCINT0_vect));
@@ -33,12 +31,12 @@ ISR(PCINT1_vect, ISR_ALIASOF(PCINT0_vect));
 ISR(PCINT2_vect, ISR_ALIASOF(PCINT0_vect));
 #endif
 
-ISR(TIMER1_COMPA_vect) { modem->onAlarm(); }
-
 namespace javino {
 namespace askhardware {
 
-uint32_t ticksPerSecond() { return F_CPU / PRESCALER; }
+void beginTimer();  // AskHardwareAvrTimer.h
+
+void onAlarm() { modem->onAlarm(); }
 
 bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
   if (rxPin >= NUM_DIGITAL_PINS || txPin >= NUM_DIGITAL_PINS || rxPin == txPin) return false;
@@ -57,23 +55,8 @@ bool begin(uint8_t rxPin, uint8_t txPin, AskRadio &radio) {
   rxEdgeFlag = static_cast<uint8_t>(_BV(rxEdgeMask - &PCMSK0));
   PCICR |= rxEdgeFlag;
 
-  TIMSK1 = 0;
-  TCCR1A = 0;
-  TCCR1B = _BV(CS11);
+  beginTimer();
   return true;
-}
-
-uint16_t now() { return TCNT1; }
-
-void setAlarm(uint16_t at) {
-  OCR1A = at;
-  TIFR1 = _BV(OCF1A);
-  TIMSK1 = _BV(OCIE1A);
-}
-
-void clearAlarm() {
-  TIMSK1 = 0;
-  TIFR1 = _BV(OCF1A);
 }
 
 void watchEdges(bool on) {

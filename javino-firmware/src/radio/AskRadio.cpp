@@ -12,10 +12,11 @@ namespace {
 const uint8_t BITS_TO_ALARM = 5;
 const uint8_t SILENCE_ALARMS = 2;
 
-// 0 for a rate that cannot be had.
+// 0 for a rate that cannot be had: none of ours, or too high for a slow timer.
 uint16_t ticksPerBit(uint16_t bitRate) {
   if (bitRate < AskRadio::MIN_BIT_RATE || bitRate > AskRadio::MAX_BIT_RATE) return 0;
-  return static_cast<uint16_t>((askhardware::ticksPerSecond() + bitRate / 2) / bitRate);
+  const uint16_t ticks = static_cast<uint16_t>((askhardware::ticksPerSecond() + bitRate / 2) / bitRate);
+  return ticks < BitClock::MIN_TICKS ? 0 : ticks;
 }
 
 }  // namespace

@@ -14,17 +14,18 @@ namespace javino {
 /// The modem for cheap 433 MHz on-off-keying pairs (SPEC 6): one interrupt a bit while sending, one an edge while
 /// receiving, none while the air is quiet.
 ///
-/// Takes timer 1, and so the PWM of its pins (11, 12 and 13 on a Mega), and the pin-change interrupts. Everything
-/// happens in interrupts, which are short and never wait; the loop only fetches what came. Half duplex: nothing is
-/// received while sending, and a packet that was half received then counts as missed.
+/// Takes timer 1, or the one that a sketch names (AskHardwareAvrTimer.h), and so the PWM of its pins, and the pin-change
+/// interrupts. Everything happens in interrupts, which are short and never wait; the loop only fetches what came. Half
+/// duplex: nothing is received while sending, and a packet that was half received then counts as missed.
 class AskRadio : public Radio {
  public:
   static const uint16_t MIN_BIT_RATE = 200;
   static const uint16_t MAX_BIT_RATE = 10000;
 
-  /// @param rxPin digital pin of the receiver's data; it must have a pin-change interrupt (Mega: 10-15, 50-53, A8-A15)
+  /// @param rxPin digital pin of the receiver's data; it must have a pin-change interrupt (Mega: 10-15, 50-53, A8-A15; Leonardo: 8-11,
+  /// 14-17; the others: all)
   /// @param txPin digital pin of the transmitter's data
-  /// @param bitRate bits a second, 200…10000; the same on all boards
+  /// @param bitRate bits a second, 200…10000 and no more than a 16th of the timer's rate; the same on all boards
   explicit AskRadio(uint8_t rxPin = 11, uint8_t txPin = 12, uint16_t bitRate = 2000);
 
   bool begin() override;

@@ -14,6 +14,8 @@ namespace javino {
 /// follows a sender whose clock is 3 % off through four equal bits, the most that the line code holds.
 class BitClock {
  public:
+  static const uint8_t MIN_TICKS = 16;
+
   /// @param bitTicks the length of a bit in ticks, 16…13107
   explicit BitClock(uint16_t bitTicks);
 

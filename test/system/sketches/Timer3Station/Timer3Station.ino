@@ -1,0 +1,15 @@
+// The library's example Station with its radio on timer 3.
+
+#define JAVINO_RADIO_TIMER 3
+#include <Javino.h>
+
+// Timer 1 is free, all its interrupts too.
+EMPTY_INTERRUPT(TIMER1_COMPA_vect)
+EMPTY_INTERRUPT(TIMER1_COMPB_vect)
+EMPTY_INTERRUPT(TIMER1_OVF_vect)
+
+javino::Javino board(Serial, "timer 3 station 1.0");
+
+void setup() { board.begin(115200); }
+
+void loop() { board.run(); }

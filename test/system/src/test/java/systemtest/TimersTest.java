@@ -1,0 +1,98 @@
+package systemtest;
+
+import static harness.Host.get;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The radio on the timer that a sketch names, beside what the other timers are for. */
+class TimersTest {
+
+    private static final double SERVO_PERIOD_SECONDS = 0.020;
+    private static final int SERVO_MICROS = 2000;
+    private static final int TONE_HERTZ = 1000;
+    /** An interrupt may hold up another for so long. */
+    private static final double LATENESS_SECONDS = 0.0003;
+
+    @Test
+    void onTimer0OfAnUno_servoAndToneGoOnWhileItTalks(@TempDir Path folder) throws Exception {
+        talksBesideServoAndTone(folder, "uno");
+    }
+
+    @Test
+    void onTimer0OfAMega_servoAndToneGoOnWhileItTalks(@TempDir Path folder) throws Exception {
+        talksBesideServoAndTone(folder, "mega");
+    }
+
+    @Test
+    void onTimer3OfAMega_itTalks(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = new Emulator.Scenario().board("one", "Timer3Station").board("other", "Station").start(folder);
+             Host one = Host.of(emulator, "one"); Host other = Host.of(emulator, "other")) {
+            exchange(one, other);
+        }
+    }
+
+    private static void talksBesideServoAndTone(Path folder, String model) throws Exception {
+        Map<String, Object> watched = Map.of("model", model,
+            "watch", List.of(Map.of("pin", 9, "name", "servo"), Map.of("pin", 8, "name", "buzzer")));
+        try (Emulator emulator = new Emulator.Scenario().board("arm", "ServoAndTone", watched).board("other", "Station").start(folder);
+             Host arm = Host.of(emulator, "arm"); Host other = Host.of(emulator, "other")) {
+            get(arm.board.act("turn(" + SERVO_MICROS + ")"));
+            get(arm.board.act("beep(" + TONE_HERTZ + ")"));
+            double begin = now(emulator) + SERVO_PERIOD_SECONDS;
+            exchange(arm, other);
+            double end = now(emulator);
+
+            List<TraceEvent> servo = edges(emulator, "servo", begin, end);
+            assertTrue(servo.size() > 20, "the servo stood still");
+            assertGaps(servo, 1, SERVO_MICROS / 1e6);
+            assertGaps(servo, 0, SERVO_PERIOD_SECONDS - SERVO_MICROS / 1e6);
+            List<TraceEvent> tone = edges(emulator, "buzzer", begin, end);
+            assertTrue(tone.size() > 200, "the buzzer was silent");
+            assertGaps(tone, 1, 0.5 / TONE_HERTZ);
+            assertGaps(tone, 0, 0.5 / TONE_HERTZ);
+        }
+    }
+
+    private static double now(Emulator emulator) {
+        List<TraceEvent> trace = emulator.trace();
+        return trace.get(trace.size() - 1).seconds();
+    }
+
+    private static List<TraceEvent> edges(Emulator emulator, String pin, double begin, double end) {
+        return emulator.trace().stream().filter(event -> event.is("pin", "arm") && event.text("name").equals(pin))
+            .filter(event -> event.seconds() >= begin && event.seconds() <= end).toList();
+    }
+
+    /** How long the pin stays at a level: each time but for what interrupts take, and on the whole as it should. */
+    private static void assertGaps(List<TraceEvent> edges, int level, double seconds) {
+        List<Double> gaps = IntStream.range(0, edges.size() - 1).filter(i -> edges.get(i).number("level") == level)
+            .mapToObj(i -> edges.get(i + 1).seconds() - edges.get(i).seconds()).toList();
+        gaps.forEach(gap -> assertEquals(seconds, gap, LATENESS_SECONDS, "level " + level));
+        double mean = gaps.stream().mapToDouble(Double::doubleValue).average().orElseThrow();
+        assertEquals(seconds, mean, seconds / 100, "level " + level);
+    }
+
+    private static void exchange(Host one, Host other) throws Exception {
+        one.as("ROMA", Map.of("SUPO", TestKeys.PAIR));
+        other.as("SUPO", Map.of("ROMA", TestKeys.PAIR));
+        one.send("SUPO", "tell;here");
+        assertEquals("tell;here", other.message().content().toString());
+        other.send("ROMA", "tell;there");
+        assertEquals("tell;there", one.message().content().toString());
+        assertEquals(1, one.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertEquals(1, other.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertEquals(0, one.counter(Counter.RADIO_RESENT) + other.counter(Counter.RADIO_RESENT));
+    }
+}
