@@ -124,8 +124,9 @@ public final class Host implements AutoCloseable {
         return List.copyOf(percepts);
     }
 
+    /** A counter of the board; a small one does not tell those that are 0. */
     public long counter(Counter counter) {
-        return get(board.statistics()).get(counter);
+        return get(board.statistics()).getOrDefault(counter, 0L);
     }
 
     /** What a request ended with; a failed one fails the test. */

@@ -1,0 +1,43 @@
+// Tells an agent how warm it is.
+//
+// Wiring: analog temperature sensor TMP36: supply to 5 V (3.3 V on a board of 3.3 V), ground to GND, output to A0.
+// USB to the computer that runs the agent.
+//
+// No actions.
+// Percepts: temperature(T)   in °C, -40…125, to the nearest degree
+
+#include <Javino.h>
+
+const uint8_t SENSOR_PIN = A0;
+
+// The data sheet's: 500 mV at 0 °C, 10 mV more for each degree.
+const int ZERO_CELSIUS = 50;
+const int MILLIVOLTS_A_DEGREE = 10;
+
+// What the converter takes for 1024: a Pro Mini with a clock of 8 MHz is one of 3.3 V.
+const long SUPPLY_MILLIVOLTS = F_CPU < 16000000 ? 3300 : 5000;
+
+// One reading is of half a degree and never rests; as many as these take 2 ms.
+const uint8_t READINGS = 16;
+
+javino::Javino board(Serial, "thermometer 1.0");
+
+int celsius() {
+  long sum = 0;
+  for (uint8_t i = 0; i < READINGS; i++) sum += analogRead(SENSOR_PIN);
+  const long millivolts = sum * SUPPLY_MILLIVOLTS / (1024L * READINGS);
+  return (millivolts + MILLIVOLTS_A_DEGREE / 2) / MILLIVOLTS_A_DEGREE - ZERO_CELSIUS;
+}
+
+void perceive(javino::Percepts &percepts) {
+  percepts.add(F("temperature"), celsius());
+}
+
+void setup() {
+  board.onPercepts(perceive);
+  board.begin(115200);
+}
+
+void loop() {
+  board.run();
+}

@@ -1,0 +1,75 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import harness.Emulator;
+import harness.Host;
+import harness.Monitor;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The examples of the Arduino library that no other test uses. */
+class ExamplesTest {
+
+    @Test
+    void thermometer_tellsDegreesOnBoardsOfEachSupply(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = new Emulator.Scenario()
+                 .board("warm", "Thermometer", reading("mega", 153))     // 747 mV of 5 V
+                 .board("cold", "Thermometer", reading("uno", 82))       // 400 mV
+                 .board("mini", "Thermometer", reading("promini", 232))  // 748 mV of 3.3 V
+                 .start(folder)) {
+            assertEquals("temperature(25)", percept(emulator, "warm"));
+            assertEquals("temperature(-10)", percept(emulator, "cold"));
+            assertEquals("temperature(25)", percept(emulator, "mini"));
+        }
+    }
+
+    @Test
+    void twoBoards_chatByWhatIsTyped(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = new Emulator.Scenario()
+                 .board("one", "TwoBoards", Map.of("model", "uno"))
+                 .board("other", "TwoBoards", Map.of("sensors", List.of(Map.of("type", "digital", "pin", 2, "level", List.of(List.of(0, 0))))))
+                 .start(folder);
+             Monitor one = Monitor.of(emulator, "one"); Monitor other = Monitor.of(emulator, "other")) {
+            assertEquals("ALFA: type a line", one.line());
+            assertEquals("BETA: type a line", other.line());
+
+            one.type("hello there\n");
+            assertEquals("ALFA: hello there", other.line());
+            other.type("hello to you\r\n");
+            assertEquals("BETA: hello to you", one.line());
+
+            one.type("x".repeat(68) + "\n");
+            assertEquals("too long, not sent: 67 bytes at most", one.line());
+            one.type("x".repeat(67) + "\n");
+            assertEquals("ALFA: " + "x".repeat(67), other.line());
+        }
+    }
+
+    @Test
+    void twoBoards_isUnderstoodByAgentsAndUnderstandsThem(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = new Emulator.Scenario().board("one", "TwoBoards").board("station", "Station").start(folder);
+             Monitor one = Monitor.of(emulator, "one"); Host station = Host.of(emulator, "station").as("ROMA", Map.of())) {
+            assertEquals("ALFA: type a line", one.line());
+            one.type("tell;hello\n");
+            assertEquals("tell;hello", station.message().content().toString());
+            station.send("////", "tell;welcome");
+            assertEquals("ROMA: tell;welcome", one.line());
+        }
+    }
+
+    private static Map<String, Object> reading(String model, int light) {
+        return Map.of("model", model,
+            "sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, light)))));
+    }
+
+    private static String percept(Emulator emulator, String board) throws InterruptedException {
+        try (Host host = Host.of(emulator, board)) {
+            host.board.percepts(true);
+            return host.percepts(literals -> !literals.isEmpty()).get(0);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import harness.Emulator;
+import harness.Host;
+import harness.LineCode;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import javino.board.ReceivedMessage;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A Pro Mini, at half the clock of the Mega beside it. */
+class ProMiniTest {
+
+    private static final double BIT_SECONDS = 1 / 2000.0;
+
+    private Emulator emulator;
+    private Host mini;
+    private Host mega;
+
+    @BeforeEach
+    void switchOn(@TempDir Path folder) throws Exception {
+        emulator = new Emulator.Scenario()
+            .board("mini", "Blink", Map.of("model", "promini", "watch", List.of(Map.of("pin", 12, "name", "transmitter"))))
+            .board("mega", "Station")
+            .start(folder);
+        mini = Host.of(emulator, "mini").as("LAMP", Map.of("ROMA", TestKeys.PAIR));
+        mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR));
+    }
+
+    @AfterEach
+    void switchOff() {
+        List.of(mini, mega).forEach(Host::close);
+        emulator.close();
+    }
+
+    @Test
+    void broadcast_hasBitsOfTheSameLengthAsAllBoards() throws Exception {
+        mini.send("////", "tell;help");
+
+        List<TraceEvent> edges = emulator.trace().stream().filter(event -> event.is("pin", "mini"))
+            .dropWhile(edge -> edge.number("level") == 0).toList();
+        assertEquals("////LAMPBItell;help",
+            new String(LineCode.payload(LineCode.bits(edges, BIT_SECONDS)), StandardCharsets.US_ASCII));
+        double seconds = edges.get(edges.size() - 1).seconds() - edges.get(0).seconds();
+        assertEquals(0, Math.IEEEremainder(seconds, BIT_SECONDS), BIT_SECONDS / 100);
+    }
+
+    @Test
+    void unicast_isDeliveredBothWays() throws Exception {
+        mini.send("ROMA", "tell;bright");
+        assertMessage(mega.message(), "LAMP", "tell;bright");
+        mega.send("LAMP", "achieve;light(off)");
+        assertMessage(mini.message(), "ROMA", "achieve;light(off)");
+        assertEquals(1, mini.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertEquals(1, mega.counter(Counter.RADIO_ACKNOWLEDGED));
+        assertEquals(0, mini.counter(Counter.RADIO_RESENT));
+        assertEquals(0, mega.counter(Counter.RADIO_RESENT));
+    }
+
+    private static void assertMessage(ReceivedMessage message, String from, String content) {
+        assertEquals(from, message.from().toString());
+        assertEquals(content, message.content().toString());
+    }
+}
