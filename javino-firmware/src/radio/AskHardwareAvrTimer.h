@@ -93,7 +93,8 @@ uint32_t ticksPerSecond() { return F_CPU / PRESCALER; }
 
 uint16_t now() { return JAVINO_TIMER(TCNT, ); }
 
-void setAlarm(uint16_t at) {
+// Out of line: 30 bytes of an Uno's flash less, 9 of some 8000 cycles a bit more.
+JAVINO_OUT_OF_LINE void setAlarm(uint16_t at) {
   JAVINO_TIMER(OCR, B) = at;
   JAVINO_TIMER(TIFR, ) = _BV(JAVINO_TIMER(OCF, B));
   JAVINO_TIMER(TIMSK, ) = _BV(JAVINO_TIMER(OCIE, B));
