@@ -33,7 +33,7 @@ public enum Status {
     /** The EEPROM did not keep what was written. */
     STORE_FAILED("the board's EEPROM did not keep what was written"),
     /** No nonce is left. */
-    NONCE_EXHAUSTED("the board has used all its nonces; its keys must be replaced");
+    NONCE_EXHAUSTED("the board has used all its nonces; reset it; if that does not help, another board and new keys");
 
     private static final Status[] VALUES = values();
 
