@@ -12,7 +12,8 @@ class NonceSource {
  public:
   explicit NonceSource(const BootEpoch &epoch) : epoch_(epoch), counter_(0) {}
 
-  /// Whether epoch or counter is used up: nothing can be sealed until the keys are replaced.
+  /// Whether epoch or counter is used up: nothing can be sealed until the next boot; after the last epoch never
+  /// again on this board.
   bool isExhausted() const { return epoch_.value() == BootEpoch::NONE_LEFT || counter_ > LAST_COUNTER; }
 
   /// Whether the epoch could be stored: where not, a nonce might come again after the next boot, so none is given.
