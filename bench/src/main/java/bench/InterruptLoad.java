@@ -7,8 +7,8 @@ final class InterruptLoad implements Subject {
 
     private static final int BIT_RATE = 2000;
     private static final int PACKETS = 20;
-    /** PCINT0 and TIMER1_COMPA of the ATmega2560. */
-    private static final List<Integer> RADIO_VECTORS = List.of(9, 17);
+    /** PCINT0, TIMER1_COMPA (of the reference) and TIMER1_COMPB (of ours) of the ATmega2560. */
+    private static final List<Integer> RADIO_VECTORS = List.of(9, 17, 18);
     private static final String REFERENCE = "eight samples a bit";
 
     @Override

@@ -63,6 +63,7 @@ final class Probe {
     double load(String board, List<Integer> vectors) {
         double cycles = trace.stream().filter(event -> event.is("interrupts", board) && vectors.contains(event.number("vector")))
             .mapToDouble(event -> event.number("cycles")).sum();
+        if (cycles == 0) throw new IllegalStateException("of the interrupts " + vectors + " none has run on " + board);
         return 100 * cycles / (seconds * CYCLES_PER_SECOND);
     }
 
