@@ -12,8 +12,8 @@ import jason.infra.local.LocalAgArch;
  *
  * <p>The board is asked first, since only it knows what its sketch can do. What it does not know goes behind, and goes
  * there directly the next time; what no board can read, such as a variable without a value that an operation of
- * CArtAgO is to give one, goes behind each time. While the board is away, all actions go behind, so that they do not wait for it; where
- * there is nothing behind, they wait for the board as long as its session allows.
+ * CArtAgO is to give one, goes behind each time. While the board is away, all actions go behind, so that they do not wait
+ * for it; where there is nothing behind, they wait for the board as long as its session allows.
  */
 final class ActionRouter {
 
@@ -34,7 +34,10 @@ final class ActionRouter {
         if (device == null || device.disowns(name)) {
             behind.accept(action);
         } else if (device.isLegacy()) {
-            actBehind(device, action);
+            String text = action.getActionTerm().toString();
+            // It does not say which actions it has, and one that it does not know may well crash it.
+            passOn(action, new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
+                    + " which it cannot be asked whether it has an action; write .act(" + text + ") instead of " + text));
         } else if (device.isOnline() || !somethingIsBehind()) {
             askBoard(device, action);
         } else {
@@ -43,14 +46,12 @@ final class ActionRouter {
         }
     }
 
-    /** A board with the older protocol does not say which actions it has: one that it does not know may well crash it. */
-    private void actBehind(Device device, ActionExec action) {
+    /** Leaves an action that cannot be the board's to what is behind; where nothing is, it has failed. */
+    private void passOn(ActionExec action, Failure failure) {
         if (somethingIsBehind()) {
             behind.accept(action);
         } else {
-            String text = action.getActionTerm().toString();
-            finish(action, new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
-                    + " which it cannot be asked whether it has an action; write .act(" + text + ") instead of " + text));
+            finish(action, failure);
         }
     }
 
@@ -59,11 +60,7 @@ final class ActionRouter {
             diffuser.perform(Texts.action(action.getActionTerm()))
                     .whenComplete((done, thrown) -> answered(device, action, thrown));
         } catch (JasonException e) {
-            if (somethingIsBehind()) {
-                behind.accept(action);
-            } else {
-                finish(action, Failure.of(e));
-            }
+            passOn(action, Failure.of(e));
         }
     }
 
