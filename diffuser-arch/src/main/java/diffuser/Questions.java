@@ -108,16 +108,12 @@ final class Questions {
     /** The open question that a device answers; none if it was not asked, has answered, or nobody waits any more. */
     Optional<Question> answered(Conversation conversation, Address by) {
         Question question = open.get(conversation);
-        if (question == null || !wasAsked(by, question.letter().to()) || !question.answered().add(by)) {
+        if (question == null || !question.letter().to().reaches(by) || !question.answered().add(by)) {
             return Optional.empty();
         }
         if (question.letter().isAcknowledged()) {
             open.remove(conversation);
         }
         return Optional.of(question).filter(known -> known.messageId().map(intentions::isWaiting).orElse(true));
-    }
-
-    private static boolean wasAsked(Address device, Address asked) {
-        return device.equals(asked) || asked.kind() == Address.Kind.MULTICAST && device.group().equals(asked.member());
     }
 }

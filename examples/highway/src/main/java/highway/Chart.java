@@ -12,7 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import javino.protocol.Address;
 
 /** A run as a picture: a lifeline for each device, and going down, in the order of time, all that was evidence. */
 final class Chart {
@@ -63,9 +63,7 @@ final class Chart {
         if (seen instanceof Said said) return box(said.device(), "“" + said.text() + "”", y, "white");
         String time = String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",
             y + 4, seen.seconds());
-        if (seen instanceof Pin pin) {
-            return time + box(pin.device(), pin.name() + (pin.level() == 1 ? " on" : " off"), y, "#eee");
-        }
+        if (seen instanceof Pin pin) return time + box(pin.device(), pin.words(), y, "#eee");
         return seen instanceof Aired aired ? time + arrows(aired, y) : "";
     }
 
@@ -81,20 +79,21 @@ final class Chart {
     /** A packet: an arrow to each device that it is for, and above it what an eavesdropper can read. */
     private static String arrows(Aired aired, int y) {
         Device from = Device.withAddress(aired.origin()).orElseThrow();
-        String tips = receivers(aired).map(to -> String.format("""
+        List<Device> receivers = receivers(aired);
+        String tips = receivers.stream().map(to -> String.format("""
             <line x1="%d" y1="%d" x2="%d" y2="%2$d" stroke="%s" stroke-width="2" marker-end="url(#%s)"%s/>
             """, x(from), y, x(to), from.hue, from.address, aired.sealed() ? "" : " stroke-dasharray=\"6 3\"")).collect(Collectors.joining());
-        int middle = receivers(aired).mapToInt(Chart::x).filter(x -> x > x(from)).min()
-            .orElseGet(() -> receivers(aired).mapToInt(Chart::x).max().orElse(x(from)));
+        int middle = receivers.stream().mapToInt(Chart::x).filter(x -> x > x(from)).min()
+            .orElseGet(() -> receivers.stream().mapToInt(Chart::x).max().orElse(x(from)));
         String label = aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content());
         return tips + String.format("<text x=\"%d\" y=\"%d\" text-anchor=\"middle\" fill=\"%s\">%s</text>%n",
             (x(from) + middle) / 2, y - 5, from.hue, escaped(label));
     }
 
-    private static Stream<Device> receivers(Aired aired) {
-        String to = aired.destination();
+    private static List<Device> receivers(Aired aired) {
+        Address to = Address.parse(aired.destination());
         return Arrays.stream(Device.values()).filter(device -> !device.address.equals(aired.origin()))
-            .filter(device -> to.equals("////") || to.equals("//" + device.address.substring(0, 2)) || to.equals(device.address));
+            .filter(device -> to.reaches(Address.parse(device.address))).toList();
     }
 
     private static int x(Device device) {

@@ -28,5 +28,10 @@ sealed interface Observation {
     record Spoilt(double seconds, Device device, String why) implements Observation { }
 
     /** A watched actuator pin that changed. */
-    record Pin(double seconds, Device device, String name, int level) implements Observation { }
+    record Pin(double seconds, Device device, String name, int level) implements Observation {
+        /** {@code siren on}. */
+        String words() {
+            return name + (level == 1 ? " on" : " off");
+        }
+    }
 }

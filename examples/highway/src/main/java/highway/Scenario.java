@@ -185,7 +185,9 @@ final class Scenario implements AutoCloseable {
 
     private void see(Observation observation) {
         timeline.show(observation);
-        if (behaviours.stream().filter(behaviour -> behaviour.see(observation)).count() > 0) chart.add(observation);
+        boolean evidence = false;
+        for (Behaviour behaviour : behaviours) evidence |= behaviour.see(observation);
+        if (evidence) chart.add(observation);
         if (observation instanceof Observation.Said said && said.text().equals("Ready")) ready.add(said.device());
     }
 

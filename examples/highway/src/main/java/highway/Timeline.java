@@ -42,7 +42,7 @@ final class Timeline {
         if (seen instanceof Said said) return who(said.device()) + "says   " + said.text();
         if (seen instanceof Aired aired) return who(aired.origin()) + "sends  " + packet(aired);
         if (seen instanceof Acknowledged answer) return who(answer.origin()) + paint(GREY, "acks   " + answer.answers());
-        if (seen instanceof Pin pin) return who(pin.device()) + paint(GREY, pin.name() + (pin.level() == 1 ? " on" : " off"));
+        if (seen instanceof Pin pin) return who(pin.device()) + paint(GREY, pin.words());
         Spoilt spoilt = (Spoilt) seen;
         return who(spoilt.device()) + paint(RED, "loses  " + spoilt.why());
     }

@@ -108,7 +108,7 @@ final class Keyring {
         Map<Address, Key> needed = new LinkedHashMap<>();
         keys.forEach((members, key) -> {
             if (members.second == null) {
-                if (members.first.member().equals(device.group())) {
+                if (members.first.reaches(device)) {
                     needed.put(members.first, key);
                 }
             } else if (members.first.equals(device)) {

@@ -118,6 +118,15 @@ public record Address(int value) {
         };
     }
 
+    /** Whether a frame to this address is for a device: for it alone, its group or all (SPEC 1). */
+    public boolean reaches(Address device) {
+        return switch (kind()) {
+            case BROADCAST -> true;
+            case MULTICAST -> member().equals(device.group());
+            default -> equals(device);
+        };
+    }
+
     /** The first two digits. */
     public String group() {
         return toString().substring(0, 2);

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -68,6 +69,13 @@ class AddressTest {
     @ValueSource(ints = {-1, 0x1000000})
     void constructor_outOfRange_throws(int value) {
         assertThrows(IllegalArgumentException.class, () -> new Address(value));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"SUPO,SUPO,true", "SUPO,SUPP,false", "//SU,SUPO,true", "//SU,ROMA,false", "////,ROMA,true",
+        "+FSU,SUPO,false", "++++,SUPO,false"})
+    void reaches_device_isWhomAFrameIsFor(String to, String device, boolean reached) {
+        assertEquals(reached, Address.parse(to).reaches(Address.parse(device)));
     }
 
     @Test
