@@ -4,6 +4,8 @@
 #include <avr/io.h>
 #include <avr/sleep.h>
 
+#include "print.h"
+
 #ifdef __AVR_ATmega328P__
 #define LED PB5
 #else
@@ -13,15 +15,6 @@
 ISR(TIMER1_COMPA_vect)
 {
     PORTB ^= _BV(LED);
-}
-
-static void print(const char *text)
-{
-    for (; *text; text++) {
-        while (!(UCSR0A & _BV(UDRE0)))
-            ;
-        UDR0 = *text;
-    }
 }
 
 int main(void)

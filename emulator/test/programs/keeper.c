@@ -7,18 +7,11 @@
 #include <stdio.h>
 #include <util/delay.h>
 
+#include "print.h"
+
 #define LEFT 0xA5
 
 static volatile uint8_t kept[256] __attribute__((section(".noinit")));
-
-static void print(const char *text)
-{
-    for (; *text; text++) {
-        while (!(UCSR0A & _BV(UDRE0)))
-            ;
-        UDR0 = (uint8_t)*text;
-    }
-}
 
 int main(void)
 {

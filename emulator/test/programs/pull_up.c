@@ -3,14 +3,7 @@
 #include <avr/io.h>
 #include <avr/sleep.h>
 
-static void print(const char *text)
-{
-    for (; *text; text++) {
-        while (!(UCSR0A & _BV(UDRE0)))
-            ;
-        UDR0 = *text;
-    }
-}
+#include "print.h"
 
 int main(void)
 {
