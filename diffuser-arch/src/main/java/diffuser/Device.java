@@ -153,6 +153,11 @@ final class Device implements BoardListener {
         return bounded(session.join().act(action));
     }
 
+    /** Completes when the sensors were read anew, or will not be read so soon; never fails. */
+    CompletableFuture<Void> reading(Duration within) {
+        return session.thenCompose(board -> board.reading(within));
+    }
+
     /** Has the board transmit. */
     Transmissions.Transmission transmit(Address to, Content content) {
         Board board = session.join();

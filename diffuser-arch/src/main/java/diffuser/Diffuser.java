@@ -118,9 +118,30 @@ public class Diffuser extends AgArch {
         device = null;
     }
 
-    /** Makes sensors beliefs, or not. */
-    public void sense(Sensing wanted) {
+    /**
+     * Makes sensors beliefs, or not.
+     *
+     * @return completes when the agent's plan may go on: here at once, as in a subclass it may not.
+     */
+    public CompletableFuture<Void> sense(Sensing wanted) {
         wish(old -> old.withPercepts(wanted));
+        return CompletableFuture.completedFuture(null);
+    }
+
+    /**
+     * Waits for a reading of the sensors that begins after this. For any thread.
+     *
+     * @param within how much later than now it may begin; where {@link #limitPercepts} lets it come only after that,
+     *               or sensors are not read, or there is no board, nothing is waited for.
+     * @return completes when the agent believes what was read; never fails.
+     */
+    protected CompletableFuture<Void> reading(Duration within) {
+        return device().map(board -> board.reading(within)).orElseGet(() -> CompletableFuture.completedFuture(null))
+                .thenCompose(read -> {
+                    CompletableFuture<Void> belief = senses.belief();
+                    wakeAgent();
+                    return belief;
+                });
     }
 
     /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */
@@ -209,11 +230,14 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} Null, as Jason has it, if nothing has changed, neither at the board nor elsewhere. */
     @Override
     public Collection<Literal> perceive() {
+        senses.perceiving();
         return senses.perceive(super.perceive(), perceivedHere());
     }
 
+    /** {@inheritDoc} Jason calls it when it has revised its beliefs by what was perceived. */
     @Override
     public void checkMail() {
+        senses.believed();
         super.checkMail();
         for (Optional<Message> message = inbox.take(); message.isPresent(); message = inbox.take()) {
             getTS().getC().addMsg(message.get());

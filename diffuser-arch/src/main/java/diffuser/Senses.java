@@ -3,6 +3,9 @@ package diffuser;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
 
 import jason.asSyntax.Literal;
 
@@ -12,6 +15,9 @@ final class Senses {
     /** They answer null as long as it has not changed. */
     private Collection<Literal> others = List.of();
     private Now now = new Now(List.of(), null);
+    /** Who waits for the agent to perceive what is there now; the board's thread adds to them. */
+    private final Queue<CompletableFuture<Void>> waiting = new ConcurrentLinkedQueue<>();
+    private final List<CompletableFuture<Void>> perceived = new ArrayList<>();
 
     /**
      * What is perceived here; as long as it is the same, it is the same objects.
@@ -26,9 +32,29 @@ final class Senses {
         }
     }
 
-    /** Whether nothing has changed here since it was perceived. */
+    /** Whether nothing has changed here since it was perceived, and nobody waits for the next perception. */
     boolean knows(Now present) {
-        return now.is(present);
+        return now.is(present) && waiting.isEmpty();
+    }
+
+    /** Completes once all that is here now is believed. For any thread; the agent is to be woken. */
+    CompletableFuture<Void> belief() {
+        CompletableFuture<Void> belief = new CompletableFuture<>();
+        waiting.add(belief);
+        return belief;
+    }
+
+    /** Before it is looked what there is to perceive. */
+    void perceiving() {
+        for (CompletableFuture<Void> belief = waiting.poll(); belief != null; belief = waiting.poll()) {
+            perceived.add(belief);
+        }
+    }
+
+    /** The agent has revised its beliefs by what it has perceived. */
+    void believed() {
+        perceived.forEach(belief -> belief.complete(null));
+        perceived.clear();
     }
 
     /**
@@ -37,7 +63,7 @@ final class Senses {
      * @param elsewhere what the architectures behind perceive; null if that has not changed.
      */
     Collection<Literal> perceive(Collection<Literal> elsewhere, Now present) {
-        if (elsewhere == null && knows(present)) {
+        if (elsewhere == null && now.is(present)) {
             return null;
         }
         if (elsewhere != null) {

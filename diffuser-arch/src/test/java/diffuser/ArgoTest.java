@@ -1,9 +1,12 @@
 package diffuser;
 
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+
 import java.util.List;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Agents as they are written for the public Argo architecture. */
@@ -34,6 +37,16 @@ class ArgoTest {
 
     private static RunningAgent argo(String program, FakeBoard... boards) {
         return RunningAgent.run(program, null, List.of(ScriptedArgo.class.getName()), boards);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Argo", "jason.Argo"})
+    void architecture_eachNameOfThePublicOne_isFound(String name) throws Exception {
+        String program = "!start. +!start <- .argo.port(none); .argo.percepts(open); diffuser.note(done).";
+        try (RunningAgent agent = RunningAgent.run(program, null, List.of(name))) {
+            agent.notes("done");
+            assertInstanceOf(jason.Argo.class, agent.diffuser());
+        }
     }
 
     @ParameterizedTest
@@ -122,6 +135,112 @@ class ArgoTest {
             agent.notes("closed");
             board.unplug();
             agent.notesAll("no light 1", "off");
+        }
+    }
+
+    /** Switches a lamp 20 times, and notes each time what it believes next. */
+    private static String switching(String limit, String between) {
+        return """
+                !start.
+                +!start <- .argo.port(ttyACM0); %s .argo.percepts(open);
+                    for (.range(I,1,10)) { !switch(ledOn); !switch(ledOff) };
+                    diffuser.note(done).
+                +!switch(Action) <- .argo.act(Action); %s ?ledStatus(X); diffuser.note(Action,X).
+                """.formatted(limit, between);
+    }
+
+    private static FakeBoard lamp() {
+        return new FakeBoard("ttyACM0").perceiving("ledStatus(off)")
+                .perceivingAfter("A ledOn", "ledStatus(on)").perceivingAfter("A ledOff", "ledStatus(off)");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'',''", ".argo.limit(20);,''", "'',.my_name(_);"})
+    void act_beliefIsAskedNext_isFresh(String limit, String between) {
+        try (RunningAgent agent = argo(switching(limit, between), lamp())) {
+            for (int i = 0; i < 10; i++) {
+                agent.notes("ledOn on");
+                agent.notes("ledOff off");
+            }
+            agent.notes("done");
+        }
+    }
+
+    @Test
+    void act_nextReadingIsFarOff_goesOnWithoutIt() {
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open); .limit(3600000); .act(ledOn); diffuser.note(acted);
+                    .act(ledOn); ?ledStatus(X); diffuser.note(X).
+                """;
+        try (RunningAgent agent = argo(program, lamp())) {
+            agent.notes("acted");
+            agent.notes("off");
+        }
+    }
+
+    @Test
+    void act_beliefIsAskedNextAndReadingsAreSecondsApart_waitsForOne() {
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open); .limit(2000); .act(ledOn); ?ledStatus(X); diffuser.note(X).
+                """;
+        try (RunningAgent agent = argo(program, lamp())) {
+            agent.notes("on");
+        }
+    }
+
+    @Test
+    void act_perceptsClosedOrNeverOpened_waitsForNoReading() {
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .act(ledOn); diffuser.note(one); .percepts(open); .percepts(close);
+                    .act(ledOff); ?ledStatus(X); diffuser.note(X); .port(none); diffuser.note(left).
+                """;
+        try (RunningAgent agent = argo(program, lamp())) {
+            agent.notes("one");
+            agent.notes("on");
+            agent.notes("left");
+        }
+    }
+
+    @Test
+    void act_agentHasSomethingElseToDo_doesItMeanwhile() {
+        FakeBoard board = lamp();
+        String program = """
+                !start.
+                +!start <- .port(ttyACM0); .percepts(open); diffuser.note(ready).
+                +!act <- .act(ledOn); ?ledStatus(X); diffuser.note(X).
+                +!probe <- diffuser.note(probed).
+                """;
+        try (RunningAgent agent = argo(program, board)) {
+            agent.notes("ready");
+            board.swallow("A ledOn");
+            agent.achieve("act");
+            RunningAgent.asked(board, "A ledOn");
+            agent.achieve("probe");
+            agent.notes("probed");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".port(ttyACM0); .percepts(open)", ".percepts(open); .port(ttyACM0)",
+            ".limit(3600000); .port(ttyACM0); .percepts(open)"})
+    void percepts_openedOnABoard_areBelievedInTheNextStep(String opening) {
+        for (int i = 0; i < 10; i++) {
+            FakeBoard board = new FakeBoard("ttyACM0").perceiving("umidadeSolo(42)");
+            String program = "!start. +!start <- " + opening + "; ?umidadeSolo(U); diffuser.note(U).";
+            try (RunningAgent agent = argo(program, board)) {
+                agent.notes("42");
+            }
+        }
+    }
+
+    @Test
+    void percepts_openedWhileTheBoardIsAway_goesOn() {
+        String program = "!start. +!start <- .port(ttyACM0); .percepts(open); ?port(P,S); diffuser.note(P,S).";
+        try (RunningAgent agent = argo(program, new FakeBoard("ttyACM0").unplugged())) {
+            agent.notes("ttyACM0 off");
         }
     }
 

@@ -41,6 +41,7 @@ final class FakeBoard implements LinkOpener {
     private final List<Message> messages = new CopyOnWriteArrayList<>();
     private final Map<String, Integer> transmissions = new ConcurrentHashMap<>();
     private final Queue<Bytes> outcomes = new ConcurrentLinkedQueue<>();
+    private final Map<String, List<String>> effects = new ConcurrentHashMap<>();
     private volatile List<String> percepts = List.of();
     private volatile Address rfId = Address.SERIAL;
     private volatile boolean plugged = true;
@@ -135,6 +136,12 @@ final class FakeBoard implements LinkOpener {
 
     FakeBoard perceiving(String... literals) {
         percepts = List.of(literals);
+        return this;
+    }
+
+    /** As soon as it has been asked for this, it perceives that. */
+    FakeBoard perceivingAfter(String request, String... literals) {
+        effects.put(request, List.of(literals));
         return this;
     }
 
@@ -336,6 +343,7 @@ final class FakeBoard implements LinkOpener {
             silent = true;
         }
         requests.add(request);
+        percepts = effects.getOrDefault(request, percepts);
         Status status = refusals.getOrDefault(request, Status.OK);
         return status == Status.OK ? ok(body) : Bytes.of(status.ordinal());
     }

@@ -1,12 +1,12 @@
 package jason.stdlib;
 
+import java.util.concurrent.CompletableFuture;
+
 import jason.JasonException;
-import jason.asSemantics.TransitionSystem;
-import jason.asSemantics.Unifier;
 import jason.asSyntax.Term;
 
+import diffuser.BoardAction;
 import diffuser.Diffuser;
-import diffuser.DiffuserAction;
 import diffuser.Names;
 import diffuser.Sensing;
 
@@ -25,7 +25,7 @@ import diffuser.Sensing;
  * <li> <code>.percepts(open)</code>: from then on the agent believes, for instance, <code>proximity(17)</code>.
  * </ul>
  */
-public class percepts extends DiffuserAction {
+public class percepts extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
@@ -35,10 +35,8 @@ public class percepts extends DiffuserAction {
     }
 
     @Override
-    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
-        checkArguments(args);
-        Diffuser.of(ts).sense(sensing(args[0]));
-        return true;
+    protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
+        return diffuser.sense(sensing(args[0]));
     }
 
     private Sensing sensing(Term argument) throws JasonException {

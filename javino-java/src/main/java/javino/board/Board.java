@@ -200,6 +200,23 @@ public final class Board implements AutoCloseable {
     }
 
     /**
+     * Waits for percepts that are asked for from now on, so that they show what an action has changed. It completes when
+     * the listener was told of them, if they are others than before; or where none come: they are not wanted, the board
+     * is not there or goes, or {@link #perceptInterval} lets them come later. It never fails.
+     *
+     * @param within how much later they may come.
+     */
+    public CompletableFuture<Void> reading(Duration within) {
+        CompletableFuture<Void> taken = wishes.readings().want(within);
+        if (state() == BoardState.ONLINE) {
+            queue.wake();
+        } else {
+            taken.complete(null);
+        }
+        return taken.copy();
+    }
+
+    /**
      * What first comes of the session: who the board is, or in one line why it cannot be reached. After a failure the
      * session still tries, but where the board speaks another version of the protocol.
      */

@@ -1,5 +1,6 @@
 package javino.board;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import javino.protocol.Bytes;
@@ -35,16 +36,25 @@ final class Perception {
             tell(List.of());
             percepts = null;
         }
+        if (wishes.percepts()) {
+            wishes.readings().notBefore(Duration.ofNanos(nanosUntilDue()));
+        } else {
+            wishes.readings().none();
+        }
     }
 
     boolean isDue() {
-        return wishes.percepts() && (percepts == null
-                || System.nanoTime() - asked >= wishes.perceptInterval().toNanos());
+        return wishes.percepts() && nanosUntilDue() <= 0;
+    }
+
+    private long nanosUntilDue() {
+        return percepts == null ? 0 : wishes.perceptInterval().toNanos() - (System.nanoTime() - asked);
     }
 
     /** They are asked for now. */
     void asked() {
         asked = System.nanoTime();
+        wishes.readings().asked();
     }
 
     void take(List<Bytes> literals, boolean someLeftOut) {
@@ -56,6 +66,7 @@ final class Perception {
             tell(literals);
             percepts = literals;
         }
+        wishes.readings().taken();
     }
 
     private void tell(List<Bytes> literals) {

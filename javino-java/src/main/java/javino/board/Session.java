@@ -76,6 +76,7 @@ final class Session implements Runnable {
                 state = BoardState.CLOSED;
             }
             context.queue().drain().forEach(request -> request.failOffline(context.queue().closedWhy()));
+            context.wishes().readings().none();
             inbox.close();
             greeted.completeExceptionally(new JavinoException(context.queue().closedWhy()));
         }
@@ -167,6 +168,7 @@ final class Session implements Runnable {
     private void goOffline(String why) {
         boolean wasOnline = state == BoardState.ONLINE;
         state = BoardState.OFFLINE;
+        context.wishes().readings().none();
         if (wasOnline) {
             context.queue().drain().forEach(request -> request.failOffline(why));
         }

@@ -8,6 +8,7 @@ final class Wishes {
     private volatile boolean percepts;
     private volatile Duration perceptInterval = Duration.ZERO;
     private volatile Boolean radio;
+    private final Readings readings = new Readings();
 
     boolean percepts() {
         return percepts;
@@ -24,6 +25,11 @@ final class Wishes {
 
     void setPerceptInterval(Duration least) {
         perceptInterval = least;
+    }
+
+    /** Who waits for percepts. */
+    Readings readings() {
+        return readings;
     }
 
     /** Whether the radio is to be open; null where nobody said so yet. */

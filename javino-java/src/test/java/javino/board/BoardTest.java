@@ -301,6 +301,75 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void reading_polledSeldom_asksAtOnceAndCompletesAfterThePerceptsWereTold() throws Exception {
+        open(listener, config -> config.setPollInterval(Duration.ofHours(1)));
+        listener.until("online");
+        board.percepts(true);
+        assertEquals("percepts []", listener.next());
+        for (int i = 0; i < 20; i++) {
+            fake.setPercepts("light(" + i + ")");
+            board.reading(Duration.ZERO).get();
+            assertEquals(List.of("percepts [light(" + i + ")]"), listener.rest());
+        }
+        board.reading(Duration.ZERO).get();
+        assertEquals(List.of(), listener.rest());
+    }
+
+    @Test
+    void reading_intervalLetsItComeLater_completesWithoutItUnlessItIsToWait() throws Exception {
+        openAndAwaitOnline();
+        board.perceptInterval(Duration.ofHours(1));
+        board.percepts(true);
+        assertEquals("percepts []", listener.next());
+        fake.setPercepts("dark");
+        board.reading(Duration.ofMinutes(59)).get();
+        assertEquals(List.of(), listener.rest());
+        CompletableFuture<Void> patient = board.reading(Duration.ofHours(2));
+        fake.awaitPolls(3);
+        assertFalse(patient.isDone());
+        board.perceptInterval(Duration.ZERO);
+        patient.get();
+        assertEquals("percepts [dark]", listener.next());
+    }
+
+    /** A reading that is waited for longer than the test lasts, unless it is given up. */
+    private CompletableFuture<Void> readingInAnHour() throws Exception {
+        openAndAwaitOnline();
+        board.perceptInterval(Duration.ofHours(1));
+        board.percepts(true);
+        assertEquals("percepts []", listener.next());
+        CompletableFuture<Void> reading = board.reading(Duration.ofHours(2));
+        fake.awaitPolls(3);
+        assertFalse(reading.isDone());
+        return reading;
+    }
+
+    @Test
+    void reading_perceptsNoLongerWanted_completes() throws Exception {
+        CompletableFuture<Void> reading = readingInAnHour();
+        board.percepts(false);
+        reading.get();
+        board.reading(Duration.ofHours(2)).get();
+    }
+
+    @Test
+    void reading_boardGoes_completes() throws Exception {
+        CompletableFuture<Void> reading = readingInAnHour();
+        port.unplug();
+        reading.get();
+        listener.until("offline");
+        board.reading(Duration.ofHours(2)).get();
+    }
+
+    @Test
+    void reading_sessionClosed_completes() throws Exception {
+        CompletableFuture<Void> reading = readingInAnHour();
+        board.close();
+        reading.get();
+        board.reading(Duration.ofHours(2)).get();
+    }
+
+    @Test
     void percepts_oneNoText_isSkippedWithOneWarning() throws Exception {
         openAndAwaitOnline();
         fake.setPercepts("dark", "\u00ff", "light");
