@@ -22,7 +22,8 @@ class Javino {
   // Names the function that says what the board perceives; it is called for each poll that asks for percepts.
   void onPercepts(PerceptSource source) { board_.onPercepts(source); }
 
-  // Names an action. Returns false where the name is taken or empty, or Config.h's number of actions is reached.
+  // Names an action; call it in setup(), as an agent asks for the names when it comes, and not again. Returns false
+  // where the name is taken or empty, or Config.h's number of actions is reached.
   bool action(const FlashText *name, Action action) { return board_.action(name, action); }
 
   // Opens the serial line, 8N1, and starts the radio; call it once, at the end of setup().

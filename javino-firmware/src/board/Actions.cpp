@@ -40,6 +40,25 @@ Status Actions::perform(const uint8_t *action, uint16_t length) const {
   return found(arguments) ? Status::OK : Status::ACTION_FAILED;
 }
 
+Status Actions::list(const uint8_t *offset, uint16_t length, Reply &reply) const {
+  if (length != 2) return Status::BAD_ARGUMENT;
+  reply.add(count_);
+  uint16_t skipped = static_cast<uint16_t>(offset[0] << 8 | offset[1]);
+  for (uint8_t i = 0; i < count_; i++) {
+    const uint8_t *at = reinterpret_cast<const uint8_t *>(entries_[i].name);
+    uint8_t next;
+    do {
+      next = flashByte(at++);
+      if (skipped != 0) {
+        skipped--;
+      } else {
+        reply.add(next);  // once it is full it takes no more
+      }
+    } while (next != 0);
+  }
+  return Status::OK;
+}
+
 Action Actions::find(const char *name, uint16_t length) const {
   for (uint8_t i = 0; i < count_; i++) {
     if (equal(entries_[i].name, name, length)) return entries_[i].action;

@@ -5,6 +5,7 @@
 #include "../Config.h"
 #include "../support/Flash.h"
 #include "Arguments.h"
+#include "Reply.h"
 #include "Status.h"
 
 namespace javino {
@@ -24,6 +25,11 @@ class Actions {
   /// Performs what a request asks for.
   /// @return OK, BAD_ARGUMENT, UNKNOWN_ACTION or ACTION_FAILED
   Status perform(const uint8_t *action, uint16_t length) const;
+
+  /// Tells how many there are, and of their names, one after the other and each with its closing 0x00, what fits from an
+  /// offset on.
+  /// @return OK or BAD_ARGUMENT
+  Status list(const uint8_t *offset, uint16_t length, Reply &reply) const;
 
  private:
   struct Entry {

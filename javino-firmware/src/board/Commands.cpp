@@ -58,6 +58,8 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
       return poll(body, length, reply);
     case 'A':
       return actions_.perform(body, length);
+    case 'C':
+      return actions_.list(body, length, reply);
     case 'I':
       return setRfId(body, length);
     case 'R':

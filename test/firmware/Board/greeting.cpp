@@ -9,7 +9,7 @@ TEST(Board, performs_nothing_but_hello_after_each_boot) {
   TestBoard board;
   for (int boot = 0; boot < 3; boot++) {
     board.reboot();
-    for (char command : std::string("PAIRKDLSZ")) {
+    for (char command : std::string("PACIRKDLSZ")) {
       const BoardReply reply = board.request(command);
       EXPECT_EQ(Status::NOT_GREETED, reply.status) << command;
       EXPECT_TRUE(reply.body.empty());
@@ -49,6 +49,42 @@ TEST(Board, is_not_greeted_by_a_host_of_another_version) {
     EXPECT_EQ(1, reply.body.at(0));
     EXPECT_EQ(Status::NOT_GREETED, board.request('L').status);
   }
+}
+
+TEST(Board, tells_the_names_of_its_actions_from_any_offset_on) {
+  TestBoard board;
+  board.start();
+  EXPECT_EQ(Bytes(1, 0), board.request('C', fromHex("0000")).body);
+  board.board->action(F("lampOn"), [](const javino::Arguments &) { return true; });
+  board.board->action(F("go"), [](const javino::Arguments &) { return true; });
+  const Bytes names = bytesOf(std::string("lampOn\0go\0", 10));
+  for (uint8_t offset = 0; offset <= names.size() + 1; offset++) {
+    const Bytes rest(names.begin() + std::min<size_t>(offset, names.size()), names.end());
+    EXPECT_EQ(Bytes(1, 2) + rest, board.request('C', {0, offset}).body) << int(offset);
+  }
+  EXPECT_EQ(Bytes(1, 2), board.request('C', fromHex("0100")).body);
+  EXPECT_EQ(Bytes(1, 2), board.request('C', fromHex("ffff")).body);
+}
+
+TEST(Board, tells_names_that_fit_no_reply_in_parts) {
+  TestBoard board;
+  board.start();
+  const std::string longName(javino::MAX_MESSAGE_LENGTH + 40, 'n');
+  std::vector<std::string> names = {"first", longName, "last"};
+  Bytes all;
+  for (const std::string &name : names) {
+    EXPECT_TRUE(board.board->action(F(name.c_str()), [](const javino::Arguments &) { return true; }));
+    all = all + bytesOf(name) + Bytes(1, 0);
+  }
+  Bytes told;
+  for (int part = 0; part < 2; part++) {
+    const uint16_t offset = static_cast<uint16_t>(told.size());
+    const BoardReply reply = board.request('C', {static_cast<uint8_t>(offset >> 8), static_cast<uint8_t>(offset)});
+    EXPECT_EQ(3, reply.body.at(0));
+    EXPECT_LE(reply.body.size(), javino::MAX_MESSAGE_LENGTH - 1u);
+    told = told + Bytes(reply.body.begin() + 1, reply.body.end());
+  }
+  EXPECT_EQ(all, told);
 }
 
 TEST(Board, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {

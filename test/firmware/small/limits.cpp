@@ -36,6 +36,24 @@ TEST_F(SmallBoard, cuts_a_long_name_to_what_fits_a_reply) {
   EXPECT_EQ(84u, 1 + board.hello().body.size());
 }
 
+TEST_F(SmallBoard, tells_the_names_of_its_actions_in_parts) {
+  const std::vector<std::string> names = {"turnTheLampOn", "turnTheLampOff", std::string(90, 'n'), "go"};
+  Bytes all;
+  for (const std::string &name : names) {
+    board.board->action(F(name.c_str()), [](const javino::Arguments &) { return true; });
+    all = all + bytesOf(name) + Bytes(1, 0);
+  }
+  Bytes told;
+  while (told.size() < all.size()) {
+    const Bytes body = board.request('C', {0, static_cast<uint8_t>(told.size())}).body;
+    ASSERT_LT(1u, body.size());
+    EXPECT_GE(83u, body.size());
+    EXPECT_EQ(4, body[0]);
+    told = told + Bytes(body.begin() + 1, body.end());
+  }
+  EXPECT_EQ(all, told);
+}
+
 TEST_F(SmallBoard, takes_the_longest_content_and_refuses_a_longer_one) {
   EXPECT_EQ(Status::OK, board.transmit("////", "LAMP", text(MAX_CONTENT)).status);
   board.sendNext();

@@ -12,10 +12,12 @@ import javino.protocol.Frame;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 
-/** A board in memory that greets, and perceives one thing. */
+/** A board in memory that greets, has no actions, and perceives one thing. */
 final class MemoryBoard implements LinkOpener {
 
     private static final Bytes GREETING = Bytes.join(Bytes.of(0, 1), Bytes.ofText("ROMA"), Bytes.of(0, 0, 1), Bytes.ofText("memory"));
+
+    private static final Bytes NO_ACTIONS = Bytes.of(0, 0);
 
     private final Duration delay;
     private final boolean silent;
@@ -73,7 +75,11 @@ final class MemoryBoard implements LinkOpener {
 
     private void answer(Link line, Packet request) throws LinkException {
         if (!delay.isZero()) LockSupport.parkNanos(delay.toNanos());
-        Bytes message = request.frame().message().at(0) == 'P' ? percepts() : GREETING;
+        Bytes message = switch (request.frame().message().at(0)) {
+            case 'P' -> percepts();
+            case 'C' -> NO_ACTIONS;
+            default -> GREETING;
+        };
         line.write(new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode().toArray());
     }
 

@@ -43,6 +43,7 @@ final class FakeBoard implements LinkOpener {
     private final Queue<Bytes> outcomes = new ConcurrentLinkedQueue<>();
     private final Map<String, List<String>> effects = new ConcurrentHashMap<>();
     private volatile List<String> percepts = List.of();
+    private volatile List<String> actions = List.of();
     private volatile Address rfId = Address.SERIAL;
     private volatile boolean plugged = true;
     private volatile boolean silent;
@@ -142,6 +143,12 @@ final class FakeBoard implements LinkOpener {
     /** As soon as it has been asked for this, it perceives that. */
     FakeBoard perceivingAfter(String request, String... literals) {
         effects.put(request, List.of(literals));
+        return this;
+    }
+
+    /** Its sketch has these actions. */
+    FakeBoard knowing(String... names) {
+        actions = List.of(names);
         return this;
     }
 
@@ -302,11 +309,17 @@ final class FakeBoard implements LinkOpener {
         return switch (request.message().at(0)) {
             case 'P' -> ok(poll(body));
             case 'A' -> recorded("A " + text(body), Bytes.EMPTY);
+            case 'C' -> ok(actions((int) body.number(0, 2)));
             case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
             case 'I' -> setRfId(text(body));
             case 'S' -> statistics();
             default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
         };
+    }
+
+    private Bytes actions(int offset) {
+        Bytes names = Bytes.ofText(String.join("", actions.stream().map(name -> name + "\0").toList()));
+        return Bytes.join(Bytes.of(actions.size()), names.from(offset));
     }
 
     private Bytes hello() {

@@ -1,7 +1,9 @@
 package javino.board;
 
 import java.time.Duration;
+import java.util.List;
 import javino.link.LinkException;
+import javino.protocol.ActionNames;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.PollReply;
@@ -57,6 +59,27 @@ final class Service {
             context.tally().count(SessionCounter.BAD_REPLIES);
             context.listener().warning("the reply to " + request + " was dropped: " + e.getMessage());
         }
+    }
+
+    /**
+     * Asks for the names of the sketch's actions.
+     *
+     * @throws ProtocolException if a reply makes no sense.
+     */
+    List<String> actions() throws LinkException, LostException, ProtocolException {
+        ActionNames names = actionsFrom(0);
+        while (!names.areAll()) {
+            names = names.and(actionsFrom(names.told().length()));
+        }
+        return names.names();
+    }
+
+    private ActionNames actionsFrom(int offset) throws LinkException, LostException, ProtocolException {
+        Reply reply = ask(new Request.ListActions(offset));
+        if (reply.status() != Status.OK) {
+            throw new ProtocolException(ProtocolError.BAD_REPLY, "list actions answered with " + reply.status());
+        }
+        return reply.actionNames();
     }
 
     /** Returns when the session was closed. */

@@ -121,12 +121,13 @@ final class Session implements Runnable {
         }
     }
 
-    private void serve(Greeting greeting) throws LinkException, LostException {
+    private void serve(Greeting greeting) throws LinkException, LostException, ProtocolException {
         if (info.isLegacy()) {
             nowOnline();
             new LegacyService(context, greeting.legacyExchange()).run(info);
         } else {
             Service service = new Service(context, greeting.exchange(), inbox);
+            info = info.withActions(service.actions());
             service.restoreRadio();
             nowOnline();
             service.run(() -> info);

@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino info}: shows a board. */
 @Command(name = "info", description = {
-    "Shows who a board is, which keys it has (never the keys), and its counters.",
+    "Shows who a board is, which actions and keys it has (never the keys), and its counters.",
     "The counters start at 0 with each boot, and most boards, a Mega too, boot when their port is opened: after info "
             + "has opened it they say little. A program that keeps the port open reads them by Board.statistics()."})
 final class InfoCommand implements Callable<Integer> {
@@ -46,6 +46,7 @@ final class InfoCommand implements Callable<Integer> {
         out.println(line("protocol version", info.protocolVersion()));
         out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
         out.println(line("boot count", info.bootCount()));
+        out.println(line("actions", info.actions().isEmpty() ? "none" : String.join(", ", info.actions())));
         keys.forEach(key -> out.println(line(key.role() == Role.CURRENT ? "key" : "previous key",
                 key.address() + ", check value " + key.check())));
         counters.forEach((counter, value) -> out.println(line(counter, value)));

@@ -1,16 +1,19 @@
 package javino.protocol;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
- * What a board says of itself when it is greeted (SPEC 4.3, hello).
+ * What a board says of itself when it is greeted (SPEC 4.3, hello and list actions).
  *
  * @param protocolVersion the board's, 1…255; {@link #LEGACY_VERSION} where it speaks the older protocol.
  * @param rfId            its address on the radio, if it has one.
  * @param bootCount       how often it booted, 0…0xFFFFFF; also the epoch of its nonces.
  * @param firmware        the sketch's name.
+ * @param actions         the names of the sketch's actions in its order; none where it speaks the older protocol, which cannot tell.
  */
-public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCount, String firmware) {
+public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCount, String firmware,
+                        List<String> actions) {
 
     /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;
@@ -25,12 +28,13 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCou
         return new BoardInfo(body.at(0),
                 id.equals(Address.SERIAL) ? Optional.empty() : Optional.of(id),
                 (int) body.number(BOOT_COUNT_OFFSET, FIRMWARE_OFFSET),
-                body.from(FIRMWARE_OFFSET).text());
+                body.from(FIRMWARE_OFFSET).text(), List.of());
     }
 
     /** A board that speaks the older protocol: it tells nothing of itself. */
     public static BoardInfo legacy() {
-        return new BoardInfo(LEGACY_VERSION, Optional.empty(), 0, "a sketch with the older Javino library");
+        return new BoardInfo(LEGACY_VERSION, Optional.empty(), 0, "a sketch with the older Javino library",
+                List.of());
     }
 
     /** Whether it speaks the older protocol, which has percepts and actions, and nothing else. */
@@ -40,6 +44,11 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCou
 
     /** The same board after it was given an address. */
     public BoardInfo withRfId(Address id) {
-        return new BoardInfo(protocolVersion, Optional.of(id), bootCount, firmware);
+        return new BoardInfo(protocolVersion, Optional.of(id), bootCount, firmware, actions);
+    }
+
+    /** The same board after it was asked for its actions. */
+    public BoardInfo withActions(List<String> names) {
+        return new BoardInfo(protocolVersion, rfId, bootCount, firmware, List.copyOf(names));
     }
 }

@@ -56,6 +56,11 @@ public record Reply(Status status, Bytes body) {
         return PollReply.decode(body);
     }
 
+    /** The answer to list actions: the names from the request's offset on. */
+    public ActionNames actionNames() throws ProtocolException {
+        return ActionNames.decode(body);
+    }
+
     /** The answer to set key and renew key: the key's check value, 3 bytes. */
     public Bytes checkValue() throws ProtocolException {
         expect(body.length() == CHECK_LENGTH, "a check value has 3 bytes", body);

@@ -87,6 +87,31 @@ public sealed interface Request {
         }
     }
 
+    /**
+     * Asks for the names of the sketch's actions.
+     *
+     * @param offset how many bytes of them are there already, 0…65535.
+     */
+    record ListActions(int offset) implements Request {
+
+        static final int MAX_OFFSET = 0xFFFF;
+
+        /** @throws IllegalArgumentException if the offset is out of range. */
+        public ListActions {
+            check(offset >= 0 && offset <= MAX_OFFSET, "an offset among the names of actions is 0…65535", offset);
+        }
+
+        @Override
+        public Frame frame() {
+            return command('C', Bytes.ofNumber(offset, 2));
+        }
+
+        @Override
+        public String toString() {
+            return "list actions";
+        }
+    }
+
     /** @param id the device address that the board is to have. */
     record SetRfId(Address id) implements EepromWrite {
 

@@ -10,8 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -25,6 +27,8 @@ import javino.protocol.Counter;
 import javino.protocol.Key;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class BoardTest extends BoardFixture {
 
@@ -57,7 +61,71 @@ class BoardTest extends BoardFixture {
         open();
         assertEquals("online 1", listener.next());
         assertEquals(BoardState.ONLINE, board.state());
-        assertEquals(Optional.of(new BoardInfo(1, Optional.empty(), 1, "fake")), board.info());
+        assertEquals(Optional.of(new BoardInfo(1, Optional.empty(), 1, "fake", List.of())), board.info());
+    }
+
+    @Test
+    void open_sketchWithActions_knowsTheirNamesBeforeItIsOnline() throws Exception {
+        fake.setActions("lampOn", "lampOff", "goTo");
+        BlockingQueue<List<String>> known = new LinkedBlockingQueue<>();
+        open(new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                known.add(info.actions());
+            }
+        });
+        assertEquals(List.of("lampOn", "lampOff", "goTo"), known.take());
+        board.setRfId(SUPO).get();
+        assertEquals(List.of("lampOn", "lampOff", "goTo"), board.info().orElseThrow().actions());
+        assertEquals(1, fake.requests().stream().filter(request -> request.startsWith("43")).count());
+        fake.setActions("stop");
+        fake.reset();
+        assertEquals(List.of("stop"), known.take());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 5, 7, 8, 14, 15})
+    void open_namesInManyParts_putsThemTogether(int bytesInAReply) throws Exception {
+        fake.setActions("lampOn", "l", "lampOff");
+        fake.setActionBytesInAReply(bytesInAReply);
+        open();
+        assertEquals(List.of("lampOn", "l", "lampOff"), board.greeted().get().actions());
+    }
+
+    @Test
+    void open_namesThatDoNotCome_isNoJavinoBoard() throws Exception {
+        fake.setActions("lampOn");
+        fake.setActionBytesInAReply(0);
+        open();
+        assertEquals("offline fake: what is there answers hello, but not as a Javino board does: BAD_REPLY: "
+                + "all of 1 actions have names, found ", listener.next());
+        fake.setActionBytesInAReply(3);
+        assertEquals("online 1", listener.next());
+    }
+
+    @Test
+    void open_boardThatListsNoActions_isNoJavinoBoard() throws Exception {
+        fake.setListing(Status.UNKNOWN_COMMAND);
+        open();
+        assertEquals("offline fake: what is there answers hello, but not as a Javino board does: BAD_REPLY: "
+                + "list actions answered with UNKNOWN_COMMAND", listener.next());
+    }
+
+    @Test
+    void open_resetBetweenHelloAndNames_greetsAnew() throws Exception {
+        fake.setActions("lampOn");
+        AtomicInteger lists = new AtomicInteger();
+        fake.setLoses(message -> {
+            boolean first = message.at(0) == 'C' && lists.getAndIncrement() == 0;
+            if (first) {
+                fake.reset();
+            }
+            return first;
+        });
+        open();
+        assertEquals(List.of("offline fake: the board was reset", "online 2"), listener.until("online"));
+        assertEquals(List.of("lampOn"), board.info().orElseThrow().actions());
+        assertEquals(2, fake.hellos());
     }
 
     @Test
@@ -581,7 +649,7 @@ class BoardTest extends BoardFixture {
     @Test
     void greeted_boardThere_tellsWhoItIs() throws Exception {
         open();
-        assertEquals(new BoardInfo(1, Optional.empty(), 1, "fake"), board.greeted().get());
+        assertEquals(new BoardInfo(1, Optional.empty(), 1, "fake", List.of()), board.greeted().get());
     }
 
     @Test

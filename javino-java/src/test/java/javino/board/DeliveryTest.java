@@ -86,7 +86,7 @@ class DeliveryTest extends BoardFixture {
         opened.complete(board);
         acted.get();
         assertEquals(List.of(POLL, POLL + "00", Bytes.ofText("Astop").hex()),
-                fake.requests().subList(1, fake.requests().size()));
+                fake.requests().subList(2, fake.requests().size()));
     }
 
     @Test

@@ -39,6 +39,9 @@ public final class FakeBoard {
 
     private final List<String> percepts = new ArrayList<>();
     private final List<String> requests = new ArrayList<>();
+    private final List<String> actions = new ArrayList<>();
+    private int actionBytesInAReply = 500;
+    private Status listing = Status.OK;
     private final FakeMail mail = new FakeMail();
     private final Map<Counter, Long> counters = new EnumMap<>(Map.of(Counter.SERIAL_REQUESTS, 9L));
     private int transmissions;
@@ -141,6 +144,7 @@ public final class FakeBoard {
         return switch (command) {
             case 'P' -> poll(message);
             case 'A' -> act(message);
+            case 'C' -> listing == Status.OK ? listActions((int) message.number(1, 3)) : status(listing);
             case 'I' -> {
                 rfId = new String(message.from(1).toArray(), StandardCharsets.UTF_8);
                 yield record("id " + rfId, ACCEPTED);
@@ -173,6 +177,12 @@ public final class FakeBoard {
             return status(refusal);
         }
         return action.equals("unknown") ? status(Status.UNKNOWN_ACTION) : record(action, ACCEPTED);
+    }
+
+    private Bytes listActions(int offset) {
+        Bytes names = Bytes.ofText(String.join("", actions.stream().map(name -> name + "\0").toList()));
+        int end = Math.min(names.length(), offset + actionBytesInAReply);
+        return Bytes.join(Bytes.of(0, actions.size()), names.slice(offset, end));
     }
 
     /** Has but one key, for SUPO, and a second one while that is renewed. */
@@ -293,6 +303,22 @@ public final class FakeBoard {
     /** Queues a message; of a broadcast the id is 0. */
     public synchronized void receive(String destination, String origin, int id, String content) {
         mail.receive(destination, origin, id, content);
+    }
+
+    /** Has the sketch name these actions. */
+    public synchronized void setActions(String... names) {
+        actions.clear();
+        actions.addAll(List.of(names));
+    }
+
+    /** Has so many bytes of the names of actions fit a reply. */
+    synchronized void setActionBytesInAReply(int most) {
+        actionBytesInAReply = most;
+    }
+
+    /** Has list actions answered with this status. */
+    synchronized void setListing(Status status) {
+        listing = status;
     }
 
     /** Has the board say that its RF id is this; {@code ++++} for none, as at first. */

@@ -289,11 +289,13 @@ class CommandsTest {
 
     @Test
     void info_board_isShown() throws JavinoException, InterruptedException {
+        fake.setActions("lampOn", "lampOff");
         try (Board board = open()) {
             InfoCommand.print(board, new PrintWriter(out, true));
         }
         assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
-                "boot count          1", "key                 SUPO, check value 010203", "serialRequests      9"),
+                "boot count          1", "actions             lampOn, lampOff",
+                "key                 SUPO, check value 010203", "serialRequests      9"),
                 out.toString().lines().toList());
     }
 

@@ -3,12 +3,14 @@ package javino.protocol;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -37,6 +39,7 @@ class CommandTest {
             case "poll" -> new Request.Poll(vector.get("percepts").getAsBoolean(),
                     vector.get("taken").isJsonNull() ? Request.Poll.NOTHING_TAKEN : vector.get("taken").getAsInt());
             case "act" -> new Request.Act(VectorFile.text(vector, "action"));
+            case "listActions" -> new Request.ListActions(vector.get("offset").getAsInt());
             case "setRfId" -> new Request.SetRfId(VectorFile.address(vector, "address"));
             case "radio" -> new Request.Radio(vector.get("open").getAsBoolean());
             case "setKey" -> new Request.SetKey(VectorFile.address(vector, "address"),
@@ -80,6 +83,15 @@ class CommandTest {
                     records.add(describe(item));
                 }
                 fields.add("records", records);
+            }
+            case "listActions" -> {
+                ActionNames actions = reply.actionNames();
+                fields.addProperty("count", actions.count());
+                fields.addProperty("told", actions.told().hex());
+                fields.addProperty("all", actions.areAll());
+                JsonArray names = new JsonArray();
+                actions.names().forEach(names::add);
+                fields.add("names", names);
             }
             case "setKey", "renewKey" -> fields.addProperty("check", reply.checkValue().hex());
             case "listKeys" -> {
@@ -179,11 +191,33 @@ class CommandTest {
     }
 
     @Test
+    void and_nextPart_joinsNamesThatWereCut() throws ProtocolException {
+        ActionNames first = new ActionNames(2, Bytes.ofText("stop\0g"));
+        ActionNames all = first.and(new ActionNames(2, Bytes.ofText("o\0")));
+        assertFalse(first.areAll());
+        assertEquals(List.of("stop"), first.names());
+        assertTrue(all.areAll());
+        assertEquals(List.of("stop", "go"), all.names());
+    }
+
+    @Test
+    void and_partThatDoesNotFit_throws() {
+        ActionNames first = new ActionNames(2, Bytes.ofText("stop\0g"));
+        for (ActionNames next : List.of(new ActionNames(2, Bytes.EMPTY), new ActionNames(3, Bytes.ofText("o\0")),
+                new ActionNames(2, Bytes.ofText("o\0x")), new ActionNames(2, Bytes.ofText("o\0x\0")),
+                new ActionNames(2, Bytes.ofText("x".repeat(0xFFFF))))) {
+            assertEquals(ProtocolError.BAD_REPLY,
+                    assertThrows(ProtocolException.class, () -> first.and(next)).error(), next.toString());
+        }
+    }
+
+    @Test
     void request_valuesOutOfRange_throw() {
         Key key = Key.ofHex("00".repeat(16));
         assertThrows(IllegalArgumentException.class, () -> new Request.Act(""));
         assertThrows(IllegalArgumentException.class, () -> new Request.Act("\u00e9".repeat(256)));
         assertThrows(IllegalArgumentException.class, () -> new Request.Poll(false, 256));
+        assertThrows(IllegalArgumentException.class, () -> new Request.ListActions(0x10000));
         assertThrows(IllegalArgumentException.class, () -> new Request.SetRfId(Address.BROADCAST));
         assertThrows(IllegalArgumentException.class, () -> new Request.SetKey(Address.BROADCAST, key));
         assertThrows(IllegalArgumentException.class, () -> new Request.RenewKey(Address.SERIAL, key));

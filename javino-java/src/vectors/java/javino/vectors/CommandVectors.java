@@ -39,6 +39,8 @@ final class CommandVectors {
                 vector("name", "act", "action", "stop", "message", Wire.hex(text("Astop"))),
                 vector("name", "act", "action", "goTo(12,\"\u00e9\")",
                         "message", Wire.hex(text("AgoTo(12,\"\u00e9\")"))),
+                vector("name", "listActions", "offset", 0, "message", "430000"),
+                vector("name", "listActions", "offset", 0xFFFE, "message", "43fffe"),
                 vector("name", "setRfId", "address", "ROMA", "message", Wire.hex(text("IROMA"))),
                 vector("name", "radio", "open", true, "message", "5201"),
                 vector("name", "radio", "open", false, "message", "5200"),
@@ -81,6 +83,9 @@ final class CommandVectors {
                 badRequest(bytes('P', 0, 1, 2), "BAD_ARGUMENT"),
                 badRequest(bytes('R'), "BAD_ARGUMENT"),
                 badRequest(bytes('R', 2), "BAD_ARGUMENT"),
+                badRequest(bytes('C'), "BAD_ARGUMENT"),
+                badRequest(bytes('C', 0, 0, 0), "BAD_ARGUMENT"),
+                badRequest(bytes('C', 0), "BAD_ARGUMENT"),
                 badRequest(text("IROM"), "BAD_ARGUMENT"),
                 badRequest(text("IROMAA"), "BAD_ARGUMENT"),
                 badRequest(text("I////"), "BAD_ARGUMENT"),
@@ -130,6 +135,12 @@ final class CommandVectors {
                         vector("more", true, "leftOut", false, "airActive", false, "records",
                                 List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
                 ok("act", new byte[0], vector()),
+                ok("listActions", bytes(0), actions(0, "", true)),
+                ok("listActions", join(bytes(2), text("lampOn"), bytes(0), text("lampOff"), bytes(0)),
+                        actions(2, "6c616d704f6e006c616d704f666600", true, "lampOn", "lampOff")),
+                ok("listActions", join(bytes(255), text("\u00e9"), bytes(0), text("la")),
+                        actions(255, "c3a9006c61", false, "\u00e9")),
+                ok("listActions", bytes(1), actions(1, "", false)),
                 ok("setKey", bytes(0xAB, 0, 0x12), vector("check", "ab0012")),
                 ok("renewKey", bytes(0xFF, 0, 1), vector("check", "ff0001")),
                 ok("finishRenewal", new byte[0], vector()),
@@ -169,6 +180,10 @@ final class CommandVectors {
 
     private static Map<String, Object> key(String address, int role, String check) {
         return vector("address", address, "role", role, "check", check);
+    }
+
+    private static Map<String, Object> actions(int count, String told, boolean all, String... names) {
+        return vector("count", count, "told", told, "all", all, "names", List.of(names));
     }
 
     /** Each counter with ten times its number. */
@@ -214,6 +229,10 @@ final class CommandVectors {
                 badReply("poll", join(bytes(0, 0, 'M', 0, 11, 1), text("////ROMA"), bytes(0, 0)), "half an id"),
                 badReply("poll", join(bytes(0, 0, 'M', 0, 12, 1), text("////RO=A"), bytes(0, 0, 0)),
                         "message without an origin"),
+                badReply("listActions", bytes(0), "no number"),
+                badReply("listActions", bytes(0, 1, 'a', 0, 'b', 0), "more names than actions"),
+                badReply("listActions", bytes(0, 1, 'a', 0, 'b'), "something after the last name"),
+                badReply("listActions", bytes(0, 1, 0xFF, 0), "name is no UTF-8"),
                 badReply("setKey", bytes(0, 1, 2), "short check value"),
                 badReply("renewKey", bytes(0, 1, 2, 3, 4), "long check value"),
                 badReply("finishRenewal", bytes(0, 0), "something where nothing is due"),
