@@ -12,6 +12,16 @@ const uint16_t Address::PLUSES;
 const uint16_t Address::SLASHES;
 const uint16_t Address::FIRST_PLUS;
 
+/// `self`, `true`, `else` and `elif` have a meaning in AgentSpeak: no agent could tell such a sender from it.
+static bool isWord(uint16_t group, uint16_t member) {
+  switch (group) {
+    case 0xB1E: return member == 0x95F;
+    case 0xB6B: return member == 0xB9E;
+    case 0x7A5: return member == 0xB1E || member == 0x89F;
+    default: return false;
+  }
+}
+
 bool Address::parse(const uint8_t *text, Address &into) {
   uint16_t halves[2] = {0, 0};
   for (uint8_t i = 0; i < TEXT_LENGTH; i++) {
@@ -33,7 +43,7 @@ void Address::write(uint8_t *text) const {
 }
 
 Address::Class Address::classOf() const {
-  if (group_ < FIRST_PLUS) return DEVICE;
+  if (group_ < FIRST_PLUS) return isWord(group_, member_) ? RESERVED : DEVICE;
   if (group_ == SLASHES) return member_ == SLASHES ? BROADCAST : MULTICAST;
   if (group_ == PIECES) return PIECE;
   if (group_ == ACKNOWLEDGEMENTS) return ACKNOWLEDGEMENT;

@@ -21,6 +21,12 @@ public record Address(int value) {
     static final int PIECE_GROUP = 0xF85;
     static final int ACKNOWLEDGEMENT_GROUP = 0xF8A;
 
+    /** Of {@code self}, {@code true}, {@code else} and {@code elif}: words of AgentSpeak, which no sender may be. */
+    private static final int SELF = 0xB1E95F;
+    private static final int TRUE = 0xB6BB9E;
+    private static final int ELSE = 0x7A5B1E;
+    private static final int ELIF = 0x7A589F;
+
     /** What an address stands for. */
     public enum Kind {
         /** One device: {@code AAAA}…{@code 9///}. */
@@ -35,7 +41,7 @@ public record Address(int value) {
         PIECE,
         /** The answer to a frame (SPEC 7.3): {@code +K} and two digits. */
         ACKNOWLEDGEMENT,
-        /** None of the others; nothing can be sent to it. */
+        /** None of the others, or a name to which AgentSpeak gives a meaning, such as {@code self}; nothing is sent to it. */
         RESERVED
     }
 
@@ -106,7 +112,7 @@ public record Address(int value) {
         int first = value >> 18;
         int second = value >> 12 & 0x3F;
         if (first < plus) {
-            return Kind.DEVICE;
+            return isWord() ? Kind.RESERVED : Kind.DEVICE;
         }
         if (first == slash && second == slash) {
             return (value & 0xFFF) == 0xFFF ? Kind.BROADCAST : Kind.MULTICAST;
@@ -115,6 +121,13 @@ public record Address(int value) {
             case PIECE_GROUP -> Kind.PIECE;
             case ACKNOWLEDGEMENT_GROUP -> Kind.ACKNOWLEDGEMENT;
             default -> value == SERIAL_VALUE ? Kind.SERIAL : Kind.RESERVED;
+        };
+    }
+
+    private boolean isWord() {
+        return switch (value) {
+            case SELF, TRUE, ELSE, ELIF -> true;
+            default -> false;
         };
     }
 

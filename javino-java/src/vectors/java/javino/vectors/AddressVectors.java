@@ -16,6 +16,8 @@ final class AddressVectors {
         var lists = Vectors.lists("valid", List.of(
                 valid("AAAA", "device"), valid("AAAB", "device"), valid("CAFE", "device"), valid("ROMA", "device"),
                 valid("SUPO", "device"), valid("SU//", "device"), valid("Zaz0", "device"), valid("a+/9", "device"),
+                valid("self", "reserved"), valid("true", "reserved"), valid("else", "reserved"),
+                valid("elif", "reserved"), valid("Self", "device"), valid("selF", "device"), valid("sele", "device"),
                 valid("9///", "device"), valid("++++", "serial"), valid("+++/", "reserved"),
                 valid("+++A", "reserved"), valid("+AAA", "reserved"), valid("+E//", "reserved"),
                 valid("+FAA", "piece"), valid("+F//", "piece"), valid("+GAA", "reserved"), valid("+J//", "reserved"),
