@@ -51,6 +51,8 @@ public class Diffuser extends AgArch {
     private transient Means means;
     private transient Senses senses;
     private transient Wishes wishes = Wishes.NONE;
+    /** The last message from the radio that Jason was given. */
+    private transient Optional<Message> handedOn = Optional.empty();
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
 
@@ -63,7 +65,7 @@ public class Diffuser extends AgArch {
         intentions = new Intentions(this::getTS);
         questions = new Questions(intentions, outbox);
         answers = new Answers(outbox);
-        inbox = new Inbox(questions, intentions, warnings);
+        inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings);
         means = new Means();
         senses = new Senses();
         router = new ActionRouter(this, super::act, warnings);
@@ -107,6 +109,8 @@ public class Diffuser extends AgArch {
      *         fails, since a board may come later.
      */
     public CompletableFuture<Void> openPort(String port) {
+        PlainLines.of(getTS().getLogger());
+        PlainLines.of(getTS().getAg().getLogger());
         device = Device.open(new Handover(link(port), closeDevice()), portTerm(port), boardConfig(), wishes,
                 new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
         return device.decided();
@@ -220,6 +224,11 @@ public class Diffuser extends AgArch {
         return outbox.deliver(letter, board);
     }
 
+    /** Where the board's messages go. */
+    Inbox inbox() {
+        return inbox;
+    }
+
     /** The board, if a port was opened. */
     Optional<Device> device() {
         return Optional.ofNullable(device);
@@ -239,8 +248,10 @@ public class Diffuser extends AgArch {
     public void checkMail() {
         senses.believed();
         super.checkMail();
-        for (Optional<Message> message = inbox.take(); message.isPresent(); message = inbox.take()) {
-            getTS().getC().addMsg(message.get());
+        // One at a time: the gate decides by what the agent believes, which the message before may change.
+        if (handedOn.isEmpty() || !getTS().getC().getMailBox().contains(handedOn.get())) {
+            handedOn = inbox.take();
+            handedOn.ifPresent(getTS().getC()::addMsg);
         }
     }
 

@@ -1,11 +1,13 @@
 package diffuser;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
 import jason.asSemantics.Message;
+import jason.asSyntax.ListTerm;
 import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 
@@ -21,12 +23,13 @@ final class Inbox {
     private final AtomicLong received = new AtomicLong();
     private final AtomicLong malformed = new AtomicLong();
     private final AtomicLong refused = new AtomicLong();
+    private final Gate gate;
     private final Questions questions;
     private final Intentions intentions;
     private final Warnings warnings;
 
     /**
-     * A message whose content could be read.
+     * A message whose content could be read, or one literal of a list that it says.
      *
      * @param message  as it came.
      * @param receiver the agent.
@@ -38,12 +41,10 @@ final class Inbox {
             return message.content();
         }
 
-        /** As Jason wants it, marked as if it had gone to an address. */
-        Message sentTo(Address to) {
-            Message jason = new Message(content().force().toString(), message.from().toString(), receiver,
-                    Cast.mark(term, content().force(), to, message.from()));
+        Message saying(Term passed) {
+            Message jason = new Message(content().force().toString(), message.from().toString(), receiver, passed);
             if (content().force().isQuestion()) {
-                boolean ofGroup = to.kind() == Address.Kind.MULTICAST;
+                boolean ofGroup = message.to().kind() == Address.Kind.MULTICAST;
                 content().conversation().map(asked -> new Enquiry(asked, ofGroup).messageId())
                         .ifPresent(jason::setMsgId);
             }
@@ -51,47 +52,34 @@ final class Inbox {
         }
     }
 
-    Inbox(Questions questions, Intentions intentions, Warnings warnings) {
+    Inbox(Gate gate, Questions questions, Intentions intentions, Warnings warnings) {
+        this.gate = gate;
         this.questions = questions;
         this.intentions = intentions;
         this.warnings = warnings;
     }
 
-    /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak or it came unsealed. */
+    /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
     void put(ReceivedMessage message, String receiver) {
-        Optional<String> objection = objection(message);
-        if (objection.isPresent()) {
-            refuse(message, objection.get());
-            return;
-        }
         try {
-            mails.add(new Mail(message, receiver, Texts.readContent(message.content())));
+            Term term = Texts.readContent(message.content());
+            apart(term, message.content()).forEach(said -> mails.add(new Mail(message, receiver, said)));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
         }
     }
 
-    private static Optional<String> objection(ReceivedMessage message) {
-        Content content = message.content();
-        if (content.isAnswer() && message.to().kind() != Address.Kind.DEVICE) {
-            return Optional.of("an answer comes to the asker alone");
-        }
-        if (content.force().requiresSeal() && message.to().kind() == Address.Kind.BROADCAST) {
-            return Optional.of("it came as a broadcast, which anyone can send in anyone's name");
-        }
-        return Optional.empty();
+    /** Of a list, each literal passes the gate or does not; answers and plans are the asker's to take as a whole. */
+    private static List<Term> apart(Term term, Content content) {
+        boolean whole = content.force().requiresSeal() || content.isAnswer() || !term.isList();
+        return whole ? List.of(term) : (ListTerm) term;
     }
 
-    private void refuse(ReceivedMessage message, String why) {
-        refused.incrementAndGet();
-        warnings.once("dropped " + message.content().force() + " from " + message.from() + ": " + why);
-    }
-
-    /** The next message for the agent, if there is one. */
+    /** The next message that passes the gate, for Jason to handle at once, as the gate has looked at how things are. */
     Optional<Message> take() {
         for (Mail mail = mails.poll(); mail != null; mail = mails.poll()) {
-            Optional<Message> message = mail.content().isAnswer() ? answer(mail) : Optional.of(open(mail));
+            Optional<Message> message = pass(mail);
             if (message.isPresent()) {
                 return message;
             }
@@ -99,33 +87,55 @@ final class Inbox {
         return Optional.empty();
     }
 
-    private Message open(Mail mail) {
-        received.incrementAndGet();
-        return mail.sentTo(mail.message().to());
+    private Optional<Message> pass(Mail mail) {
+        try {
+            Optional<Message> message = mail.content().isAnswer() ? answer(mail) : pass(mail, mail.message().to());
+            received.incrementAndGet();
+            return message;
+        } catch (Gate.RefusedException e) {
+            refuse(mail, e.kind(), e.getMessage());
+        } catch (RuntimeException e) {
+            // Where a term makes Jason stumble, that costs the message, not the agent's intentions.
+            refuse(mail, e.getClass().getName(), "Jason stumbles over it: " + e);
+        }
+        return Optional.empty();
+    }
+
+    private void refuse(Mail mail, String kind, String why) {
+        refused.incrementAndGet();
+        String what = "dropped " + mail.content().force() + " from " + mail.message().from() + ": ";
+        warnings.once(what + kind, what + why);
+    }
+
+    private Optional<Message> pass(Mail mail, Address to) throws Gate.RefusedException {
+        return gate.pass(mail.content().force(), mail.term(), to, mail.message().from()).map(mail::saying);
     }
 
     /** The answer as its question went: what anybody in a group could have asked is no more than a group's word. */
-    private Optional<Message> answer(Mail mail) {
-        Optional<Questions.Question> open =
-                questions.answered(mail.content().conversation().orElseThrow(), mail.message().from());
-        if (open.isEmpty()) {
-            refuse(mail.message(), "it answers no question that is open");
-            return Optional.empty();
+    private Optional<Message> answer(Mail mail) throws Gate.RefusedException {
+        if (mail.message().to().kind() != Address.Kind.DEVICE) {
+            throw new Gate.RefusedException("an answer comes to the asker alone");
         }
-        received.incrementAndGet();
-        Questions.Question question = open.get();
-        if (mail.content().force() == Force.SORRY) {
-            fail(question, mail);
-            return Optional.empty();
+        Questions.Question question = questions
+                .answered(mail.content().conversation().orElseThrow(), mail.message().from())
+                .orElseThrow(() -> new Gate.RefusedException("it answers no question that is open"));
+        try {
+            Optional<Message> answer = pass(mail, question.letter().to());
+            if (mail.content().force() == Force.SORRY) {
+                fail(question, mail, ((StringTerm) mail.term()).getString());
+                return Optional.empty();
+            }
+            answer.ifPresent(message -> question.messageId().ifPresent(message::setInReplyTo));
+            return answer;
+        } catch (Gate.RefusedException e) {
+            fail(question, mail, "its answer was dropped: " + e.getMessage());
+            throw e;
         }
-        Message answer = mail.sentTo(question.letter().to());
-        question.messageId().ifPresent(answer::setInReplyTo);
-        return Optional.of(answer);
     }
 
-    private void fail(Questions.Question question, Mail sorry) {
-        Failure why = new Failure("no_answer", sorry.message().from() + " cannot answer " + question.letter().content()
-                + ": " + ((StringTerm) sorry.term()).getString());
+    private void fail(Questions.Question question, Mail mail, String reason) {
+        Failure why = new Failure("no_answer", mail.message().from() + " cannot answer " + question.letter().content()
+                + ": " + reason);
         question.messageId().ifPresentOrElse(id -> intentions.fail(id, why), () -> warnings.always(why.message()));
     }
 
@@ -133,7 +143,7 @@ final class Inbox {
         return mails.isEmpty();
     }
 
-    /** How many messages were taken in. */
+    /** How many messages, or literals of lists that messages say, have passed the gate. */
     long received() {
         return received.get();
     }
@@ -143,7 +153,7 @@ final class Inbox {
         return malformed.get();
     }
 
-    /** How many messages were dropped since they came unsealed, or answered no open question. */
+    /** How many messages, or literals of lists, did not pass the gate, or answered no open question. */
     long refused() {
         return refused.get();
     }

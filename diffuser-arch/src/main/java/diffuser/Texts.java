@@ -4,18 +4,24 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 import jason.JasonException;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
+import jason.asSyntax.ArithExpr;
+import jason.asSyntax.ArithFunctionTerm;
 import jason.asSyntax.Atom;
+import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.ListTerm;
+import jason.asSyntax.ListTermImpl;
 import jason.asSyntax.Literal;
 import jason.asSyntax.LiteralImpl;
 import jason.asSyntax.NumberTermImpl;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Pred;
+import jason.asSyntax.StringTerm;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
@@ -34,6 +40,9 @@ public final class Texts {
 
     private static final String FORCES = Arrays.stream(Force.values()).filter(force -> force != Force.SORRY)
             .map(Force::toString).collect(Collectors.joining(", "));
+
+    /** Controls, and what turns the direction of writing. */
+    private static final Pattern COMMANDS = Pattern.compile("[\\p{Cc}\\u2028\\u2029\\u202A-\\u202E\\u2066-\\u2069]");
 
     private Texts() {
     }
@@ -58,7 +67,8 @@ public final class Texts {
     static Content content(Force force, Optional<Conversation> conversation, Term term) throws JasonException {
         String text;
         try {
-            text = TermWriter.write(Cast.unmark(term));
+            text = TermWriter.write(Gate.clean(term));
+            expectNoCommand(text);
             check(text, read(text, force), force, conversation.isPresent());
         } catch (MalformedTextException e) {
             throw unsayable(e);
@@ -116,14 +126,62 @@ public final class Texts {
 
     /** Reads what a message says: what goes with its force. */
     static Term readContent(Content content) throws MalformedTextException {
+        expectNoCommand(content.term());
         Term term = read(content.term(), content.force());
         check(content.term(), term, content.force(), content.conversation().isPresent());
         return term;
     }
 
-    /** Plans are not evaluated: what they compute, they compute when they run. */
+    /**
+     * Plans are not evaluated: what they compute, they compute when they run. Those that come as strings are read here,
+     * so that what was looked at is what Jason takes.
+     */
     private static Term read(String text, Force force) throws MalformedTextException {
-        return force == Force.TELL_HOW ? parsed(text) : read(text);
+        return switch (force) {
+            case TELL_HOW -> each(parsed(text), term -> term.isString() ? plan(((StringTerm) term).getString()) : term);
+            case UNTELL_HOW -> each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
+            case ASK_HOW -> each(read(text), term -> term.isString() ? trigger(((StringTerm) term).getString()) : term);
+            default -> read(text);
+        };
+    }
+
+    /** A part of a content that is a text of its own. */
+    private interface Part {
+        Term read(Term term) throws MalformedTextException;
+    }
+
+    private static Term each(Term term, Part part) throws MalformedTextException {
+        if (!term.isList() || term.isVar()) {
+            return part.read(term);
+        }
+        ListTerm all = new ListTermImpl();
+        for (Term single : (ListTerm) term) {
+            all.add(part.read(single));
+        }
+        return all;
+    }
+
+    private static Term plan(String text) throws MalformedTextException {
+        try {
+            Plan plan = ASSyntax.parsePlan(text);
+            plan.setAsPlanTerm(true);
+            return plan;
+        } catch (ParseException | TokenMgrError | RuntimeException e) {
+            throw new MalformedTextException(text, firstLine(e));
+        }
+    }
+
+    /** With the sign before it or without. */
+    private static Term label(String text) throws MalformedTextException {
+        return parsed(text.startsWith("@") ? text.substring(1) : text);
+    }
+
+    private static Term trigger(String text) throws MalformedTextException {
+        try {
+            return ASSyntax.parseTrigger(text);
+        } catch (ParseException | TokenMgrError | RuntimeException e) {
+            throw new MalformedTextException(text, firstLine(e));
+        }
     }
 
     private static void check(String text, Term term, Force force, boolean conversing) throws MalformedTextException {
@@ -141,7 +199,7 @@ public final class Texts {
                     "a triggering event such as { +!go(_) } was expected");
             case TELL_HOW -> expect(all(term, plan -> plan instanceof Plan || plan.isString()), text,
                     "a plan such as { +!go <- run }, or a list of such, was expected");
-            case UNTELL_HOW -> expect(all(term, label -> isBelief(label) || label.isString()), text,
+            case UNTELL_HOW -> expect(all(term, Texts::isBelief), text,
                     "a plan's label or a list of such was expected");
             case SORRY -> expect(term.isString(), text, "a string was expected");
         }
@@ -149,6 +207,11 @@ public final class Texts {
 
     private static void expectBeliefs(Term term, String text) throws MalformedTextException {
         expect(all(term, Texts::isBelief), text, "a belief, a goal or a list of such was expected");
+    }
+
+    private static void expectNoCommand(String text) throws MalformedTextException {
+        expect(!COMMANDS.matcher(text).find(), text,
+                "it has a character that commands a terminal; of these only line feeds may be sent");
     }
 
     private static void expect(boolean met, String text, String what) throws MalformedTextException {
@@ -175,10 +238,34 @@ public final class Texts {
 
     private static Term read(String text) throws MalformedTextException {
         try {
+            Term term = parsed(text);
+            expectNoFunction(term, text);
             // Evaluated, since Jason parses -3 as an expression and not as a number.
-            return parsed(text).capply(new Unifier());
+            return term.capply(new Unifier());
         } catch (RuntimeException e) {
             throw new MalformedTextException(text, firstLine(e));
+        }
+    }
+
+    /** Nobody else's text is computed, except for the sign of a number: a function may do anything, and logs its faults. */
+    private static void expectNoFunction(Term term, String text) throws MalformedTextException {
+        if (term instanceof ArithFunctionTerm function) {
+            boolean sign = term instanceof ArithExpr expression && expression.getOp() == ArithExpr.ArithmeticOp.minus
+                    && function.getArity() == 1 && function.getTerm(0) instanceof NumberTermImpl;
+            expect(sign, text, "a number was expected, not something to compute");
+        } else if (term instanceof InternalActionLiteral) {
+            expect(false, text, "an internal action is nothing to say");
+        } else if (term instanceof ListTerm list && !term.isVar()) {
+            for (Term each : list) {
+                expectNoFunction(each, text);
+            }
+        } else if (term instanceof Structure structure && !term.isVar()) {
+            for (int i = 0; i < structure.getArity(); i++) {
+                expectNoFunction(structure.getTerm(i), text);
+            }
+            if (structure.hasAnnot()) {
+                expectNoFunction(structure.getAnnots(), text);
+            }
         }
     }
 

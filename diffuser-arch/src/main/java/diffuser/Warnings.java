@@ -5,6 +5,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import java.util.logging.Logger;
 
+import javino.Printable;
+
 /** Tells the user each thing once, however often it happens. */
 final class Warnings {
 
@@ -23,21 +25,26 @@ final class Warnings {
 
     /** Logs the text unless it was logged before. */
     void once(String text) {
+        once(text, text);
+    }
+
+    /** Logs the text unless another of its kind was logged before. */
+    void once(String kind, String text) {
         if (told.size() < MOST_TEXTS) {
-            tell(text);
-        } else if (!told.contains(text)) {
-            tell(NO_MORE);
+            tell(kind, text);
+        } else if (!told.contains(kind)) {
+            tell(NO_MORE, NO_MORE);
         }
     }
 
-    private void tell(String text) {
-        if (told.add(text)) {
+    private void tell(String kind, String text) {
+        if (told.add(kind)) {
             always(text);
         }
     }
 
-    /** Logs the text. */
+    /** Logs the text in one line: what comes from the air may be in it. */
     void always(String text) {
-        logger.get().warning(text);
+        logger.get().warning(Printable.of(text));
     }
 }

@@ -67,6 +67,7 @@ class MessagesTest {
     void checkMail_eachCast_isAnnotatedWithItsSender(String to, String cast) {
         String program = PROGRAM + """
                 +q(X)[cast(C,S)] <- diffuser.note(C,S).
+                +!run(X)[cast(broadcast,S)] <- diffuser.note(broadcast,S,X).
                 +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
                 """;
         FakeBoard board = new FakeBoard("radio");
@@ -127,17 +128,6 @@ class MessagesTest {
             sealedAmongForged(board);
             board.receive("////", "SUAM", "tell;check");
             agent.notes("[ROMA,SUHO] [ROMA,SUAM,SUHO,SUPO]");
-        }
-    }
-
-    @Test
-    void checkMail_untellByAnotherCast_removes() {
-        FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("CAFE", "ROMA", "tell;p(1)");
-            agent.notes("plus 1 ROMA");
-            board.receive("////", "ROMA", "untell;p(1)");
-            agent.notes("minus 1 ROMA");
         }
     }
 

@@ -177,7 +177,7 @@ class QuestionsTest {
             String id = Conversing.asked(board, SPEED);
             board.receive("SUPO", "ROMA", "tell#%s;speed(".formatted(id));
             board.receive("SUPO", "ROMA", "tell#%s;.stopMAS".formatted(id));
-            agent.warns("\".stopMAS\": beliefs, numbers, strings or a list of such were expected");
+            agent.warns("\".stopMAS\": an internal action is nothing to say");
             board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
             agent.notes("5");
             assertEquals(2L, agent.diffuser().getStatus().get("rfMessagesMalformed"));

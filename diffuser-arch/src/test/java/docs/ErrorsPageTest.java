@@ -38,6 +38,12 @@ class ErrorsPageTest {
     }
 
     @Test
+    void gate_eachRefusal_hasAnEntry() {
+        assertTexts("In a plan", Stream.of("Gate", "Inbox").flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
+                Repository.text("diffuser-arch/src/main/java/diffuser/" + name + ".java"))));
+    }
+
+    @Test
     void java_eachException_hasAnEntry() {
         assertEntries("In Java", Repository.files("javino-java/src/main", ".java").stream()
                 .flatMap(file -> found("public final class (\\w+) extends JavinoException", Repository.text(file))));

@@ -3,6 +3,7 @@ package javino.cli;
 import java.util.List;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
+import javino.Printable;
 import javino.board.Board;
 import javino.board.RequestFailedException;
 import javino.protocol.BoardInfo;

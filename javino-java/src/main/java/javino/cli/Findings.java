@@ -2,6 +2,8 @@ package javino.cli;
 
 import java.io.PrintWriter;
 
+import javino.Printable;
+
 /** What an examination finds, written a line each: ok, or what to do. */
 final class Findings {
 

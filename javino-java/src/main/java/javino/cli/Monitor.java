@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import javino.Printable;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
 import javino.protocol.Address;

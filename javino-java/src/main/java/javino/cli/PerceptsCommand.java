@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
+import javino.Printable;
 import javino.board.Board;
 import javino.board.BoardListener;
 import javino.board.BoardState;

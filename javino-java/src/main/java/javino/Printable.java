@@ -1,9 +1,9 @@
-package javino.cli;
+package javino;
 
 import java.util.stream.Collectors;
 
-/** Text from outside, made fit for a terminal. */
-final class Printable {
+/** Text from outside, made fit for a terminal or a log. */
+public final class Printable {
 
     private Printable() {
     }
@@ -12,7 +12,7 @@ final class Printable {
      * The text in one line, in which what could command the terminal, or turn the direction of writing, is written
      * as by a programmer: anybody in range can send anything.
      */
-    static String of(String text) {
+    public static String of(String text) {
         return text.codePoints().mapToObj(Printable::of).collect(Collectors.joining());
     }
 

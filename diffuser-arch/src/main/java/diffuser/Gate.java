@@ -1,0 +1,383 @@
+package diffuser;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+import jason.asSemantics.Agent;
+import jason.asSemantics.Event;
+import jason.asSemantics.Intention;
+import jason.asSemantics.Message;
+import jason.asSemantics.Option;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Atom;
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.ListTermImpl;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Plan;
+import jason.asSyntax.PlanBody;
+import jason.asSyntax.Pred;
+import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
+import jason.asSyntax.Trigger;
+import jason.asSyntax.VarTerm;
+import jason.infra.local.BaseLocalMAS;
+import jason.util.Config;
+
+import javino.protocol.Address;
+import javino.protocol.Force;
+
+/**
+ * The one door between the air and the agent: all that comes by radio passes here, on the agent's own thread, just
+ * before Jason handles it. The table in SECURITY.md says what passes.
+ *
+ * <p>What is told, or wanted achieved, is marked with how it came: {@code cast(unicast,ROMA)},
+ * {@code cast(multicast,ROMA)} or {@code cast(broadcast,ROMA)}, so that a plan can demand a message that not everybody
+ * can forge. Each mark names the sender, since Jason keeps one belief for all who say the same and adds up its
+ * annotations: otherwise a belief that ROMA has unicast and somebody has broadcast in the name of SUPO would seem to be
+ * unicast by both, and SUPO's own unicast would be no event.
+ */
+final class Gate {
+
+    private static final String CAST = "cast";
+    private static final String BROADCAST = "broadcast";
+
+    /** Annotations to which this architecture, Jason or CArtAgO gives a meaning; the sender's own are taken off. */
+    private static final Set<String> MEANINGFUL = Set.of("source", CAST, "error", "error_msg", "signal", "state",
+            "percept_type", "artifact_id", "aid", "artifact_name", "art", "workspace", "wid", "wsp", "env_infra");
+
+    /** Jason's own events, such as {@code jag_shutting_down}, begin so. */
+    private static final String JASONS_EVENTS = "jag_";
+    private static final String JASONS_NAMESPACE = "kqml";
+    private static final Set<String> JASONS_GOALS = jasonsGoals();
+
+    private final Supplier<TransitionSystem> agent;
+
+    /** @param agent asked anew each time, as an agent's parts are made one after the other. */
+    Gate(Supplier<TransitionSystem> agent) {
+        this.agent = agent;
+    }
+
+    /** A message does not pass. */
+    static final class RefusedException extends Exception {
+
+        private static final long serialVersionUID = 1L;
+
+        private final String kind;
+
+        /** @param why what was wrong. */
+        RefusedException(String why) {
+            super(why);
+            kind = why;
+        }
+
+        /**
+         * @param kind   what was wrong, in words that are the same each time.
+         * @param detail what differs from message to message.
+         */
+        RefusedException(String kind, String detail) {
+            super(kind + detail);
+            this.kind = kind;
+        }
+
+        /** What was wrong, in words of which there are few: a stranger shall not fill the log. */
+        String kind() {
+            return kind;
+        }
+    }
+
+    /**
+     * What of a message passes.
+     *
+     * @param force   what it is meant to do.
+     * @param said    what goes with the force; of a list of literals, one.
+     * @param to      whom the message went to, or of an answer its question.
+     * @param from    who sent it.
+     * @return what Jason is to handle; empty if the gate has done itself what there was to do.
+     * @throws RefusedException if nothing passes.
+     */
+    Optional<Term> pass(Force force, Term said, Address to, Address from) throws RefusedException {
+        boolean broadcast = to.kind() == Address.Kind.BROADCAST;
+        if (from.kind() != Address.Kind.DEVICE) {
+            throw new RefusedException("no device has that address");
+        }
+        if (isAgentHere(from.toString())) {
+            throw new RefusedException("an agent of this MAS has that name; give the agent or the device another");
+        }
+        if (broadcast && force.requiresSeal()) {
+            throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name");
+        }
+        refuseJasonsOwn(said);
+        Term clean = clean(said);
+        Term mark = mark(kind(to), from);
+        return switch (force) {
+            case TELL, SIGNAL -> Optional.of(marked(clean, mark));
+            case ACHIEVE -> broadcast ? adopt((Literal) marked(clean, mark), from) : Optional.of(marked(clean, mark));
+            case UNTELL -> broadcast ? retract((Literal) clean, mark, from) : Optional.of(clean);
+            // Jason drops only goals that have all the annotations.
+            case UNACHIEVE -> Optional.of(broadcast ? marked(clean, mark) : clean);
+            case ASK_ONE, ASK_ALL -> Optional.of(clean);
+            case ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY -> Optional.of(said);
+        };
+    }
+
+    private static boolean isAgentHere(String name) {
+        BaseLocalMAS mas = BaseLocalMAS.getRunner();
+        return mas != null && mas.getAg(name) != null;
+    }
+
+    // Broadcasts
+
+    /**
+     * Has the agent pursue a goal by the first applicable of those plans that ask for goals of broadcasts. The plan is
+     * chosen here, as Jason would go on to plans for the same goal that do not ask for it.
+     */
+    private Optional<Term> adopt(Literal goal, Address from) throws RefusedException {
+        goal.addAnnot(source(from));
+        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal);
+        boolean asked = false;
+        for (Plan plan : plans()) {
+            Unifier relevant = asksForBroadcasts(plan) ? plan.isRelevant(trigger, null) : null;
+            if (relevant != null) {
+                asked = true;
+                Iterator<Unifier> applicable = plan.getContext() == null ? List.of(relevant).iterator()
+                        : plan.getContext().logicalConsequence(agent.get().getAg(), relevant);
+                if (applicable != null && applicable.hasNext()) {
+                    adopt(trigger, new Option(plan, applicable.next()), from);
+                    return Optional.empty();
+                }
+            }
+        }
+        if (asked) {
+            throw new RefusedException("no plan that asks for it by [cast(broadcast,_)] is applicable now");
+        }
+        throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name; if the agent is to"
+                + " take it, write a plan that asks for it: ", opening(goal));
+    }
+
+    private void adopt(Trigger trigger, Option option, Address from) throws RefusedException {
+        TransitionSystem ts = agent.get();
+        if (!ts.getAg().socAcc(new Message(Force.ACHIEVE.toString(), from.toString(), ts.getAgArch().getAgName(),
+                trigger.getLiteral()))) {
+            throw new RefusedException("the agent's socAcc does not accept it");
+        }
+        Event event = new Event(trigger, Intention.EmptyInt);
+        event.setOption(option);
+        ts.getC().addEvent(event);
+    }
+
+    /** Whether a plan's trigger has {@code [cast(broadcast,_)]}. */
+    private static boolean asksForBroadcasts(Plan plan) {
+        return plan.getTrigger().getLiteral().hasAnnot()
+                && plan.getTrigger().getLiteral().getAnnots().stream().anyMatch(Gate::isBroadcastMark);
+    }
+
+    private static boolean isBroadcastMark(Term annotation) {
+        return annotation instanceof Structure mark && mark.getFunctor().equals(CAST) && mark.getArity() == 2
+                && mark.getTerm(0).isAtom() && mark.getTerm(0).toString().equals(BROADCAST);
+    }
+
+    private static String opening(Literal goal) {
+        String arguments = IntStream.rangeClosed(1, goal.getArity()).mapToObj(i -> "X" + i)
+                .collect(Collectors.joining(",", "(", ")"));
+        return "+!" + goal.getFunctor() + (goal.getArity() == 0 ? "" : arguments) + "[cast(broadcast,S)] <- ...";
+    }
+
+    /** Takes back no more than a broadcast of the same sender has told. */
+    private Optional<Term> retract(Literal said, Term mark, Address from) throws RefusedException {
+        Agent ag = agent.get().getAg();
+        Literal pattern = said.forceFullLiteralImpl().copy();
+        pattern.addAnnots(mark, source(from));
+        Literal told = ag.findBel(pattern, new Unifier());
+        if (told == null) {
+            throw new RefusedException("a broadcast takes back only what a broadcast of the same sender has told");
+        }
+        Literal shout = told.copy();
+        shout.clearAnnots();
+        shout.addAnnot(mark);
+        if (!isAlsoSealed(told, from)) {
+            return Optional.of(shout);
+        }
+        // What the sender has said sealed stands; so the belief keeps its source, and nothing has happened to it.
+        ag.getBB().remove(shout);
+        return Optional.empty();
+    }
+
+    private static boolean isAlsoSealed(Literal told, Address from) {
+        return told.getAnnots(CAST).stream().anyMatch(mark -> !isBroadcastMark(mark)
+                && mark instanceof Structure cast && cast.getArity() == 2 && cast.getTerm(1).equals(atom(from)));
+    }
+
+    /** The class of a plan library is another one in Jason 3.2 than in 3.3. */
+    private List<Plan> plans() {
+        Agent ag = agent.get().getAg();
+        try {
+            Iterable<?> library = (Iterable<?>) Agent.class.getMethod("getPL").invoke(ag);
+            List<Plan> plans = new ArrayList<>();
+            library.forEach(plan -> plans.add((Plan) plan));
+            return plans;
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("this Jason has no plan library where 3.2 and 3.3 have it", e);
+        }
+    }
+
+    // Jason's own
+
+    /** What the plans that come with Jason, and handle its messages, are for. */
+    private static Set<String> jasonsGoals() {
+        Set<String> goals = new HashSet<>(Set.of(Config.get().getKqmlFunctor()));
+        try (InputStream plans = Agent.class.getResourceAsStream("/asl/kqmlPlans.asl")) {
+            Matcher goal = Pattern.compile("^[+-]!(\\w+)", Pattern.MULTILINE)
+                    .matcher(new String(plans.readAllBytes(), StandardCharsets.UTF_8));
+            while (goal.find()) {
+                goals.add(goal.group(1));
+            }
+        } catch (IOException e) {
+            throw new IllegalStateException("the plans with which Jason handles messages cannot be read", e);
+        }
+        return Set.copyOf(goals);
+    }
+
+    /** Refuses what names a goal or an event of Jason's, at any depth. */
+    private static void refuseJasonsOwn(Term term) throws RefusedException {
+        if (term instanceof Plan plan) {
+            if (plan.getTrigger().getLiteral().isVar()) {
+                throw new RefusedException("a plan for all events is one for Jason's own, too");
+            }
+            refuseJasonsOwn(plan.getLabel(), plan.getTrigger(), plan.getContext(), plan.getBody());
+        } else if (term instanceof PlanBody body) {
+            refuseJasonsOwn(body.getBodyTerm(), body.getBodyNext());
+        } else if (term instanceof Trigger trigger) {
+            refuseJasonsOwn(trigger.getLiteral());
+        } else if (term instanceof ListTerm list && !term.isVar()) {
+            for (Term each : list) {
+                refuseJasonsOwn(each);
+            }
+        } else if (term instanceof Literal literal) {
+            refuseJasonsName(literal);
+            for (int i = 0; i < literal.getArity(); i++) {
+                refuseJasonsOwn(literal.getTerm(i));
+            }
+            if (literal.hasAnnot()) {
+                refuseJasonsOwn(literal.getAnnots());
+            }
+        }
+    }
+
+    private static void refuseJasonsOwn(Term... terms) throws RefusedException {
+        for (Term term : terms) {
+            if (term != null) {
+                refuseJasonsOwn(term);
+            }
+        }
+    }
+
+    private static void refuseJasonsName(Literal literal) throws RefusedException {
+        String name = literal.getFunctor().replace("'", "");
+        boolean jasons = JASONS_GOALS.contains(name) || name.startsWith(JASONS_EVENTS)
+                || literal.getNS().getFunctor().equals(JASONS_NAMESPACE);
+        if (jasons) {
+            throw new RefusedException("it names what belongs to Jason itself: ", name);
+        }
+    }
+
+    // Annotations
+
+    /**
+     * What is said, without the annotations to which an architecture gives a meaning, at any depth. Variables among
+     * annotations go too, as one of them would stand for any annotation that a plan demands.
+     */
+    static Term clean(Term term) {
+        if (term.isList() && !term.isVar()) {
+            return cleanList((ListTerm) term);
+        }
+        if (term.isVar()) {
+            VarTerm variable = (VarTerm) term.clone();
+            variable.clearAnnots();
+            return variable;
+        }
+        return Texts.isBelief(term) ? cleanLiteral((Literal) term) : term;
+    }
+
+    private static ListTerm cleanList(ListTerm list) {
+        ListTerm result = list.cloneLT();
+        for (ListTerm cell = result; cell != null && !cell.isEmpty(); cell = cell.getNext()) {
+            cell.setTerm(clean(cell.getTerm()));
+        }
+        return result;
+    }
+
+    private static Literal cleanLiteral(Literal literal) {
+        if (literal.getArity() == 0 && !literal.hasAnnot()) {
+            return literal;
+        }
+        Literal result = literal.forceFullLiteralImpl().copy();
+        for (int i = 0; i < result.getArity(); i++) {
+            result.setTerm(i, clean(result.getTerm(i)));
+        }
+        result.clearAnnots();
+        if (literal.hasAnnot()) {
+            literal.getAnnots().stream().filter(each -> !each.isVar() && !isMeaningful(each))
+                    .forEach(each -> result.addAnnot(clean(each)));
+        }
+        return result;
+    }
+
+    private static boolean isMeaningful(Term annotation) {
+        return annotation instanceof Atom named && MEANINGFUL.contains(named.getFunctor().replace("'", ""));
+    }
+
+    // Marks
+
+    private static Term marked(Term said, Term mark) {
+        return each(said, literal -> {
+            Literal result = literal.forceFullLiteralImpl().copy();
+            result.addAnnots(mark);
+            return result;
+        });
+    }
+
+    /** Changes a literal, or each in a list, as an answer may be one of lists. */
+    private static Term each(Term said, UnaryOperator<Literal> change) {
+        if (said.isList() && !said.isVar()) {
+            ListTerm all = new ListTermImpl();
+            ((ListTerm) said).forEach(term -> all.add(each(term, change)));
+            return all;
+        }
+        return Texts.isBelief(said) ? change.apply((Literal) said) : said;
+    }
+
+    private static Structure mark(String kind, Address from) {
+        return ASSyntax.createStructure(CAST, ASSyntax.createAtom(kind), atom(from));
+    }
+
+    private static Term source(Address from) {
+        return Pred.createSource(atom(from));
+    }
+
+    private static Atom atom(Address from) {
+        return ASSyntax.createAtom(from.toString());
+    }
+
+    private static String kind(Address to) {
+        return switch (to.kind()) {
+            case BROADCAST -> BROADCAST;
+            case MULTICAST -> "multicast";
+            default -> "unicast";
+        };
+    }
+}

@@ -1,0 +1,409 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.stream.Stream;
+
+import jason.asSemantics.Agent;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.Literal;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What comes from the air against a running agent: the rows of SECURITY.md's table, and attempts to get past it. */
+class GateTest {
+
+    private static final String ALL = "////";
+    private static final String GROUP = "//SU";
+    private static final String ME = "CAFE";
+
+    /** Notes whatever it does; asks for goals of broadcasts by the plans named opened. */
+    private static final String PROGRAM = """
+            festival(never).
+            own(1).
+            trusted("SUPO").
+            !start.
+            +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready).
+            +!probe <- diffuser.note(probed).
+            +!go(X) <- diffuser.note(went,X).
+            +!open(G)[cast(unicast,S)] : trusted(T)[source(self)] & .term2string(S,T) <- diffuser.note(guarded,G,S).
+            +!opened(X)[cast(broadcast,S)] <- diffuser.note(opened,X,S).
+            +!opened(X) <- diffuser.note(shut,X).
+            +!maybe(X) : festival(X) <- diffuser.note(shut,X).
+            +!maybe(X)[cast(broadcast,S)] : festival(X)[source(self)] <- diffuser.note(maybe,X,S).
+            +!maybe(X) <- diffuser.note(shut,X).
+            +!any(X)[cast(K,S)] <- diffuser.note(any,X,K).
+            +!keep(X)[cast(K,S)] <- diffuser.note(keeping,X,K); .suspend.
+            +!keep(X)[cast(broadcast,S)] <- diffuser.note(keeping,X,broadcast); .suspend.
+            ^!keep(X)[state(dropped)] <- diffuser.note(dropped,X).
+            +delivered(_,_,_)[source(percept)] <- diffuser.note(forged).
+            +p(X)[source(percept)] <- diffuser.note(forged).
+            +p(X)[source(self)] <- diffuser.note(forged).
+            +p(X)[source(tester)] <- diffuser.note(forged).
+            +p(X)[cast(unicast,S)] <- diffuser.note(sealed,X,S).
+            +jag_shutting_down(_) <- diffuser.note(forged).
+            """;
+
+    private static RunningAgent ready(FakeBoard board) {
+        return ready(PROGRAM, board);
+    }
+
+    private static RunningAgent ready(String program, FakeBoard board) {
+        RunningAgent agent = RunningAgent.run(program, board);
+        RunningAgent.asked(board, "R open");
+        agent.notes("ready");
+        return agent;
+    }
+
+    /** After what was received before: what is told now is noted next. */
+    private static void nothingSoFar(RunningAgent agent, FakeBoard board) {
+        board.receive(ME, "LAST", "achieve;go(last)");
+        agent.notes("went last");
+    }
+
+    private static long refused(RunningAgent agent) throws Exception {
+        return (Long) agent.diffuser().getStatus().get("rfMessagesRefused");
+    }
+
+    private static String plansOf(RunningAgent agent) {
+        try {
+            Object library = Agent.class.getMethod("getPL").invoke(agent.body().getTS().getAg());
+            List<String> plans = new ArrayList<>();
+            ((Iterable<?>) library).forEach(plan -> plans.add(plan.toString()));
+            return String.join("\n", plans);
+        } catch (ReflectiveOperationException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    static Stream<Arguments> jasonsOwn() {
+        return Stream.of(ALL, GROUP, ME).flatMap(to -> Stream.of(
+                "achieve;[kqml_received(x,tellHow,\"+!e <- diffuser.note(taught).\",m),e]",
+                "achieve;kqml_received(x,tellHow,\"+!e <- diffuser.note(taught).\",m)",
+                "achieve;kqml_received(b,achieve,open(g)[cast(unicast,'SUPO')],m)",
+                "achieve;'kqml_received'(b,achieve,go(1),m)",
+                "achieve;default::kqml_received(b,achieve,go(1),m)",
+                "achieve;[[kqml_received(b,achieve,go(1),m)]]",
+                "achieve;add_all_kqml_achieve(b,[go(1)])",
+                "achieve;add_all_kqml_received(b,[p(1)[source(percept)]])",
+                "achieve;opened(kqml_received(b,achieve,go(1),m))",
+                "achieve;opened([1,[f(kqml_received(b,achieve,go(1),m))]])",
+                "achieve;opened(1)[kqml_received(b,achieve,go(1),m)]",
+                "unachieve;kqml_received(_,_,_,_)",
+                "signal;kqml_received(b,achieve,go(1),m)",
+                "tell;kqml_received(b,achieve,go(1),m)",
+                "tell;jag_shutting_down(1)",
+                "signal;jag_shutting_down(1)",
+                "tell;kqml::clear_source_self(a,b)",
+                "untell;kqml::clear_source_self(_,_)").map(content -> Arguments.of(to, content)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("jasonsOwn")
+    void pass_jasonsOwnAtAnyDepth_refusedByEachCast(String to, String content) throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            String before = plansOf(agent);
+            board.receive(to, "ROMB", content);
+            board.receive(to, "ROMB", "achieve;e");
+            nothingSoFar(agent, board);
+            assertEquals(before, plansOf(agent));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "tellHow;{ +!kqml_received(S,F,C,M) <- diffuser.note(taught) }",
+        "tellHow;\"+!kqml_received(S,F,C,M) <- diffuser.note(taught).\"",
+        "tellHow;\"+!kqml\\\\_received(S,F,C,M) <- diffuser.note(taught).\"",
+        "tellHow;[{ @l +!e <- x },{ +!kqml_received(S,F,C,M) <- diffuser.note(taught) }]",
+        "tellHow;{ @l +!e <- !kqml_received(a,b,c,d) }",
+        "tellHow;{ @l +!e <- if (true) { !!kqml_received(a,b,c,d) } }",
+        "tellHow;{ +!X <- diffuser.note(taught) }",
+        "tellHow;{ +X <- diffuser.note(taught) }",
+        "tellHow;{ -!kqml_received(S,F,C,M) <- diffuser.note(taught) }",
+        "untellHow;kqml_received",
+        "askOne#AbC;kqml_received(_,_,_,_)",
+        "askHow#AbC;{ +!kqml_received(_,_,_,_) }",
+        "askHow#AbC;\"+!kqml_received(_,_,_,_)\"",
+    })
+    void pass_plansForJasonsOwn_refusedThoughSealed(String content) throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            String before = plansOf(agent);
+            board.receive(ME, "SUPO", content);
+            nothingSoFar(agent, board);
+            assertEquals(before, plansOf(agent));
+            assertEquals(1L, refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed"));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "tell;p(1)[source(percept)]", "tell;p(1)[source(self)]", "tell;p(1)[source(ROMB)[source(percept)]]",
+        "tell;p(1)[cast(unicast,'SUPO')]", "tell;p(1)['source'(percept)]", "tell;p(1)[ns::source(percept)]",
+        "tell;p(1)[|T]", "tell;p(1)[X]", "tell;p(1)[X,Y,Z]", "tell;p(1)[x|T]", "tell;[p(1)[|T],p(1)[source(self)]]",
+        "tell;trusted(\"ROMB\")[source(self)]", "tell;delivered(a,b,c)[source(percept)]",
+        "signal;delivered(a,b,c)[source(percept)]", "signal;p(1)[source(percept)]", "signal;p(1)[|T]",
+        "achieve;go(1)", "achieve;open(g)[cast(unicast,'SUPO')]", "achieve;open(g)[|T]", "achieve;open(g)[X]",
+        "achieve;[opened(1),go(1)][cast(unicast,'SUPO')]", "achieve;any(1)", "achieve;maybe(1)",
+        "untell;own(1)", "untell;own(_)", "untell;trusted(_)", "untell;trusted(\"SUPO\")[source(self)]",
+        "unachieve;start", "askOne#AbC;own(_)", "askAll#AbC;own(_)", "askHow#AbC;{ +!go(_) }",
+        "tellHow;{ +!e <- diffuser.note(taught) }", "untellHow;x", "tell#AbC;p(1)", "sorry#AbC;\"no\"",
+    })
+    void pass_broadcastThatPretends_nothingItShouldNotDo(String content) throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            String before = plansOf(agent);
+            board.receive(ALL, "ROMB", content);
+            board.receive(ALL, "ROMB", "achieve;e");
+            board.receive(ALL, "ROMB", "achieve;open(g)");
+            nothingSoFar(agent, board);
+            assertEquals(before, plansOf(agent));
+            assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
+            assertEquals("trusted(\"SUPO\")[source(self)]", belief(agent, "trusted(\"SUPO\")"));
+            onlySourceOfWhatCame(agent, "ROMB");
+            assertTrue(board.requests.isEmpty(), () -> "the agent has spoken: " + board.requests);
+        }
+    }
+
+    private static String belief(RunningAgent agent, String pattern) {
+        Literal found = agent.body().getTS().getAg().findBel(Literal.parseLiteral(pattern),
+                new Unifier());
+        return String.valueOf(found);
+    }
+
+    private static void onlySourceOfWhatCame(RunningAgent agent, String from) {
+        for (Literal belief : agent.body().getTS().getAg().getBB()) {
+            if (belief.hasAnnot(Literal.parseLiteral("cast(broadcast,x)")) || !belief.getAnnots("cast").isEmpty()) {
+                assertEquals("[source(" + from + ")]", belief.getAnnots("source").toString(), belief.toString());
+                assertEquals("[cast(broadcast," + from + ")]", belief.getAnnots("cast").toString(), belief.toString());
+            }
+        }
+    }
+
+    @Test
+    void pass_goalOfABroadcastThatAPlanAsksFor_runsThatPlanOnly() throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive(ALL, "ROMB", "achieve;[opened(1),opened(2)]");
+            agent.notesAll("opened 1 ROMB", "opened 2 ROMB");
+            board.receive(ALL, "ROMB", "achieve;maybe(never)");
+            agent.notes("maybe never ROMB");
+            board.receive(ALL, "ROMB", "tell;festival(now)");
+            board.receive(ALL, "ROMB", "achieve;maybe(now)");
+            nothingSoFar(agent, board);
+            assertEquals(1, refused(agent));
+            agent.warns("dropped achieve from ROMB: no plan that asks for it by [cast(broadcast,_)] is applicable now");
+            board.receive(ME, "SUPO", "achieve;opened(3)");
+            agent.notes("shut 3");
+        }
+    }
+
+    @Test
+    void pass_goalOfABroadcastThatNoPlanAsksFor_reportedOnceWithTheLineToWrite() throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive(ALL, "ROMB", "achieve;go(1)");
+            board.receive(ALL, "ROMB", "achieve;any(2)");
+            nothingSoFar(agent, board);
+            agent.warns("dropped achieve from ROMB: it came as a broadcast, which anyone can send in anyone's name; if"
+                    + " the agent is to take it, write a plan that asks for it: +!go(X1)[cast(broadcast,S)] <- ...");
+            assertEquals(List.of(), List.copyOf(agent.warnings));
+            assertEquals(2, refused(agent));
+        }
+    }
+
+    @Test
+    void pass_untellOfABroadcast_takesBackOnlyWhatABroadcastOfTheSameSenderTold() throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive(ME, "SUPO", "tell;q(1)");
+            board.receive(ALL, "SUAM", "tell;q(1)");
+            board.receive(ALL, "ROMB", "tell;q(1)");
+            board.receive(ALL, "SUPO", "untell;q(_)");
+            board.receive(ALL, "ROMB", "untell;q(_)");
+            nothingSoFar(agent, board);
+            assertEquals("q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),source(SUAM),source(SUPO)]",
+                    belief(agent, "q(_)"));
+            assertEquals(1, refused(agent));
+            board.receive(ALL, "SUPO", "tell;q(1)");
+            board.receive(ALL, "SUPO", "untell;q(1)");
+            board.receive(ALL, "SUAM", "untell;q(1)");
+            nothingSoFar(agent, board);
+            assertEquals("q(1)[cast(unicast,SUPO),source(SUPO)]", belief(agent, "q(_)"));
+            board.receive(ME, "SUPO", "untell;q(1)");
+            nothingSoFar(agent, board);
+            assertEquals("null", belief(agent, "q(_)"));
+        }
+    }
+
+    @Test
+    void pass_untellOfABroadcastOfSeveral_eachIsTakenBack() {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive(ALL, "ROMB", "tell;[q(1),q(2)]");
+            board.receive(ALL, "ROMB", "untell;[q(1),q(2)]");
+            nothingSoFar(agent, board);
+            assertEquals("null", belief(agent, "q(_)"));
+        }
+    }
+
+    @Test
+    void pass_unachieveOfABroadcast_dropsOnlyWhatABroadcastOfTheSameSenderSet() {
+        String program = PROGRAM + "+!keep(X) <- diffuser.note(keeping,X,own); .suspend.";
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            board.receive(ME, "SUPO", "achieve;keep(1)");
+            agent.notes("keeping 1 unicast");
+            board.receive(ALL, "SUPO", "achieve;keep(2)");
+            agent.notes("keeping 2 broadcast");
+            agent.achieve("keep(3)");
+            agent.notes("keeping 3 own");
+            board.receive(ALL, "ROMB", "unachieve;keep(_)");
+            board.receive(ALL, "SUPO", "unachieve;keep(1)");
+            board.receive(ALL, "SUPO", "unachieve;keep(3)");
+            nothingSoFar(agent, board);
+            board.receive(ALL, "SUPO", "unachieve;keep(2)");
+            agent.notes("dropped 2");
+            board.receive(ME, "SUPO", "unachieve;keep(1)");
+            agent.notes("dropped 1");
+        }
+    }
+
+    @Test
+    void pass_originIsAnAgentOfThisMas_refused() throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board); RunningAgent beside = RunningAgent.named("suam", "")) {
+            board.receive(ME, beside.name(), "tell;p(1)");
+            board.receive(ALL, beside.name(), "achieve;opened(1)");
+            nothingSoFar(agent, board);
+            agent.warns("dropped tell from suam: an agent of this MAS has that name; give the agent or the device"
+                    + " another");
+            assertEquals(2, refused(agent));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"tell;p(1)", "untell;own(1)", "achieve;go(1)"})
+    void pass_originIsSelf_neverReachesTheAgent(String content) throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive(ALL, "self", content);
+            board.receive(ME, "self", content);
+            nothingSoFar(agent, board);
+            assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
+            assertEquals("null", belief(agent, "p(_)"));
+        }
+    }
+
+    @Test
+    void pass_answerThatNamesJasonsOwn_failsTheIntentionThatWaits() {
+        String program = PROGRAM + """
+                +!ask <- .setMyRFId("CAFE"); .send("SUPO",askOne,x(_),A); diffuser.note(A).
+                -!ask[error(E)] <- diffuser.note(E).
+                """;
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            agent.achieve("ask");
+            RunningAgent.asked(board, "I CAFE");
+            String asked = RunningAgent.next(board.requests, "a question");
+            String conversation = asked.substring(asked.indexOf('#'), asked.indexOf(';'));
+            board.receive(ME, "SUPO", "tell" + conversation + ";kqml_received(a,b,c,d)");
+            agent.notes("no_answer");
+        }
+    }
+
+    /** As the README shows it, in a program around it. */
+    @Test
+    void pass_guardOfTheReadme_holdsAgainstATrustedStranger() throws Exception {
+        String readme = Files.readString(
+                Path.of(System.getProperty("javino.root"), "diffuser-arch", "README.md"));
+        String guard = readme.lines().filter(line -> line.startsWith("+!open(Gate)[cast(unicast, S)]")).findFirst()
+                .orElseThrow();
+        String trusted = readme.lines().filter(line -> line.startsWith("trusted(")).findFirst().orElseThrow();
+        String program = trusted + """
+
+                !start.
+                +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready).
+                +!go(X) <- diffuser.note(went,X).
+                """ + guard;
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            for (String told : List.of("trusted('ROMB')", "trusted(romb)", "trusted('ROMB')[source(self)]",
+                    "trusted(X)", "trusted(X)[source(self)]", "trusted('ROMB')[|T]")) {
+                board.receive(ALL, "ROMB", "tell;" + told);
+                board.receive(ME, "ROMB", "tell;" + told);
+            }
+            board.receive(ME, "ROMB", "achieve;open(gate)");
+            board.receive(ALL, "SUPO", "achieve;open(gate)");
+            board.receive(ALL, "SUPO", "achieve;open(gate)[cast(unicast,'SUPO')]");
+            nothingSoFar(agent, board);
+            assertTrue(board.requests.isEmpty());
+            board.receive(ME, "SUPO", "achieve;open(gate)");
+            RunningAgent.asked(board, "A open(gate)");
+        }
+    }
+
+    /** Whatever Jason's parser says of it, and whatever a plan prints of it. */
+    @ParameterizedTest
+    @ValueSource(strings = {"tell;p(\"x\\nSEVERE: forged\")", "tell;p(\"\u001b[2J\")", "tell;p(\"a\u202Eb\")",
+        "tell;q(\n\n", "tell;p(\"", "tell;p(math.sqrt(\"\\n\"))", "tell;p(math.max(1))", "tell;p(A+1)", "tell;p(1/0)",
+        "tell;p(-x)", "tell;p(\"a\" + 1)", "tell;p(.count(x))", "tell;p(count(x)+1)", "tell;p(a mod 2)",
+        "tell;p(q(1)(2))", "tell;p(\u0000)", "tell;'\n'", "tell;p('\n')", "achieve;p(\"\\n\")", "sing;\n\u001b",
+        "untellHow;[x,\"\\n\"]", "tellHow;{ +!e <- .print(\"\\n\" }", "achieve;[a,[b]]"})
+    void pass_anyText_writesOneLineAtMostWithoutCommands(String content) {
+        String program = """
+                !start.
+                +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready).
+                +!go(X) <- diffuser.note(went,X).
+                +p(X) <- .print("told ", X).
+                """;
+        List<LogRecord> lines = new CopyOnWriteArrayList<>();
+        Handler log = new Handler() {
+            @Override
+            public void publish(LogRecord line) {
+                lines.add(line);
+            }
+
+            @Override
+            public void flush() {
+                // Nothing is buffered.
+            }
+
+            @Override
+            public void close() {
+                // Nothing is open.
+            }
+        };
+        Logger.getLogger("").addHandler(log);
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(program, board)) {
+            board.receive(ME, "ROMB", content);
+            board.receive(ALL, "ROMB", content);
+            nothingSoFar(agent, board);
+            for (LogRecord line : lines) {
+                assertTrue(line.getMessage().codePoints().noneMatch(c -> Character.isISOControl(c) || c == 0x202E),
+                        line.getMessage());
+                assertFalse(line.getThrown() != null, line.getMessage());
+            }
+        } finally {
+            Logger.getLogger("").removeHandler(log);
+        }
+    }
+}
