@@ -1,5 +1,6 @@
 package fuzz;
 
+import diffuser.GateTarget;
 import java.nio.file.Path;
 import java.util.List;
 import javino.cli.KeyringTarget;
@@ -14,7 +15,7 @@ public record Target(String name, List<String> command) {
 
     private static final List<Class<?>> JAVA = List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
             ReplyTarget.class, RequestTarget.class, RadioPacketTarget.class, EnvelopeTarget.class, PieceTarget.class,
-            AcknowledgementTarget.class, KeyringTarget.class);
+            AcknowledgementTarget.class, KeyringTarget.class, GateTarget.class);
     private static final List<String> FIRMWARE = List.of("packet_decoder", "arguments", "radio", "board");
 
     /** The decoders of the Java library, under Jazzer. */
@@ -36,6 +37,6 @@ public record Target(String name, List<String> command) {
         return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx512m",
                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",  // half the time that it takes to start
                 "-cp", System.getProperty("java.class.path"), "com.code_intelligence.jazzer.Jazzer",
-                "--target_class=" + type.getName(), "--instrumentation_includes=javino.**:fuzz.**");
+                "--target_class=" + type.getName(), "--instrumentation_includes=javino.**:diffuser.**:fuzz.**");
     }
 }

@@ -1,0 +1,265 @@
+package diffuser;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+
+import jason.asSemantics.ActionExec;
+import jason.asSemantics.Agent;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
+import jason.infra.local.LocalAgArch;
+import jason.infra.local.RunLocalMAS;
+import jason.runtime.Settings;
+import jason.util.Config;
+
+import javino.board.ReceivedMessage;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.ProtocolException;
+
+/**
+ * Messages of all casts against an agent that runs. Each line of the input is one: a letter for its cast (b, m, u), one
+ * for its sender, and its content. Whatever they say: no plan of the agent's goes, and none comes but by a sealed
+ * tellHow; its beliefs stay, and new ones have the sender as source and the cast that they came by; of its plans for
+ * goals a broadcast runs those only that ask for it; no action is performed but by a sealed goal; and each entry of the
+ * log is one line.
+ */
+public final class GateTarget {
+
+    private static final String PROGRAM = """
+            own(1).
+            trusted("SUPO").
+            +!go(X) <- danger.
+            +!go <- danger.
+            +!opened(X)[cast(broadcast,_)] <- +ran(opened).
+            +!opened(X) <- danger.
+            +!guarded(X)[cast(unicast,S)] : .term2string(S,T) & trusted(T)[source(self)] <- +ran(guarded).
+            +!any(X)[cast(_,_)] <- danger.
+            +!held(X)[source(self)] <- +ran(forged).
+            +!held(X)[source(percept)] <- +ran(forged).
+            +x(Y)[source(percept)] <- +ran(forged).
+            +x(Y)[source(self)] <- +ran(forged).
+            +x(Y) <- .print(Y).
+            +x <- +ran(belief).
+            +jag_shutting_down(X) <- +ran(forged).
+            """;
+    private static final int MOST_LINES = 6;
+    private static final int MOST_CYCLES = 60;
+    private static final List<String> SENDERS = List.of("ROMB", "SUPO", "SUAM");
+    private static final Path FILE = program();
+    private static final List<String> LOGGED = new ArrayList<>();
+
+    static {
+        Config.get().setProperty(Config.START_WEB_MI, "false");
+        new RunLocalMAS();
+        Logger root = Logger.getLogger("");
+        Arrays.stream(root.getHandlers()).forEach(root::removeHandler);
+        root.addHandler(new Handler() {
+            @Override
+            public void publish(LogRecord line) {
+                LOGGED.add(line.getMessage() + (line.getThrown() == null ? "" : "\n" + line.getThrown()));
+            }
+
+            @Override
+            public void flush() {
+                // Nothing is buffered.
+            }
+
+            @Override
+            public void close() {
+                // Nothing is open.
+            }
+        });
+    }
+
+    private GateTarget() {
+    }
+
+    /** A Diffuser that notes what it is to perform. */
+    public static final class Watched extends Diffuser {
+
+        private static final long serialVersionUID = 1L;
+
+        private boolean acted;
+
+        @Override
+        public void act(ActionExec action) {
+            acted = true;
+            action.setResult(true);
+            actionExecuted(action);
+        }
+    }
+
+    /** An agent whose cycles are this program's to run. */
+    private static final class Body extends LocalAgArch {
+
+        private static final long serialVersionUID = 1L;
+
+        void cycle() {
+            reasoningCycle();
+        }
+    }
+
+    /** One line of the input. */
+    private record Line(Address to, Address from, Bytes content) {
+
+        static Line of(byte[] bytes) {
+            Address to = switch (bytes[0]) {
+                case 'u' -> Address.parse("CAFE");
+                case 'm' -> Address.parse("//CA");
+                default -> Address.BROADCAST;
+            };
+            String from = SENDERS.get(Math.floorMod(bytes[1], SENDERS.size()));
+            return new Line(to, Address.parse(from), Bytes.copyOf(Arrays.copyOfRange(bytes, 2, bytes.length)));
+        }
+
+        boolean isSealed() {
+            return to.kind() != Address.Kind.BROADCAST;
+        }
+
+        boolean has(String force) {
+            return new String(content.toArray(), StandardCharsets.UTF_8).startsWith(force);
+        }
+
+        /** The mark of what it says, as Jason writes it. */
+        String mark() {
+            String cast = isSealed() ? to.kind() == Address.Kind.DEVICE ? "unicast" : "multicast" : "broadcast";
+            return "cast(" + cast + "," + from + ")";
+        }
+    }
+
+    public static void fuzzerTestOneInput(byte[] data) throws Exception {
+        List<Line> lines = lines(data);
+        LOGGED.clear();
+        Body body = agent();
+        Watched diffuser = (Watched) Diffuser.of(body.getTS());
+        run(body, diffuser);
+        List<String> plans = plans(body);
+        Set<String> beliefs = beliefs(body);
+        for (Line line : lines) {
+            try {
+                diffuser.inbox().put(new ReceivedMessage(line.from(), line.to(), 0, Content.decode(line.content())), "me");
+            } catch (ProtocolException e) {
+                continue;  // The session drops and counts it.
+            }
+            run(body, diffuser);
+        }
+        check(lines, body, diffuser, plans, beliefs);
+        body.stopAg();
+    }
+
+    private static void check(List<Line> lines, LocalAgArch body, Watched diffuser, List<String> plans,
+                              Set<String> beliefs) {
+        List<String> plansNow = plans(body);
+        holds(plansNow.containsAll(plans), "no plan is lost", plansNow);
+        boolean taught = lines.stream().anyMatch(line -> line.isSealed() && line.has("tellHow"));
+        holds(taught || plansNow.size() == plans.size(), "plans come by a sealed tellHow only", plansNow);
+        holds(taught || lines.stream().anyMatch(line -> line.isSealed() && line.has("achieve")) || !diffuser.acted,
+                "actions come by a sealed goal only", lines);
+        Set<String> beliefsNow = beliefs(body);
+        holds(beliefsNow.containsAll(beliefs), "no belief is lost", beliefsNow);
+        holds(beliefsNow.stream().noneMatch(belief -> belief.equals("ran(forged)[source(self)]")),
+                "no source is forged", beliefsNow);
+        for (Literal belief : body.getTS().getAg().getBB()) {
+            boolean own = beliefs.contains(belief.toString()) || belief.toString().matches("ran\\(\\w+\\)\\[source\\(self\\)]");
+            if (!taught && !own) {
+                checkNew(belief, lines);
+            }
+        }
+        for (String line : LOGGED) {
+            holds(line.codePoints().noneMatch(Character::isISOControl), "a log's entry is one line", line);
+        }
+    }
+
+    /** Jason believes of each that says the same, so a belief may have several sources and marks. */
+    private static void checkNew(Literal belief, List<Line> lines) {
+        holds(belief.hasSource(), "a belief has a source", belief);
+        for (Term source : belief.getSources()) {
+            holds(lines.stream().anyMatch(line -> line.from().toString().equals(source.toString())),
+                    "the source is a sender", belief);
+        }
+        holds(!belief.getAnnots("cast").isEmpty(), "what is told is marked", belief);
+        for (Term mark : belief.getAnnots("cast")) {
+            holds(lines.stream().anyMatch(line -> line.mark().equals(mark.toString())), "the mark is its cast", belief);
+        }
+        holds(belief.getAnnots().stream().noneMatch(Term::isVar) && belief.getAnnots().getTail() == null,
+                "no annotation stands for all", belief);
+    }
+
+    private static void holds(boolean condition, String what, Object found) {
+        if (!condition) {
+            throw new AssertionError(what + ": " + found);
+        }
+    }
+
+    private static List<Line> lines(byte[] data) {
+        List<Line> lines = new ArrayList<>();
+        int start = 0;
+        for (int i = 0; i <= data.length && lines.size() < MOST_LINES; i++) {
+            if (i == data.length || data[i] == '\n') {
+                if (i - start > 2) {
+                    lines.add(Line.of(Arrays.copyOfRange(data, start, i)));
+                }
+                start = i + 1;
+            }
+        }
+        return lines;
+    }
+
+    private static void run(Body body, Diffuser diffuser) {
+        int cycles = 0;
+        do {
+            body.cycle();
+            cycles++;
+        } while (cycles < MOST_CYCLES && !body.getTS().canSleep());
+        holds(diffuser.inbox().isEmpty(), "the inbox is emptied", cycles);
+    }
+
+    private static Body agent() throws Exception {
+        Body body = new Body();
+        body.setAgName("me");
+        body.createArchs(List.of(Watched.class.getName()), Agent.class.getName(), null, FILE.toString(), new Settings());
+        PlainLines.of(body.getTS().getLogger());
+        PlainLines.of(body.getTS().getAg().getLogger());
+        return body;
+    }
+
+    private static List<String> plans(LocalAgArch body) {
+        try {
+            List<String> plans = new ArrayList<>();
+            Object library = Agent.class.getMethod("getPL").invoke(body.getTS().getAg());
+            ((Iterable<?>) library).forEach(plan -> plans.add(plan.toString()));
+            return plans;
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static Set<String> beliefs(LocalAgArch body) {
+        Set<String> beliefs = new HashSet<>();
+        body.getTS().getAg().getBB().forEach(belief -> beliefs.add(belief.toString()));
+        return beliefs;
+    }
+
+    private static Path program() {
+        try {
+            Path file = Files.createTempFile("agent", ".asl");
+            file.toFile().deleteOnExit();
+            return Files.writeString(file, PROGRAM);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
