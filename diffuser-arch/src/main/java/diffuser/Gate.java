@@ -287,6 +287,9 @@ final class Gate {
     }
 
     private static void refuseJasonsName(Literal literal) throws RefusedException {
+        if (literal.getNS().isVar()) {
+            throw new RefusedException("a variable for a namespace would stand for Jason's own, too");
+        }
         String name = literal.getFunctor().replace("'", "");
         boolean jasons = JASONS_GOALS.contains(name) || name.startsWith(JASONS_EVENTS)
                 || literal.getNS().getFunctor().equals(JASONS_NAMESPACE);

@@ -110,7 +110,8 @@ class GateTest {
                 "tell;jag_shutting_down(1)",
                 "signal;jag_shutting_down(1)",
                 "tell;kqml::clear_source_self(a,b)",
-                "untell;kqml::clear_source_self(_,_)").map(content -> Arguments.of(to, content)));
+                "untell;kqml::clear_source_self(_,_)", "tell;NS::clear_source_self(a,b)",
+                "achieve;NS::kqml_received(b,achieve,go(1),m)", "achieve;opened(NS::x)").map(content -> Arguments.of(to, content)));
     }
 
     @ParameterizedTest

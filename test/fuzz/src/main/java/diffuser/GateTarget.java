@@ -31,10 +31,10 @@ import javino.protocol.ProtocolException;
 
 /**
  * Messages of all casts against an agent that runs. Each line of the input is one: a letter for its cast (b, m, u), one
- * for its sender, and its content. Whatever they say: no plan of the agent's goes, and none comes but by a sealed
- * tellHow; its beliefs stay, and new ones have the sender as source and the cast that they came by; of its plans for
- * goals a broadcast runs those only that ask for it; no action is performed but by a sealed goal; and each entry of the
- * log is one line.
+ * for its sender, and its content, in which bytes of 0x80 and more are whole words. Whatever they say: no plan of the
+ * agent's goes, and none comes but by a sealed tellHow; its beliefs stay, and new ones have the sender as source and the
+ * cast that they came by; of its plans for goals a broadcast runs those only that ask for it; no action is performed but
+ * by a sealed goal; and each entry of the log is one line.
  */
 public final class GateTarget {
 
@@ -55,6 +55,14 @@ public final class GateTarget {
             +x <- +ran(belief).
             +jag_shutting_down(X) <- +ran(forged).
             """;
+    /** Bytes of 0x80 and more stand for these, so that the fuzzer writes messages rather than noise. */
+    private static final List<String> WORDS = List.of("tell;", "untell;", "achieve;", "unachieve;", "signal;",
+            "tellHow;", "untellHow;", "askOne#AbC;", "askAll#AbC;", "askHow#AbC;", "tell#AbC;", "kqml_received(",
+            "add_all_kqml_achieve(", "kqml::", "default::", "jag_shutting_down(", "source(", "cast(", "unicast,", "percept",
+            "self", "'SUPO'", "\"SUPO\"", "x(", "own(", "trusted(", "go(", "opened(", "guarded(", "held(", "any(",
+            "{ +!e", "{ @l +!go(X)", " : true <- ", " <- danger }", "\"+!e <- danger.\"", "[|T]", "|T]", "[", "]", "(", ")",
+            ",", "X", "_", "1", "-", "+", "\"", "\\n", "math.sqrt(", ".print(", "~", "x", "a", "tellHow,", "achieve,", "m)",
+            "start", "\u202e", "NS::");
     private static final int MOST_LINES = 6;
     private static final int MOST_CYCLES = 60;
     private static final List<String> SENDERS = List.of("ROMB", "SUPO", "SUAM");
@@ -122,7 +130,11 @@ public final class GateTarget {
                 default -> Address.BROADCAST;
             };
             String from = SENDERS.get(Math.floorMod(bytes[1], SENDERS.size()));
-            return new Line(to, Address.parse(from), Bytes.copyOf(Arrays.copyOfRange(bytes, 2, bytes.length)));
+            StringBuilder content = new StringBuilder();
+            for (int i = 2; i < bytes.length; i++) {
+                content.append(bytes[i] < 0 ? WORDS.get((bytes[i] & 0x7F) % WORDS.size()) : (char) bytes[i]);
+            }
+            return new Line(to, Address.parse(from), Bytes.ofText(content.toString()));
         }
 
         boolean isSealed() {
@@ -173,9 +185,9 @@ public final class GateTarget {
         holds(beliefsNow.stream().noneMatch(belief -> belief.equals("ran(forged)[source(self)]")),
                 "no source is forged", beliefsNow);
         for (Literal belief : body.getTS().getAg().getBB()) {
-            boolean own = beliefs.contains(belief.toString()) || belief.toString().matches("ran\\(\\w+\\)\\[source\\(self\\)]");
-            if (!taught && !own) {
-                checkNew(belief, lines);
+            boolean ran = belief.toString().matches("ran\\(\\w+\\)\\[source\\(self\\)]");
+            if (!taught && !ran) {
+                checkTold(belief, beliefs.contains(untold(belief)), lines);
             }
         }
         for (String line : LOGGED) {
@@ -183,19 +195,29 @@ public final class GateTarget {
         }
     }
 
-    /** Jason believes of each that says the same, so a belief may have several sources and marks. */
-    private static void checkNew(Literal belief, List<Line> lines) {
+    /** Jason keeps one belief for all who say the same, also for the agent itself: it may have several sources. */
+    private static void checkTold(Literal belief, boolean own, List<Line> lines) {
         holds(belief.hasSource(), "a belief has a source", belief);
         for (Term source : belief.getSources()) {
-            holds(lines.stream().anyMatch(line -> line.from().toString().equals(source.toString())),
-                    "the source is a sender", belief);
+            boolean sender = lines.stream().anyMatch(line -> line.from().toString().equals(source.toString()));
+            holds(sender || own, "the source is a sender", belief);
         }
-        holds(!belief.getAnnots("cast").isEmpty(), "what is told is marked", belief);
+        holds(own || !belief.getAnnots("cast").isEmpty(), "what is told is marked", belief);
         for (Term mark : belief.getAnnots("cast")) {
             holds(lines.stream().anyMatch(line -> line.mark().equals(mark.toString())), "the mark is its cast", belief);
         }
         holds(belief.getAnnots().stream().noneMatch(Term::isVar) && belief.getAnnots().getTail() == null,
                 "no annotation stands for all", belief);
+    }
+
+    /** A belief without what the senders have added to it. */
+    private static String untold(Literal belief) {
+        Literal own = belief.copy();
+        own.delAnnots(own.getAnnots("cast"));
+        own.delAnnots(own.getAnnots("source").stream()
+                .filter(source -> SENDERS.stream().anyMatch(sender -> source.toString().equals("source(" + sender + ")")))
+                .toList());
+        return own.toString();
     }
 
     private static void holds(boolean condition, String what, Object found) {
@@ -249,7 +271,7 @@ public final class GateTarget {
 
     private static Set<String> beliefs(LocalAgArch body) {
         Set<String> beliefs = new HashSet<>();
-        body.getTS().getAg().getBB().forEach(belief -> beliefs.add(belief.toString()));
+        body.getTS().getAg().getBB().forEach(belief -> beliefs.add(untold(belief)));
         return beliefs;
     }
 
