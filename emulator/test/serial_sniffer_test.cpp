@@ -88,22 +88,23 @@ private:
     cycles_t at = 0;
 };
 
+Bytes joined(const std::vector<Bytes> &parts)
+{
+    Bytes all;
+    for (const Bytes &part : parts)
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 Bytes message(uint8_t number, const std::string &addresses, const Bytes &id, const std::string &content)
 {
-    Bytes value = {number};
-    for (const Bytes &part : {bytes(addresses), id, bytes(content)})
-        value.insert(value.end(), part.begin(), part.end());
-    Bytes record = {'M', 0, static_cast<uint8_t>(value.size())};
-    record.insert(record.end(), value.begin(), value.end());
-    return record;
+    const Bytes value = joined({{number}, bytes(addresses), id, bytes(content)});
+    return joined({{'M', 0, static_cast<uint8_t>(value.size())}, value});
 }
 
 Bytes poll_reply(const std::vector<Bytes> &records)
 {
-    Bytes reply = {0, 0};
-    for (const Bytes &record : records)
-        reply.insert(reply.end(), record.begin(), record.end());
-    return reply;
+    return joined({{0, 0}, joined(records)});
 }
 
 } // namespace
