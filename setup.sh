@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Installs what Javino is built and run with, from Debian's own packages. Does nothing where all is there.
+# --run-only: what agents need on the small computer that they run on, to which a PC's builds are copied.
 set -euo pipefail
 
-# package                what it is for
+# package                what it is for (a|b: the first that this system has)
 PACKAGES="
-openjdk-17-jdk-headless  Java: the library, the agent architecture, the tests
+openjdk-17-jdk-headless|openjdk-21-jdk-headless|openjdk-25-jdk-headless  Java: the library, the agent architecture, the tests
 gradle                   the build
 gcc-avr                  compiler for the boards
 avr-libc                 C library for the boards
@@ -27,16 +28,43 @@ spin                     checks the model beside our checker
 # For systems without these packages: the commands that must be there.
 COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake clang++"
 
+case "${1-}" in
+    "") ;;
+    --run-only)
+        PACKAGES="
+openjdk-17-jre-headless|openjdk-21-jre-headless|openjdk-25-jre-headless  Java: the agents
+avrdude                  flashes sketches
+"
+        COMMANDS="java avrdude" ;;
+    *) echo "usage: ./setup.sh [--run-only]" >&2; exit 2 ;;
+esac
+
 say() { printf 'setup: %s\n' "$*"; }
 
-has_jdk() { command -v javac >/dev/null && [ "$(javac -version 2>&1 | sed 's/[^0-9]*\([0-9]*\).*/\1/')" -ge 17 ]; }
+# Whether that command, java or javac, is there and of Java 17 or newer.
+has_java() {
+    command -v "$1" >/dev/null || return 1
+    local version
+    version=$("$1" -version 2>&1 | sed -n 's/^\(javac\|.* version\) "\{0,1\}\([0-9]*\).*/\2/p')
+    [ "${version:-0}" -ge 17 ]
+}
 
 installed() {
     case $1 in
-        openjdk-17-jdk-headless) has_jdk ;;
+        openjdk-*-jdk-headless) has_java javac ;;
+        openjdk-*-jre-headless) has_java java ;;
         gradle) command -v gradle >/dev/null ;;
         *) [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ] ;;
     esac
+}
+
+# The first of "a|b" that this system has; of those that it does not know, a.
+first_known() {
+    local package
+    for package in ${1//|/ }; do
+        apt-cache show "$package" >/dev/null 2>&1 && { echo "$package"; return; }
+    done
+    echo "${1%%|*}"
 }
 
 on_another_system() {
@@ -64,11 +92,15 @@ fi
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || { say "run as root, or install sudo: apt-get install ${missing[*]}"; exit 1; }
+    command -v sudo >/dev/null || {
+        say "run as root, or install sudo: apt-get install $(for package in "${missing[@]}"; do first_known "$package"; done | xargs)"
+        exit 1
+    }
     as_root=(sudo)
 fi
-say "installing ${missing[*]}"
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
+for i in "${!missing[@]}"; do missing[i]=$(first_known "${missing[i]}"); done
+say "installing ${missing[*]}"
 "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 say "done"
