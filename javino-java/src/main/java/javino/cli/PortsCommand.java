@@ -1,17 +1,16 @@
 package javino.cli;
 
-import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Comparator;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.concurrent.Callable;
+import javino.JavinoException;
+import javino.link.SerialLink;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
@@ -28,32 +27,23 @@ final class PortsCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    /**
-     * A serial port.
-     *
-     * @param name        what opens it.
-     * @param description of the device, by the system's word.
-     */
-    record Port(String name, String description) {
-    }
-
     @Override
-    public Integer call() throws IOException {
-        List<Port> ports = Arrays.stream(SerialPort.getCommPorts())
-                .map(port -> new Port(port.getSystemPortPath(), port.getPortDescription()))
-                .toList();
-        print(ports, stableNames(STABLE_NAMES), spec.commandLine().getOut());
+    public Integer call() throws IOException, JavinoException {
+        print(SerialLink.ports(), stableNames(STABLE_NAMES), spec.commandLine().getOut());
         return 0;
     }
 
-    /** @param stableNames by the name of the port that each leads to. */
-    static void print(List<Port> ports, Map<String, String> stableNames, PrintWriter out) {
+    /**
+     * @param ports       what the system says of each, by its name.
+     * @param stableNames by the name of the port that each leads to.
+     */
+    static void print(SortedMap<String, String> ports, Map<String, String> stableNames, PrintWriter out) {
         if (ports.isEmpty()) {
             out.println("no serial port found: plug a board in; an emulated one has the port that its scenario names");
         }
-        ports.stream().sorted(Comparator.comparing(Port::name)).forEach(port -> {
-            String stable = stableNames.get(port.name());
-            out.println(port.name() + "  " + port.description() + (stable == null ? "" : "  " + stable));
+        ports.forEach((name, description) -> {
+            String stable = stableNames.get(name);
+            out.println(name + "  " + description + (stable == null ? "" : "  " + stable));
         });
     }
 

@@ -8,6 +8,9 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import javino.JavinoException;
 
 /** A serial port: 8 data bits, no parity, one stop bit, no flow control (SPEC 4). */
 public final class SerialLink implements Link {
@@ -63,7 +66,27 @@ public final class SerialLink implements Link {
         };
     }
 
+    /**
+     * The serial ports of this computer; none is opened.
+     *
+     * @return what the system says of the device behind each, by the path that opens it, in the order of the paths.
+     * @throws JavinoException if serial ports cannot be used at all on this computer.
+     */
+    public static SortedMap<String, String> ports() throws JavinoException {
+        NativeLibrary.load();
+        SortedMap<String, String> ports = new TreeMap<>();
+        for (SerialPort port : SerialPort.getCommPorts()) {
+            ports.put(port.getSystemPortPath(), port.getPortDescription());
+        }
+        return ports;
+    }
+
     private static SerialLink open(String name, int baud) throws LinkException {
+        try {
+            NativeLibrary.load();
+        } catch (JavinoException e) {
+            throw new LinkException(name, e.getMessage());
+        }
         SerialPort port = find(name);
         port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
         port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
@@ -200,15 +201,15 @@ class CommandsTest {
         Path names = Files.createDirectory(folder.resolve("by-id"));
         Path stable = Files.createSymbolicLink(names.resolve("usb-Arduino"), device);
         PrintWriter lines = new PrintWriter(out, true);
-        PortsCommand.print(List.of(new PortsCommand.Port("/dev/ttyS0", "Physical Port"),
-                new PortsCommand.Port(device.toRealPath().toString(), "Mega")), PortsCommand.stableNames(names), lines);
+        PortsCommand.print(new TreeMap<>(Map.of("/dev/ttyS0", "Physical Port", device.toRealPath().toString(), "Mega")),
+                PortsCommand.stableNames(names), lines);
         assertEquals(List.of("/dev/ttyS0  Physical Port", device.toRealPath() + "  Mega  " + stable).stream().sorted()
                 .toList(), out.toString().lines().toList());
     }
 
     @Test
     void ports_none_saysWhatToDo() throws IOException {
-        PortsCommand.print(List.of(), PortsCommand.stableNames(folder.resolve("missing")), new PrintWriter(out, true));
+        PortsCommand.print(new TreeMap<>(), PortsCommand.stableNames(folder.resolve("missing")), new PrintWriter(out, true));
         assertTrue(out.toString().startsWith("no serial port found: plug a board in"), out.toString());
     }
 
