@@ -103,6 +103,7 @@ class HighwayTest {
         Run run = follow(start(home.get(), classPathWith(jason), EMULATOR));
 
         run.assertAllObserved();
+        assertFalse(run.says("WARNING"), run::toString);
         run.assertNothingLeft();
     }
 
@@ -202,8 +203,8 @@ class HighwayTest {
 
     /** The launcher starts all others with the Java and the class path that it has. */
     private Process start(Path javaHome, String classPath, String emulator, String... options) throws IOException {
-        List<String> command = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(), "-cp", classPath,
-            "highway.Highway", "--plain", "--emulator", emulator));
+        List<String> command = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(),
+            "--enable-native-access=ALL-UNNAMED", "-cp", classPath, "highway.Highway", "--plain", "--emulator", emulator));
         command.addAll(List.of(options));
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
     }

@@ -1,0 +1,50 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The script by which users call {@code javino}, with the Java that runs this and with the newest one here. */
+class StartScriptTest {
+
+    private static final Path SCRIPT = Path.of(System.getProperty("javino.root"), "javino-java/build/install/javino-java/bin/javino");
+
+    static Stream<Path> javas() throws IOException {
+        return Stream.concat(Stream.of(Path.of(System.getProperty("java.home"))), NewerJava.home().stream()).distinct();
+    }
+
+    @ParameterizedTest
+    @MethodSource("javas")
+    void javino_calledByALink_startsJavaOnceAndPrintsNothingOfItsOwn(Path java, @TempDir Path folder) throws Exception {
+        Path home = Files.createDirectories(folder.resolve("a Java/bin")).getParent();
+        Path starts = folder.resolve("starts");
+        Path counting = home.resolve("bin/java");
+        Files.writeString(counting, "#!/bin/sh\necho start >> '" + starts + "'\nexec '" + java.resolve("bin/java") + "' \"$@\"\n");
+        counting.toFile().setExecutable(true);
+        Path link = Files.createSymbolicLink(folder.resolve("javino"), SCRIPT);
+        Path errors = folder.resolve("errors");
+
+        ProcessBuilder command = new ProcessBuilder(link.toString(), "ports").redirectError(errors.toFile());
+        command.environment().put("JAVA_HOME", home.toString());
+        List<String> printed = end(command);
+
+        assertEquals(List.of(), Files.readAllLines(errors));
+        assertEquals(List.of("start"), Files.readAllLines(starts));
+        assertEquals(end(new ProcessBuilder(java.resolve("bin/java").toString(), "-cp",
+            System.getProperty("java.class.path"), "javino.cli.Main", "ports")), printed);
+    }
+
+    private static List<String> end(ProcessBuilder command) throws Exception {
+        Process process = command.start();
+        List<String> lines = process.inputReader().lines().toList();
+        assertEquals(0, process.waitFor(), () -> String.join("\n", lines));
+        return lines;
+    }
+}
