@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 class NewProjectTest {
 
     private static final long PATIENCE_SECONDS = 30;
+    private static final String EMULATOR = Path.of(System.getProperty("javino.root"), "emulator/build/javino-emulator").toString();
     private static final String JAVA_HOME = System.getProperty("java.home");
 
     @Test
@@ -42,6 +43,25 @@ class NewProjectTest {
             }
         }
         awaitGone(project.resolve("ports/robot"));
+    }
+
+    @Test
+    void bundle_takenElsewhere_runsByJavaAlone(@TempDir Path folder) throws Exception {
+        Path project = folder.resolve("my-robot");
+        assertEquals(0, newProject(project).waitFor());
+        assertEquals(0, gradle("bundle").directory(project.toFile()).inheritIO().start().waitFor());
+        Path bundle = Files.move(project.resolve("build/bundle"), folder.resolve("robot"));
+        assertTrue(Files.size(bundle.resolve("Robot.ino.hex")) > 0);
+        Files.createSymbolicLink(bundle.resolve("ports"), project.resolve("ports"));
+
+        try (AgentProcess board = AgentProcess.start(new ProcessBuilder(EMULATOR, "board.json", "--trace", "-")
+                    .directory(project.toFile()));
+                AgentProcess agent = AgentProcess.start(new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", "lib/*",
+                    "jason.infra.local.RunLocalMAS", "robot.mas2j", "--log-conf", "logging.properties", "--no-net")
+                    .directory(bundle.toFile()))) {
+            board.await("\"name\":\"lamp\",\"level\":1}");
+            agent.await("[robot] my lamp is off");
+        }
     }
 
     private static void assertBetween(double least, double value, double most) {
