@@ -128,7 +128,7 @@ class LegacyDecoderTest {
         Random random = new Random(6);
         for (int run = 0; run < 1000; run++) {
             byte[] damaged = encoded("light(312);door(open);").getBytes(StandardCharsets.UTF_8);
-            damaged[random.nextInt(damaged.length)] ^= 1 << random.nextInt(8);
+            damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
             decoder.feed(damaged, damaged.length);
             // The board speaks only when asked: silence ends what the damage has left open.
             decoder.abandon();
