@@ -21,6 +21,11 @@ final class Machine {
         return Row.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(), System.getProperty("java.version"));
     }
 
+    /** The version of the compiler for the boards. */
+    static String compiler() throws IOException, InterruptedException {
+        return Command.run("avr-gcc", "-dumpversion").get(0);
+    }
+
     /** Where gradle has put the program of a sketch for a Mega. */
     static Path firmware(String sketch) {
         return firmware(sketch, "");

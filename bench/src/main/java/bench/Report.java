@@ -32,17 +32,17 @@ final class Report {
     }
 
     /** Writes the document. */
-    void write(Path file) throws IOException {
+    void write(Path file) throws IOException, InterruptedException {
         StringBuilder text = new StringBuilder("""
             # Performance
 
             Written by `gradle bench`, which measures all of this anew in less than ten minutes. Do not edit.
 
-            Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly. Figures of the PC are of one run on
-            %s; what holds elsewhere is the ratio to what was measured beside it. *Cited* references were measured
-            elsewhere and are not part of the run.
+            Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly; firmware is compiled by avr-gcc %s.
+            Figures of the PC are of one run on %s; what holds elsewhere is the ratio to what was
+            measured beside it. *Cited* references were measured elsewhere and are not part of the run.
 
-            """.formatted(Machine.describe()));
+            """.formatted(Machine.compiler(), Machine.describe()));
         text.append("| what | ours | reference | ratio | goal |\n| --- | ---: | ---: | ---: | --- |\n");
         for (Row row : rows().subList(1, rows().size())) {
             text.append(Row.text("| %s | %s | %s | %s | %s |\n", row.what(), row.ours(), row.reference(), row.ratio(), row.goal()));
