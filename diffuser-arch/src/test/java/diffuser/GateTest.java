@@ -121,9 +121,11 @@ class GateTest {
         try (RunningAgent agent = ready(board)) {
             String before = plansOf(agent);
             board.receive(to, "ROMB", content);
-            board.receive(to, "ROMB", "achieve;e");
+            board.receive(ME, "ROMB", "achieve;e");
             nothingSoFar(agent, board);
             assertEquals(before, plansOf(agent));
+            assertTrue(refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed") > 0,
+                    content + " was let in");
         }
     }
 
