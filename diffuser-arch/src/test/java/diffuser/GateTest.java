@@ -18,6 +18,10 @@ import jason.asSemantics.Agent;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Literal;
 
+import javino.board.ReceivedMessage;
+import javino.protocol.Address;
+import javino.protocol.Content;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -264,6 +268,24 @@ class GateTest {
             board.receive(ALL, "ROMB", "untell;[q(1),q(2)]");
             nothingSoFar(agent, board);
             assertEquals("null", belief(agent, "q(_)"));
+        }
+    }
+
+    /** Many at once: each is looked at when the one before has had its effect. */
+    @Test
+    void pass_tellAndUntellAtOnce_eachIsTakenBack() throws Exception {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            Inbox inbox = agent.diffuser().inbox();
+            for (int i = 0; i < 20; i++) {
+                for (String content : List.of("tell;q(" + i + ")", "untell;q(" + i + ")")) {
+                    inbox.put(new ReceivedMessage(Address.parse("ROMB"), Address.BROADCAST, 0, Content.parse(content)),
+                            agent.name());
+                }
+            }
+            nothingSoFar(agent, board);
+            assertEquals("null", belief(agent, "q(_)"));
+            assertEquals(0, refused(agent));
         }
     }
 

@@ -96,6 +96,19 @@ class TextsTest {
         assertThrows(MalformedTextException.class, () -> Texts.readContent(content));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"p(\"\u001b[2J\")", "p(\"\r\")", "p(\"\n\")", "p(\"\u009b\")", "p(\"\u2028\")", "p(\"\u202e\")",
+        "p(\"\u2066\")", "p(1)\n"})
+    void readContent_characterThatCommandsATerminal_isMalformed(String text) {
+        assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"p(1+2)", "p(math.sqrt(4))", "p(-(-3))", "[p(1),p(2*3)]", "p(q[r(1+1)])", "p(.date(1,2,3))"})
+    void readContent_somethingToCompute_isMalformed(String text) {
+        assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
+    }
+
     @Test
     void readContent_deeplyNested_isRead() throws Exception {
         Texts.readContent(new Content(Force.TELL, "p(".repeat(160) + "1" + ")".repeat(160)));
