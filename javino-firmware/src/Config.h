@@ -15,7 +15,7 @@
 #define JAVINO_BY_CHIP(large, small) large
 #endif
 
-/// Keys in the EEPROM store, previous ones included, 1…63 (one reply lists them all). 4 bytes of RAM and 42 of EEPROM
+/// Keys in the EEPROM store, previous ones included, 1…63 (one reply lists them all). 4 bytes of RAM and 43 of EEPROM
 /// each, and for one place more, which a new key is written to before an old one goes.
 #ifndef JAVINO_KEYS
 #define JAVINO_KEYS JAVINO_BY_CHIP(16, 6)
@@ -26,10 +26,10 @@
 #define JAVINO_REPLAY_ENTRIES JAVINO_BY_CHIP(24, 6)
 #endif
 
-/// Places of the ring that holds the floors of these nonces, more than the entries by one or more, at most 254. 12 bytes
+/// Places of the ring that holds the floors of these nonces, more than the entries by one or more, at most 254. 26 bytes
 /// of EEPROM each. The more of them are free, the longer the EEPROM lasts: see ReplayMemory.h.
 #ifndef JAVINO_FLOOR_SLOTS
-#define JAVINO_FLOOR_SLOTS JAVINO_BY_CHIP(96, 48)
+#define JAVINO_FLOOR_SLOTS JAVINO_BY_CHIP(96, 23)
 #endif
 
 /// The longest message (SPEC 2) that the board sends, receives and exchanges with its host, 84…511 bytes; a content is
@@ -79,7 +79,7 @@
 #define JAVINO_ACTIONS JAVINO_BY_CHIP(16, 8)
 #endif
 
-/// Places of the ring that holds the boot epoch, 4…64. 5 bytes of EEPROM each; each is good for 25 000 boots.
+/// Places of the ring that holds the boot epoch, 4…64. 6 bytes of EEPROM each; each is good for 25 000 boots.
 #ifndef JAVINO_EPOCH_SLOTS
 #define JAVINO_EPOCH_SLOTS 16
 #endif

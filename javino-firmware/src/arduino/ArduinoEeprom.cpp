@@ -9,7 +9,7 @@ namespace eeprom {
 
 uint8_t read(uint16_t at) { return EEPROM.read(at); }
 
-void update(uint16_t at, uint8_t value) { EEPROM.update(at, value); }
+void write(uint16_t at, uint8_t value) { EEPROM.write(at, value); }
 
 }  // namespace eeprom
 }  // namespace javino

@@ -21,8 +21,31 @@ const uint8_t COUNTER_AT = NONCE_AT + 3;
 const uint8_t MORE_PER_WRITE = 31;  // how far a floor is set above the nonce that it is written for
 const uint32_t LAST_COUNTER = 0xFFFFFF;
 
-EepromRecord recordAt(uint8_t place) {
-  return EepromRecord(static_cast<uint16_t>(FLOORS_AT + place * FLOOR_RECORD_LENGTH), FLOOR_LENGTH);
+EepromRecord recordAt(uint8_t place, uint8_t copy) {
+  return EepromRecord(static_cast<uint16_t>(FLOORS_AT + place * FLOOR_PLACE_LENGTH + copy * FLOOR_RECORD_LENGTH),
+                      FLOOR_LENGTH);
+}
+
+// Reads the floor at a place; false where there is none.
+bool read(uint8_t place, uint8_t *record) { return recordAt(place, 0).read(record) || recordAt(place, 1).read(record); }
+
+// The same once after a boot: both copies are there afterwards, or none.
+bool beginPlace(uint8_t place, uint8_t *record) {
+  uint8_t second[FLOOR_LENGTH];
+  const bool hasFirst = recordAt(place, 0).begin(record, 0);
+  const bool hasSecond = recordAt(place, 1).begin(second, 0);
+  if (!hasFirst && hasSecond) memcpy(record, second, sizeof second);
+  if (hasFirst != hasSecond) recordAt(place, hasFirst).write(record);
+  return hasFirst || hasSecond;
+}
+
+bool write(uint8_t place, const uint8_t *record) {
+  return recordAt(place, 0).write(record) && recordAt(place, 1).write(record);
+}
+
+JAVINO_NOINLINE bool erase(uint8_t place) {
+  const bool first = recordAt(place, 0).erase(0);
+  return recordAt(place, 1).erase(0) && first;
 }
 
 // The record of a floor that covers a nonce and the next ones of its epoch.
@@ -57,11 +80,11 @@ void ReplayMemory::takeOverRam(uint32_t epoch) {
 void ReplayMemory::readFloors(const KeyStore &keys) {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
     uint8_t record[FLOOR_LENGTH];
-    if (!recordAt(place).read(record)) continue;
+    if (!beginPlace(place, record)) continue;
     if (record[0] < KeyStore::SLOTS && !keys.isFree(record[0])) {
       takeOverFloor(place, record);
     } else {
-      recordAt(place).erase(0);
+      erase(place);
     }
   }
 }
@@ -79,9 +102,9 @@ void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
     memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
   } else if (entry.floor != NO_PLACE) {  // raised when the power went, and the old one is still there
     uint8_t other[FLOOR_LENGTH];
-    recordAt(entry.floor).read(other);
+    read(entry.floor, other);
     const bool isHigher = memcmp(record + NONCE_AT, other + NONCE_AT, NONCE_LENGTH) > 0;
-    recordAt(isHigher ? entry.floor : place).erase(0);
+    erase(isHigher ? entry.floor : place);
     if (!isHigher) return;
     if (entry.state == LOST) memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
   }
@@ -129,7 +152,7 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
   }
   entry.floor = place;
   seal();
-  if (before != NO_PLACE) recordAt(before).erase(0);  // where it cannot be erased, the higher one counts
+  if (before != NO_PLACE) erase(before);  // where it cannot be erased, the higher one counts
   return true;
 }
 
@@ -154,7 +177,7 @@ bool ReplayMemory::forget(uint8_t key) {
   bool erased = true;
   for (TakenNonce &entry : memory_.entries) {
     if (entry.state == FREE || entry.key != key) continue;
-    if (entry.floor != NO_PLACE && !recordAt(entry.floor).erase(0)) erased = false;
+    if (entry.floor != NO_PLACE && !erase(entry.floor)) erased = false;
     entry.state = FREE;
     seal();
   }
@@ -197,13 +220,15 @@ uint8_t ReplayMemory::store(const uint8_t *record) {
     const uint8_t place = nextPlace_;
     nextPlace_ = static_cast<uint8_t>((place + 1) % config::FLOOR_SLOTS);
     uint8_t present[FLOOR_LENGTH];
-    if (!recordAt(place).read(present) && recordAt(place).write(record)) return place;
+    if (isInForce(place) || read(place, present)) continue;
+    if (write(place, record)) return place;
+    erase(place);
   }
   return NO_PLACE;
 }
 
 bool ReplayMemory::readFloor(const TakenNonce &entry, uint8_t *record) const {
-  return entry.floor != NO_PLACE && recordAt(entry.floor).read(record);
+  return entry.floor != NO_PLACE && read(entry.floor, record);
 }
 
 bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) const {

@@ -16,11 +16,12 @@ namespace javino {
 ///
 /// The exact nonce is in RAM that a reset leaves alone (Retained.h), behind a CRC and the boot epoch: it is taken over
 /// only by the very next boot, so that no old image, which another sketch has left where it was, makes the board forget.
-/// A floor, never lower than any nonce that was accepted, is in EEPROM: all that counts when the RAM is lost.
+/// A floor, never lower than any nonce that was accepted, is in EEPROM: all that counts when the RAM is lost. It is there
+/// twice, so that no one cell that decays opens the door to replays.
 ///
 /// Wear of the floors. A write raises a floor by 32 sealed frames of its origin (those that go to others count too, as a
 /// sender has one counter), goes to the next place of a ring that is free and then erases the old floor, of which a cut
-/// of power between the two leaves both, and the higher counts. So each use writes the last byte of a place twice: of
+/// of power between the two leaves both, and the higher counts. So each use writes the seals of a place twice: of
 /// cells good for 100 000 writes, a place is good for 50 000 uses. With the defaults of Config.h at least 96 - 24 places
 /// are free: 72 * 50 000 * 32 = 115 million frames, at one a second for 3.6 years. Places that are worn out are passed
 /// over. The ring is begun at another free place in each boot.
@@ -37,7 +38,7 @@ class ReplayMemory {
   ReplayMemory() : memory_(retained::takenNonces()), nextPlace_(0) {}
 
   /// Reads the floors, takes over what RAM still holds, and forgets what came under keys that are gone. To be called once,
-  /// after a boot, when the epoch was raised and the keys were read: a few ms, and 3.4 ms for each forgotten floor.
+  /// after a boot, when the epoch was raised and the keys were read: a few ms, and 20 ms for each forgotten floor.
   /// @param epoch the boot epoch
   JAVINO_NOINLINE void begin(uint32_t epoch, const KeyStore &keys);
 
@@ -46,7 +47,7 @@ class ReplayMemory {
   JAVINO_NOINLINE Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;
 
   /// Makes sure that the floor in EEPROM is not below a nonce that was judged NEWER, before anything comes of it: some
-  /// 45 ms for the first of 32, else nothing.
+  /// 110 ms for the first of 32, else nothing.
   /// @return false where there is no room for another origin or EEPROM does not keep it: then the nonce must be refused.
   JAVINO_NOINLINE bool reserve(uint8_t key, const Address &origin, const uint8_t *nonce);
 
@@ -58,7 +59,7 @@ class ReplayMemory {
   /// @param into room for 6 bytes
   void floor(uint8_t key, const Address &origin, uint8_t *into) const;
 
-  /// Forgets all that came under a key, in EEPROM too: 3.4 ms for each origin.
+  /// Forgets all that came under a key, in EEPROM too: 20 ms for each origin.
   /// @return false where the EEPROM did not erase a floor. That may refuse messages under a later key in the same place,
   /// but never lets one in.
   JAVINO_NOINLINE bool forget(uint8_t key);

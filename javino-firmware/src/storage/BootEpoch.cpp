@@ -29,7 +29,7 @@ uint8_t BootEpoch::findHighest() {
   value_ = 0;
   for (uint8_t slot = 0; slot < config::EPOCH_SLOTS; slot++) {
     uint8_t stored[EPOCH_LENGTH];
-    if (!recordAt(slot).read(stored) || readUint24(stored) < value_) continue;
+    if (!recordAt(slot).begin(stored, 0) || readUint24(stored) < value_) continue;
     value_ = readUint24(stored);
     slotOfHighest = slot;
   }

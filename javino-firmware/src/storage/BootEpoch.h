@@ -23,7 +23,7 @@ class BootEpoch {
 
   BootEpoch() : value_(0), stored_(false) {}
 
-  /// Raises the epoch and stores it: some 30 ms. To be called once, after a boot.
+  /// Raises the epoch and stores it: some 60 ms. To be called once, after a boot.
   JAVINO_NOINLINE void begin();
 
   /// 1…0xFFFFFE, or NONE_LEFT.

@@ -10,9 +10,9 @@ namespace eeprom {
 
 uint8_t read(uint16_t at);
 
-/// Writes a byte where it differs from what is there, and waits for it: some 3.4 ms on an ATmega.
-/// Whether the cell kept it, read() tells.
-void update(uint16_t at, uint8_t value);
+/// Writes a byte and waits for it: some 3.4 ms on an ATmega. It is written where it reads so already too, since a cell in
+/// which power failed may read one time so and one time otherwise. Whether the cell kept it, read() tells.
+void write(uint16_t at, uint8_t value);
 
 }  // namespace eeprom
 }  // namespace javino

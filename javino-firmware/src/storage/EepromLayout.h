@@ -29,9 +29,11 @@ static const uint8_t KEY_LENGTH = 2 * Aes128::KEY_LENGTH + DerivedKeys::CHECK_LE
 static const uint8_t KEY_RECORD_LENGTH = KEY_LENGTH + EepromRecord::CHECK_LENGTH;
 static const uint8_t KEY_PLACES = config::KEYS + 1;
 
-/// Place of the key, origin and nonce.
+/// Place of the key, origin and nonce. Each place of the ring has two copies, one behind the other.
 static const uint8_t FLOOR_LENGTH = 1 + Address::STORED_LENGTH + NONCE_LENGTH;
 static const uint8_t FLOOR_RECORD_LENGTH = FLOOR_LENGTH + EepromRecord::CHECK_LENGTH;
+static const uint8_t FLOOR_COPIES = 2;
+static const uint8_t FLOOR_PLACE_LENGTH = FLOOR_COPIES * FLOOR_RECORD_LENGTH;
 
 static const uint16_t RF_ID_AT = config::EEPROM_START;
 static const uint16_t EPOCHS_AT = RF_ID_AT + RF_ID_PLACES * RF_ID_RECORD_LENGTH;
@@ -39,7 +41,7 @@ static const uint16_t KEYS_AT = EPOCHS_AT + config::EPOCH_SLOTS * EPOCH_RECORD_L
 static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_RECORD_LENGTH;
 
 /// The first byte that is free for the sketch.
-static const uint16_t EEPROM_END = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_RECORD_LENGTH;
+static const uint16_t EEPROM_END = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
 
 #if defined(E2END)
 static_assert(EEPROM_END <= E2END + 1, "The keys, epochs and floors of Config.h do not fit the EEPROM of this chip");

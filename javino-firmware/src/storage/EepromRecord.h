@@ -6,38 +6,51 @@
 
 namespace javino {
 
-/// Some bytes in EEPROM with a CRC behind them, which are either there whole or not there.
+/// Some bytes in EEPROM with a check behind them, which are either there whole or not there.
 ///
-/// The last byte of the CRC seals the record: it is erased to 0xFF before anything changes and written when all else
-/// stands, and 0xFF is never right there. So a loss of power at any moment leaves the old record, the new one or
-/// none, and never a mixture.
+/// The check is three bytes, the seal, made of a CRC; none of them is ever 0xFF. A record is there where two of the three
+/// are right. They are erased to 0xFF, the last one first, before anything changes, and written, the first one first, when
+/// all else stands. So a loss of power at any moment leaves the old record, the new one or none, and never a mixture.
+///
+/// A cell that power failed in is weak: it may read now as what it was, now as what it was to be. Of the data it does no
+/// harm, as nothing is sealed yet, and write() writes each cell anew, however it reads. Of a seal it is one of three: the
+/// two others decide, or begin() does, which mends the seal or erases it. From then on the record is there or not, whatever
+/// the weak cell reads.
 class EepromRecord {
  public:
   /// What a record takes beyond its data.
-  static const uint8_t CHECK_LENGTH = 2;
+  static const uint8_t CHECK_LENGTH = 3;
 
   /// @param at the first byte in EEPROM
   /// @param length of the data, 1…253 bytes
   EepromRecord(uint16_t at, uint8_t length) : at_(at), length_(length) {}
+
+  /// Does what is to be done once after a boot, before the record is relied on: copies the data out, and mends what a loss
+  /// of power has left half done. What is no whole record is read twice, then erased.
+  /// @param secrets as for erase()
+  /// @return as read()
+  bool begin(uint8_t *data, uint8_t secrets) const;
 
   /// Copies the data out.
   /// @return false, and the copy is to be thrown away, where there is no whole record.
   bool read(uint8_t *data) const;
 
   /// Writes the data, unless it is there already.
-  /// @return false where the EEPROM did not keep it.
-  bool write(const uint8_t *data);
+  /// @return false where the EEPROM did not keep it: then no record is there.
+  bool write(const uint8_t *data) const;
 
-  /// Takes the record away, and overwrites the first `secrets` bytes of its data.
+  /// Takes the record away, and overwrites the first `secrets` bytes of its data. Writes nothing where all that is blank.
   /// @return false where the EEPROM still holds it.
-  bool erase(uint8_t secrets);
+  bool erase(uint8_t secrets) const;
 
  private:
   uint8_t stored(uint8_t index) const;
-  void store(uint8_t index, uint8_t value);
+  void store(uint8_t index, uint8_t value) const;
+  void storeSeals(const Crc16 &crc, uint8_t right) const;
+  bool isBlank(uint8_t secrets) const;
   bool holds(const uint8_t *data) const;
+  uint8_t rightSeals(const Crc16 &crc) const;
   Crc16 crcOf(const uint8_t *data) const;
-  bool isSealed(const Crc16 &crc) const;
 
   uint16_t at_;
   uint8_t length_;

@@ -62,12 +62,11 @@ struct StoredKey {
 void KeyStore::begin() {
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     StoredKey stored;
-    const bool whole = recordAt(slot).read(stored.bytes);
+    const bool whole = recordAt(slot).begin(stored.bytes, SECRETS_LENGTH);
     addresses_[slot] = whole ? stored.address() : Address::serialLine();
-    if (!whole) recordAt(slot).erase(SECRETS_LENGTH);  // half written, half erased or decayed: writes nothing where it is blank
   }
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
-    if (isReplaced(slot)) erase(slot);
+    if (isReplaced(slot) && isReplaced(slot)) erase(slot);  // twice, as a cell may read wrong once
   }
 }
 

@@ -55,15 +55,15 @@ class KeyStore {
   /// @param check room for 3 bytes
   void readCheckValue(uint8_t slot, uint8_t *check) const;
 
-  /// Makes a key of 16 bytes the only one of an address: some 150 ms of EEPROM, and 115 ms for each one that it replaces.
+  /// Makes a key of 16 bytes the only one of an address: some 150 ms of EEPROM, and 120 ms for each one that it replaces.
   /// @param address a device or a multicast address
   JAVINO_NOINLINE Result set(const Address &address, const uint8_t *key);
 
-  /// Makes a key the current one, and what was the current one the previous: some 150 ms, and 115 ms where there was a
+  /// Makes a key the current one, and what was the current one the previous: some 150 ms, and 120 ms where there was a
   /// previous one.
   JAVINO_NOINLINE Result renew(const Address &address, const uint8_t *key);
 
-  /// Forgets the key at a place and overwrites it: some 115 ms.
+  /// Forgets the key at a place and overwrites it: some 120 ms.
   /// @return false where the EEPROM still holds it.
   JAVINO_NOINLINE bool erase(uint8_t slot);
 

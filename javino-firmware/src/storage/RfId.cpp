@@ -22,7 +22,7 @@ void RfId::begin() {
 // Takes over what a place holds; changes nothing where that is no device address.
 bool RfId::read(uint8_t place) {
   uint8_t stored[RF_ID_LENGTH];
-  if (!recordAt(place).read(stored)) return false;
+  if (!recordAt(place).begin(stored, 0)) return false;
   const Address address(readUint24(stored));
   if (!address.isDevice()) return false;
   address_ = address;

@@ -23,7 +23,7 @@ class RfId {
   /// The device address, or `++++` where none is set.
   const Address &address() const { return address_; }
 
-  /// Stores a device address, some 30 ms; one that is there already is not written again.
+  /// Stores a device address, some 35 ms; one that is there already is not written again.
   /// @return false where the EEPROM did not keep it, or not erase the old one; address() is what is stored then.
   bool set(const Address &address);
 

@@ -6,7 +6,7 @@
 class EEPROMClass {
  public:
   uint8_t read(int at);
-  void update(int at, uint8_t value);
+  void write(int at, uint8_t value);
 };
 
 extern EEPROMClass EEPROM;

@@ -10,5 +10,5 @@ class EepromMock {
   ~EepromMock();
 
   MOCK_METHOD(uint8_t, read, (int at));
-  MOCK_METHOD(void, update, (int at, uint8_t value));
+  MOCK_METHOD(void, write, (int at, uint8_t value));
 };

@@ -11,4 +11,4 @@ EepromMock::~EepromMock() { Current<EepromMock>::leave(); }
 static EepromMock &eeprom() { return Current<EepromMock>::get("EepromMock"); }
 
 uint8_t EEPROMClass::read(int at) { return eeprom().read(at); }
-void EEPROMClass::update(int at, uint8_t value) { eeprom().update(at, value); }
+void EEPROMClass::write(int at, uint8_t value) { eeprom().write(at, value); }

@@ -8,7 +8,8 @@ using javino::BootEpoch;
 
 namespace {
 
-const int STORE_WRITES = 12;  // the most that storing takes, twice: seal (2), three bytes, the CRC's other half
+const uint16_t PLACE = javino::EPOCH_RECORD_LENGTH;
+const int STORE_WRITES = 18;  // the most that storing takes, twice: seal (3 bytes, erased and written) and three bytes
 
 // Boots once; returns the epoch that may be used from now on, or 0 where the power was cut before.
 uint32_t boot(SimulatedEeprom &eeprom) {
@@ -50,7 +51,7 @@ TEST(BootEpoch, a_place_that_decays_never_makes_it_repeat) {
   SimulatedEeprom eeprom;
   uint32_t last = 0;
   for (int i = 0; i < 2000; i++) {
-    const uint16_t at = static_cast<uint16_t>(javino::EPOCHS_AT + random.number(javino::config::EPOCH_SLOTS * 5));
+    const uint16_t at = static_cast<uint16_t>(javino::EPOCHS_AT + random.number(javino::config::EPOCH_SLOTS * javino::EPOCH_RECORD_LENGTH));
     if (random.number(3) == 0) eeprom.corrupt(at, static_cast<uint8_t>(eeprom.read(at) ^ 1 << random.number(8)));
     const uint32_t epoch = boot(eeprom);
     ASSERT_GT(epoch, last);
@@ -61,7 +62,7 @@ TEST(BootEpoch, a_place_that_decays_never_makes_it_repeat) {
 TEST(BootEpoch, a_worn_place_is_passed_over) {
   SimulatedEeprom eeprom;
   uint32_t last = boot(eeprom);
-  for (uint16_t i = 0; i < 5; i++) eeprom.wearOut(static_cast<uint16_t>(javino::EPOCHS_AT + 15 + i));
+  for (uint16_t i = 0; i < PLACE; i++) eeprom.wearOut(static_cast<uint16_t>(javino::EPOCHS_AT + 3 * PLACE + i));
   for (int i = 0; i < 100; i++) {
     const uint32_t epoch = boot(eeprom);
     ASSERT_GT(epoch, last);
@@ -73,7 +74,7 @@ TEST(BootEpoch, is_not_stored_where_one_copy_only_was_kept) {
   SimulatedEeprom eeprom;
   boot(eeprom);
   for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) {
-    const bool inThirdPlace = at >= javino::EPOCHS_AT + 10 && at < javino::EPOCHS_AT + 15;
+    const bool inThirdPlace = at >= javino::EPOCHS_AT + 2 * PLACE && at < javino::EPOCHS_AT + 3 * PLACE;
     if (!inThirdPlace) eeprom.wearOut(at);
   }
   EXPECT_EQ(0u, boot(eeprom));

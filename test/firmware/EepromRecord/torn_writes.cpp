@@ -47,7 +47,7 @@ TEST(EepromRecord, the_same_again_writes_nothing) {
 
 TEST(EepromRecord, a_power_cut_leaves_the_old_the_new_or_none) {
   RandomBytes random(8);
-  for (int cut = 0; cut < LENGTH + 3; cut++) {
+  for (int cut = 0; cut < LENGTH + 2 * EepromRecord::CHECK_LENGTH; cut++) {
     for (int garbage = 0; garbage < 256; garbage++) {
       SimulatedEeprom eeprom;
       const Bytes old = random.bytes(LENGTH);
@@ -67,7 +67,7 @@ TEST(EepromRecord, a_power_cut_leaves_the_old_the_new_or_none) {
 }
 
 TEST(EepromRecord, a_worn_cell_is_told) {
-  for (uint16_t worn = AT; worn < AT + LENGTH + 2; worn++) {
+  for (uint16_t worn = AT; worn < AT + LENGTH + EepromRecord::CHECK_LENGTH; worn++) {
     SimulatedEeprom eeprom;
     EepromRecord record(AT, LENGTH);
     record.write(Bytes(LENGTH, 0x55).data());
@@ -77,15 +77,29 @@ TEST(EepromRecord, a_worn_cell_is_told) {
   }
 }
 
-TEST(EepromRecord, any_changed_bit_makes_it_unreadable) {
+TEST(EepromRecord, any_changed_bit_of_the_data_makes_it_unreadable) {
   SimulatedEeprom eeprom;
   EepromRecord(AT, LENGTH).write(bytesOf("0123456789").data());
-  for (uint16_t bit = 0; bit < (LENGTH + 2) * 8; bit++) {
+  for (uint16_t bit = 0; bit < LENGTH * 8; bit++) {
     const uint16_t at = static_cast<uint16_t>(AT + bit / 8);
     const uint8_t before = eeprom.read(at);
     eeprom.corrupt(at, static_cast<uint8_t>(before ^ 1 << bit % 8));
     EXPECT_EQ(Bytes(), stored()) << bit;
     eeprom.corrupt(at, before);
+  }
+}
+
+TEST(EepromRecord, two_right_bytes_of_the_seal_are_enough_and_one_is_not) {
+  const Bytes data = bytesOf("0123456789");
+  for (uint8_t wrong = 0; wrong < 8; wrong++) {
+    SimulatedEeprom eeprom;
+    EepromRecord(AT, LENGTH).write(data.data());
+    for (uint16_t i = 0; i < EepromRecord::CHECK_LENGTH; i++) {
+      const uint16_t at = static_cast<uint16_t>(AT + LENGTH + i);
+      if ((wrong >> i & 1) != 0) eeprom.corrupt(at, static_cast<uint8_t>(eeprom.read(at) ^ 0x10));
+    }
+    const bool isThere = wrong == 0 || wrong == 1 || wrong == 2 || wrong == 4;
+    EXPECT_EQ(isThere ? data : Bytes(), stored()) << int(wrong);
   }
 }
 

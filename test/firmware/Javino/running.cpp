@@ -54,7 +54,7 @@ class JavinoTest : public testing::Test {
   JavinoTest() : board(Serial, "test 1.0", radio) {
     cells.fill(0xFF);
     ON_CALL(eeprom, read(_)).WillByDefault(Invoke([this](int at) { return cells.at(at); }));
-    ON_CALL(eeprom, update(_, _)).WillByDefault(Invoke([this](int at, uint8_t value) { cells.at(at) = value; }));
+    ON_CALL(eeprom, write(_, _)).WillByDefault(Invoke([this](int at, uint8_t value) { cells.at(at) = value; }));
     ON_CALL(serial, available()).WillByDefault(Invoke([this] { return static_cast<int>(in.size()); }));
     ON_CALL(serial, read()).WillByDefault(Invoke([this] {
       const uint8_t byte = in.front();

@@ -92,7 +92,7 @@ TEST(ReplayFloor, that_cannot_be_written_is_told_and_nothing_is_remembered) {
 TEST(ReplayFloor, passes_over_worn_places) {
   ReplayRig rig;
   for (uint16_t place = 0; place < javino::config::FLOOR_SLOTS; place++) {
-    if (place % 7 != 0) rig.eeprom.wearOut(static_cast<uint16_t>(javino::FLOORS_AT + place * 12 + place % 12));
+    if (place % 7 != 0) rig.eeprom.wearOut(static_cast<uint16_t>(javino::FLOORS_AT + place * javino::FLOOR_PLACE_LENGTH + place % javino::FLOOR_PLACE_LENGTH));
   }
   for (uint32_t counter = 0; counter < 5000; counter += 32) {
     ASSERT_TRUE(rig.take(0, SUPO, nonce(5, counter)));
@@ -106,8 +106,9 @@ TEST(ReplayFloor, that_no_longer_can_be_erased_does_not_lower_the_one_in_force) 
   ReplayRig rig;
   rig.take(0, SUPO, nonce(5, 0));
   for (uint16_t place = 0; place < javino::config::FLOOR_SLOTS; place++) {
-    const uint16_t seal = static_cast<uint16_t>(javino::FLOORS_AT + place * 12 + 11);
-    if (rig.eeprom.read(seal) != 0xFF) rig.eeprom.wearOut(seal);
+    const uint16_t at = static_cast<uint16_t>(javino::FLOORS_AT + place * javino::FLOOR_PLACE_LENGTH);
+    if (rig.eeprom.read(static_cast<uint16_t>(at + javino::FLOOR_PLACE_LENGTH - 1)) == 0xFF) continue;
+    for (uint16_t i = 0; i < javino::FLOOR_PLACE_LENGTH; i++) rig.eeprom.wearOut(static_cast<uint16_t>(at + i));
   }
   EXPECT_TRUE(rig.take(0, SUPO, nonce(5, 100)));
   for (int boots = 0; boots < 3; boots++) {

@@ -2,18 +2,20 @@
 
 #include <storage/Eeprom.h>
 
+static const uint8_t ERASED = 0xFF;
+
 static SimulatedEeprom *current = nullptr;
 
 namespace javino {
 namespace eeprom {
 
 uint8_t read(uint16_t at) { return current->read(at); }
-void update(uint16_t at, uint8_t value) { current->update(at, value); }
+void write(uint16_t at, uint8_t value) { current->write(at, value); }
 
 }  // namespace eeprom
 }  // namespace javino
 
-SimulatedEeprom::SimulatedEeprom() : before_(current) {
+SimulatedEeprom::SimulatedEeprom() : before_(current), random_(1) {
   cells_.fill(0xFF);
   use();
 }
@@ -24,22 +26,54 @@ SimulatedEeprom::~SimulatedEeprom() {
 
 void SimulatedEeprom::use() { current = this; }
 
-void SimulatedEeprom::update(uint16_t at, uint8_t value) {
+uint8_t SimulatedEeprom::read(uint16_t at) {
+  const uint8_t cell = cells_.at(at);
+  if (misread_ == at) {
+    misread_ = -1;
+    return static_cast<uint8_t>(~cell);
+  }
+  const auto weak = weak_.find(at);
+  if (weak == weak_.end()) return cell;
+  const uint8_t masks[] = {0x00, 0xFF, random_.byte()};
+  const uint8_t mask = masks[random_.number(3)];
+  return static_cast<uint8_t>((cell & ~mask) | (weak->second & mask));
+}
+
+void SimulatedEeprom::write(uint16_t at, uint8_t value) {
   uint8_t &cell = cells_.at(at);
-  if (cell == value) return;
   if (writesLeft_ == 0) {
-    cell = garbage_;
+    cutIn(at, value);
     throw PowerCut();
   }
   if (writesLeft_ > 0) writesLeft_--;
   writes_++;
   writesOf_[at]++;
-  if (!worn_[at]) cell = value;
+  if (worn_[at]) return;
+  cell = value;
+  weak_.erase(at);
+}
+
+void SimulatedEeprom::cutIn(uint16_t at, uint8_t value) {
+  uint8_t &cell = cells_.at(at);
+  if (!weakly_) {
+    cell = garbage_;
+    weak_.erase(at);
+    return;
+  }
+  if (random_.number(2) == 0) cell = value;
+  weak_[at] = ERASED;
 }
 
 void SimulatedEeprom::cutPowerAfter(int writes, uint8_t garbage) {
   writesLeft_ = writes;
   garbage_ = garbage;
+  weakly_ = false;
+}
+
+void SimulatedEeprom::cutPowerWeaklyAfter(int writes, uint32_t seed) {
+  writesLeft_ = writes;
+  random_ = RandomBytes(seed * 2654435761u);
+  weakly_ = true;
 }
 
 int SimulatedEeprom::writesOf(uint16_t at) const {

@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+#include <storage/RfId.h>
+
+#include "support/Addresses.h"
+#include "support/SimulatedEeprom.h"
+
+using javino::Address;
+using javino::RfId;
+
+namespace {
+
+Address boot() {
+  RfId id;
+  id.begin();
+  return id.address();
+}
+
+}  // namespace
+
+TEST(WeakRfId, is_the_old_or_the_new_once_and_for_all) {
+  for (int cut = 0, cuts = 1; cuts > 0; cut++) {
+    cuts = 0;
+    for (uint32_t seed = 1; seed < 300; seed++) {
+      SimulatedEeprom eeprom;
+      RfId id;
+      id.set(SUPP);
+      id.set(ROMA);
+      eeprom.cutPowerWeaklyAfter(cut, seed);
+      try {
+        id.set(SUPO);
+      } catch (const PowerCut &) {
+        cuts++;
+      }
+      eeprom.cutPowerWeaklyAfter(static_cast<int>(seed % 5), seed);
+      try {
+        boot();
+      } catch (const PowerCut &) {
+      }
+      eeprom.restorePower();
+      const Address found = boot();
+      ASSERT_TRUE(found == ROMA || found == SUPO) << cut << " " << seed;
+      for (int boots = 0; boots < 10; boots++) ASSERT_EQ(found, boot()) << cut << " " << seed << " " << boots;
+    }
+  }
+}
