@@ -406,6 +406,7 @@ static void close_node(emulation *e, node *n)
     pty_unplug(&n->port);
     board_release(&n->arduino);
     free(n->sensors);
+    eeprom_file_close(&n->eeprom);
 }
 
 int emulation_close(emulation *e)

@@ -2,8 +2,10 @@
 // The command itself: exit codes, messages, signals.
 #include "support.h"
 
+#include <algorithm>
 #include <csignal>
 #include <fcntl.h>
+#include <memory>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -90,6 +92,62 @@ TEST(Command, a_crashed_program_is_status_1)
     Outcome outcome = run(scratch, {"s.json", "--speed", "max"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("javino-emulator: board a: its program crashed at pc 0x"), std::string::npos);
+}
+
+TEST(Command, what_a_program_tells_simavr_to_write_is_not_written)
+{
+    Scratch scratch;
+    ASSERT_NE(read_text(PROGRAMS_DIR "/traced.elf").find("stolen.vcd"), std::string::npos);
+    write_scenario(scratch, "traced");
+    Outcome outcome = run(scratch, {"s.json", "--duration", "0.1", "--speed", "max", "--trace", "-"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find(R"("line":"kept")"), std::string::npos) << outcome.out;
+    EXPECT_FALSE(exists(scratch.path("stolen.vcd")));
+}
+
+TEST(Command, a_second_emulator_with_the_same_eeprom_file_is_told_so)
+{
+    Scratch scratch, other;
+    for (const Scratch *each : {&scratch, &other})
+        write_scenario(*each, "boot_count", ",\"eeprom\":\"" + scratch.path("a.bin") + "\"");
+    pid_t first = start(scratch, {"s.json", "--trace", "trace"});
+    while (read_text(scratch.path("trace")).find("\"reset\"") == std::string::npos)
+        usleep(1000);
+    Outcome second = run(other, {"s.json", "--duration", "0.1", "--speed", "max"});
+    EXPECT_EQ(second.status, 2);
+    EXPECT_EQ(second.err, "javino-emulator: EEPROM file " + scratch.path("a.bin") +
+                              ": another emulator or board uses it; end that one or choose another file\n");
+    kill(first, SIGTERM);
+    EXPECT_EQ(finish(scratch, first).status, 0);
+    EXPECT_EQ(run(other, {"s.json", "--duration", "0.1", "--speed", "max"}).status, 0) << "it is free again";
+}
+
+TEST(Command, of_emulators_that_make_one_eeprom_file_at_the_same_time_one_has_it)
+{
+    for (int round = 0; round < 10; round++) {
+        Scratch file;
+        std::vector<std::unique_ptr<Scratch>> scratches;
+        std::vector<pid_t> children;
+        for (int i = 0; i < 4; i++) {
+            scratches.push_back(std::make_unique<Scratch>());
+            write_scenario(*scratches.back(), "boot_count", ",\"eeprom\":\"" + file.path("a.bin") + "\"");
+            children.push_back(start(*scratches.back(), {"s.json"})); // until it is told to end
+        }
+        int refused = 0;
+        for (int i = 0; i < 3; i++) {
+            int status = 0;
+            pid_t ended = waitpid(-1, &status, 0);
+            refused += WIFEXITED(status) && WEXITSTATUS(status) == 2;
+            children.erase(std::find(children.begin(), children.end(), ended));
+        }
+        EXPECT_EQ(refused, 3);
+        ASSERT_EQ(children.size(), 1u);
+        kill(children[0], SIGTERM);
+        int status = 0;
+        waitpid(children[0], &status, 0);
+        EXPECT_EQ(status, 0);
+    }
 }
 
 TEST(Command, help_is_no_mistake)

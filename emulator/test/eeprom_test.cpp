@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 static const char COUNTER[] = R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"eeprom/a.bin"}]})";
 
 static std::string last_line(Emulation &run)
@@ -73,6 +77,29 @@ TEST(Eeprom, a_file_of_the_wrong_size_is_refused_and_left_alone)
         }
         EXPECT_EQ(read_text(scratch.path("a.bin")), std::string(size, 'x'));
     }
+}
+
+TEST(Eeprom, of_two_boards_by_two_names_is_refused)
+{
+    Scratch scratch;
+    try {
+        Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@boot_count","eeprom":"a.bin"},
+                                             {"name":"b","firmware":"@boot_count","eeprom":"./a.bin"}]})");
+        FAIL();
+    } catch (const std::runtime_error &e) {
+        EXPECT_NE(std::string(e.what()).find("another emulator or board uses it"), std::string::npos) << e.what();
+    }
+}
+
+TEST(Eeprom, is_still_locked_after_it_was_saved)
+{
+    Scratch scratch;
+    Emulation run(scratch, COUNTER);
+    run.run_until(0.2);
+    EXPECT_EQ(read_text(scratch.path("eeprom/a.bin"))[0], '\0');
+    int other = open(scratch.path("eeprom/a.bin").c_str(), O_RDWR);
+    EXPECT_NE(flock(other, LOCK_EX | LOCK_NB), 0);
+    close(other);
 }
 
 TEST(Eeprom, takes_the_time_of_a_real_one)
