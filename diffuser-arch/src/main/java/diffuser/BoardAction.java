@@ -28,6 +28,16 @@ public abstract class BoardAction extends DiffuserAction {
     }
 
     /**
+     * How many arguments it takes.
+     *
+     * @param least with fewer it fails.
+     * @param most  with more it fails.
+     */
+    protected BoardAction(int least, int most) {
+        super(least, most);
+    }
+
+    /**
      * Asks the board.
      *
      * @return completes when the intention may go on; fails with what the intention is to fail with. It always does

@@ -132,7 +132,7 @@ final class Device implements BoardListener {
     void wish(Wishes wanted) {
         wishes = wanted;
         Board board = session.join();
-        percepts.sensing(wanted.percepts());
+        percepts.sensing(wanted.percepts(), wanted.filters());
         board.perceptInterval(wanted.percepts() == Sensing.HELD ? NEVER : wanted.limit());
         board.percepts(wanted.percepts() != Sensing.BLOCKED);
         channel.silence(wanted.silence());

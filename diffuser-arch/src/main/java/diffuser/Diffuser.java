@@ -148,6 +148,16 @@ public class Diffuser extends AgArch {
                 });
     }
 
+    /** Believes of the sensors only what this filter lets pass, too. */
+    public void filter(Filter filter) {
+        wish(old -> old.withFilter(filter));
+    }
+
+    /** Does without all filters of these kinds. */
+    public void removeFilters(Filter.Kind... kinds) {
+        wish(old -> old.withoutFilters(List.of(kinds)));
+    }
+
     /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */
     public void limitPercepts(Duration least) {
         wish(old -> old.withLimit(least));

@@ -26,6 +26,7 @@ final class Percepts {
     /** Of the sensors, what the agent is to believe. */
     private List<Literal> shown = List.of();
     private Sensing sensing;
+    private List<Filter> filters = List.of();
     private volatile List<Literal> snapshot = List.of();
 
     /**
@@ -53,9 +54,10 @@ final class Percepts {
         compose();
     }
 
-    /** Lets the agent perceive the sensors, or not. */
-    synchronized void sensing(Sensing wanted) {
+    /** Lets the agent perceive the sensors that pass all filters, or none. */
+    synchronized void sensing(Sensing wanted, List<Filter> wantedFilters) {
         sensing = wanted;
+        filters = wantedFilters;
         compose();
     }
 
@@ -92,7 +94,8 @@ final class Percepts {
 
     private void compose() {
         shown = switch (sensing) {
-            case OPEN -> List.copyOf(sensors.values());
+            case OPEN -> sensors.values().stream()
+                    .filter(sensor -> filters.stream().allMatch(filter -> filter.passes(sensor))).toList();
             case HELD -> shown;
             case BLOCKED -> List.of();
         };

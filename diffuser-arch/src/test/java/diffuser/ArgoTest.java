@@ -246,7 +246,7 @@ class ArgoTest {
 
     @Test
     void port_pathAsString_isBelievedByItsLastPart() {
-        String program = "!start. +!start <- .argo.port(\"/dev/ttyUSB0\"). +port(ttyUSB0,on) <- diffuser.note(on).";
+        String program = "!start. +!start <- .argo.port(\"/dev/ttyUSB0\",true). +port(ttyUSB0,on) <- diffuser.note(on).";
         try (RunningAgent agent = argo(program, new FakeBoard("/dev/ttyUSB0"))) {
             agent.notes("on");
         }

@@ -1,0 +1,112 @@
+package jason.stdlib;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import jason.JasonException;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.Literal;
+import jason.asSyntax.LogExpr;
+import jason.asSyntax.LogicalFormula;
+import jason.asSyntax.RelExpr;
+import jason.asSyntax.Term;
+
+import diffuser.Diffuser;
+import diffuser.DiffuserAction;
+import diffuser.Filter;
+import diffuser.Names;
+
+/**
+ * <p>Internal action: <b><code>.filter(<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.
+ *
+ * <p>Description: chooses which of the board's sensors are believed. Several filters hold all at once; the belief
+ * <code>port(_,_)</code> is no sensor, and stays. Can be said before there is a board.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ Kind (atom): <code>except</code>: only these percepts are believed; <code>only</code> or <code>value</code>: only
+ *     these are not; <code>remove</code>, without further parameters or with a kind or <code>all</code>: these filters
+ *     hold no longer.
+ * <li>+ Percepts (literal or list of literals): patterns, whose variables match any value.
+ * <li>+ Condition (comparison, optional): a percept matches only where it holds of the pattern's variables.
+ * </ul>
+ *
+ * <p>Examples:<ul>
+ * <li> <code>.filter(except, light(_))</code>: of the sensors <code>light</code> alone is believed.
+ * <li> <code>.filter(only, distance(X), X &gt; 200)</code>: what is far away is not.
+ * <li> <code>.filter(remove)</code>
+ * </ul>
+ */
+public class filter extends DiffuserAction {
+
+    private static final long serialVersionUID = 1L;
+
+    /** Made by Jason, once for each agent. */
+    public filter() {
+        super(1, 3);
+    }
+
+    @Override
+    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
+        checkArguments(args);
+        Diffuser diffuser = Diffuser.of(ts);
+        switch (Names.of(args[0]).orElse("")) {
+            case "except" -> diffuser.filter(filter(Filter.Kind.EXCEPT, args));
+            case "only", "value" -> diffuser.filter(filter(Filter.Kind.ONLY, args));
+            case "remove" -> remove(diffuser, args);
+            default -> throw unknown(args[0]);
+        }
+        return true;
+    }
+
+    private void remove(Diffuser diffuser, Term[] args) throws JasonException {
+        switch (args.length == 1 ? "all" : Names.of(args[1]).orElse("")) {
+            case "all" -> diffuser.removeFilters(Filter.Kind.values());
+            case "except" -> diffuser.removeFilters(Filter.Kind.EXCEPT);
+            case "only", "value" -> diffuser.removeFilters(Filter.Kind.ONLY);
+            default -> throw JasonException.createWrongArgument(this,
+                    "all, except or only was expected after remove, not '" + args[1] + "'.");
+        }
+    }
+
+    private Filter filter(Filter.Kind kind, Term[] args) throws JasonException {
+        if (args.length == 1) {
+            throw JasonException.createWrongArgument(this, "a percept was expected too, such as .filter(" + args[0]
+                    + ", light(_)).");
+        }
+        return new Filter(kind, patterns(args[1]), args.length == 2 ? Literal.LTrue : condition(args[2]));
+    }
+
+    private List<Literal> patterns(Term percepts) throws JasonException {
+        List<Literal> patterns = new ArrayList<>();
+        for (Term percept : percepts instanceof ListTerm list ? list.getAsList() : List.of(percepts)) {
+            if (!percept.isLiteral()) {
+                throw JasonException.createWrongArgument(this,
+                        "a percept such as light(X), or a list of such, was expected, not '" + percepts + "'.");
+            }
+            patterns.add((Literal) percept);
+        }
+        return patterns;
+    }
+
+    private LogicalFormula condition(Term condition) throws JasonException {
+        if (!compares(condition)) {
+            throw JasonException.createWrongArgument(this, "a comparison of the percept's values, such as X < 20, was"
+                    + " expected, not '" + condition + "'.");
+        }
+        return (LogicalFormula) condition;
+    }
+
+    /** Whether no belief is asked for, as the board's thread knows none. */
+    private static boolean compares(Term condition) {
+        return condition instanceof RelExpr
+                || condition instanceof LogExpr parts && parts.getTerms().stream().allMatch(filter::compares);
+    }
+
+    private JasonException unknown(Term kind) {
+        return JasonException.createWrongArgument(this, "except, only or remove was expected, not '" + kind
+                + "'; filters are not read from files: write .filter(except, light(_)) to believe light alone, or"
+                + " .filter(only, light(_)) to believe all but light.");
+    }
+}
