@@ -44,6 +44,7 @@ final class Device implements BoardListener {
     private volatile Wishes wishes;
     private volatile boolean online;
     private volatile boolean legacy;
+    private volatile List<String> actions = List.of();
     private volatile boolean closed;
 
     /**
@@ -101,6 +102,11 @@ final class Device implements BoardListener {
     /** Whether the board speaks the older protocol, as far as is known: then it has actions for {@code .act} only. */
     boolean isLegacy() {
         return legacy;
+    }
+
+    /** Whether an action of that name is the board's; one that speaks the older protocol cannot say, so any may be. */
+    boolean performs(String action) {
+        return legacy || actions.contains(action);
     }
 
     /** Whether agents can communicate by the board's radio. */
@@ -195,6 +201,7 @@ final class Device implements BoardListener {
         }
         unknownActions.clear();
         legacy = info.isLegacy();
+        actions = info.actions();
         if (legacy) {
             surroundings.warnings().once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
                     + " radio does not; for that flash a sketch with the Javino library");

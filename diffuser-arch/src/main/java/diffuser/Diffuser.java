@@ -239,6 +239,16 @@ public class Diffuser extends AgArch {
         return inbox;
     }
 
+    /** Whether an action of that name is the board's: of a board that speaks the older protocol that is believed of any. */
+    protected boolean performs(String action) {
+        return device().map(board -> board.performs(action)).orElse(false);
+    }
+
+    /** Whether the board, if one was opened, has a radio, as far as is known. */
+    protected boolean hasRadio() {
+        return device().map(board -> !board.isLegacy()).orElse(true);
+    }
+
     /** The board, if a port was opened. */
     Optional<Device> device() {
         return Optional.ofNullable(device);

@@ -79,8 +79,10 @@ class OlderBoardTest {
         try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("argo", folder)) {
             agent.await("lamp is on");
             agent.await("led is off");
+            agent.await("led is then on");
             agent.await("led is on");
             agent.await("led is off", 2);
+            agent.await("led is then on", 2);
             agent.await("lamp is off");
             agent.await("lamp is on", 2);
             agent.await("led is on", 2);

@@ -8,7 +8,7 @@ serialPort("ports/lamp").
     .argo.limit(200);
     .argo.percepts(open).
 
-+led(off) <- .print("led is off"); .argo.act(ledOn).
++led(off) <- .print("led is off"); .argo.act(ledOn); ?led(X); .print("led is then ", X).
 +led(on)  <- .print("led is on"); .argo.act(ledOff).
 
 +port(Port, on) <- .print(Port, " is on").

@@ -1,0 +1,37 @@
+package jason.stdlib.difuser;
+
+import java.util.concurrent.CompletableFuture;
+
+import jason.Difuser;
+import jason.JasonException;
+import jason.asSyntax.Term;
+
+import diffuser.Arguments;
+import diffuser.BoardAction;
+import diffuser.Diffuser;
+
+/**
+ * <p>Internal action: <b><code>.difuser.listen(<i>S</i>)</code></b>, as agents for the Difuser architecture write it.
+ *
+ * <p>Description: hears messages, as <code>+message(X)</code>, or not: it opens the percepts and, where the board has
+ * one, the radio.
+ *
+ * <p>Parameters:<ul>
+ * <li>+ S (atom): <code>open</code>, or <code>close</code> or <code>block</code>, which mean the same.
+ * </ul>
+ */
+public class listen extends BoardAction {
+
+    private static final long serialVersionUID = 1L;
+
+    /** Made by Jason, once for each agent. */
+    public listen() {
+        super(1);
+    }
+
+    @Override
+    protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
+        boolean open = !args[0].toString().equals("close") && Arguments.isOpen(this, args[0]);
+        return Difuser.of(diffuser).listen(open);
+    }
+}

@@ -1,0 +1,22 @@
+package diffuser;
+
+import jason.Difuser;
+
+import javino.board.BoardConfig;
+import javino.link.LinkOpener;
+
+/** The public Difuser, whose ports are fake boards, as those of {@link ScriptedDiffuser} are. */
+public class ScriptedPublicDifuser extends Difuser {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    protected LinkOpener link(String port) {
+        return ScriptedDiffuser.linkTo(port);
+    }
+
+    @Override
+    protected BoardConfig boardConfig() {
+        return ScriptedDiffuser.quick();
+    }
+}
