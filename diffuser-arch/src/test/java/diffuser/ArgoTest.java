@@ -167,6 +167,16 @@ class ArgoTest {
     }
 
     @Test
+    void act_atomicPlan_isFreshToo() {
+        String program = "!start. @x[atomic] +!start <- .port(ttyACM0); .percepts(open); .act(ledOn); ?ledStatus(X);"
+                + "diffuser.note(X); .act(ledOff); ?ledStatus(Y); diffuser.note(Y).";
+        try (RunningAgent agent = argo(program, lamp())) {
+            agent.notes("on");
+            agent.notes("off");
+        }
+    }
+
+    @Test
     void act_nextReadingIsFarOff_goesOnWithoutIt() {
         String program = """
                 !start.
