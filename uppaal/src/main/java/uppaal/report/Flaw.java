@@ -10,14 +10,14 @@ import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 
 /**
- * A deliberate mistake in {@code delivery.xml}, and a property that it breaks.
+ * A deliberate mistake in {@code delivery.xml} or {@code renewal.xml}, and a property that it breaks.
  *
- * @param query the name of a query of the scene {@code unicast}
+ * @param query the name of a query of the scene {@code unicast}, or of {@code renewal}
  */
 record Flaw(Fault fault, String query) {
     private static final String REPEAT = " && waits1 == 0 && waits2 == 0";
 
-    /** One for each check that a board makes. */
+    /** One for each check that a board makes of messages. */
     static final List<Flaw> ALL = List.of(
         new Flaw(guard("no nonce check", "a receiver does not ask whether the host has had something newer",
             "Receiver", "Listening -> Listening", " && taken < 1", ""), "D4"),
@@ -35,6 +35,15 @@ record Flaw(Fault fault, String query) {
                     .withAssignment("answer = 1") : edge).apply(document))::apply), "D3"),
         new Flaw(new Fault("endless patience", "a sender waits for ever for its last acknowledgement",
             Fault.removed("Sender", "Awaiting -> Idle")), "D5"));
+
+    /** One for each condition of the steps in which a key is renewed. */
+    static final List<Flaw> OF_RENEWAL = List.of(
+        new Flaw(guard("seal too early", "a board seals with the next key before all accept it",
+            "Board", "Accepts -> Seals", "accepting == BOARDS && ", ""), "R1"),
+        new Flaw(guard("forget too early", "a board deletes the previous key before all seal with the next one",
+            "Board", "Seals -> Finished", "sealing == BOARDS", ""), "R1"),
+        new Flaw(guard("never busy", "a board takes the next key into use though a message sealed with the old one is under way",
+            "Board", "Accepts -> Seals", " && underWay != OLD", ""), "R1"));
 
     private static Fault guard(String name, String sentence, String template, String path, String from, String to) {
         return new Fault(name, sentence, Fault.edge(template, path, edge -> edge.withGuard(edge.guard().replace(from, to))));

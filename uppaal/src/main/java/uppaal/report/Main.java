@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import uppaal.ModelException;
+import uppaal.document.DocumentReader;
 
 /** {@code gradle model}: checks the models and prints what was found. */
 public final class Main {
@@ -26,6 +27,7 @@ public final class Main {
             Report report = new Report(System.out);
             Path output = Path.of(arguments[1]);
             List<String> wrong = new ArrayList<>(run(new Suite(Path.of(arguments[0])), output, report));
+            wrong.addAll(renew(Path.of(arguments[0]), output, report));
             wrong.addAll(deliver(Path.of(arguments[0]), new Firmware(Path.of(arguments[2])), report));
             wrong.forEach(System.err::println);
             System.exit(wrong.isEmpty() ? 0 : 1);
@@ -49,6 +51,18 @@ public final class Main {
             report.flaw(flaw, flaw.counterexample(unicast.document(models), unicast.queries(models)));
         }
         return wrong;
+    }
+
+    /** Prints what is found of the renewal of keys; returns what is not as expected, a line each. */
+    static List<String> renew(Path models, Path folder, Report report) throws IOException {
+        Path model = models.resolve("renewal.xml");
+        Path queries = models.resolve("renewal.q");
+        Check check = Check.of(model, List.of(queries), folder.resolve("renewal"));
+        report.verdicts("The renewal of a key that three boards share", check);
+        for (Flaw flaw : Flaw.OF_RENEWAL) {
+            report.flaw(flaw, flaw.counterexample(DocumentReader.read(model), check.queries()));
+        }
+        return check.disagreements();
     }
 
     /** Prints everything of the paper's network; returns what is not as expected, a line each. */

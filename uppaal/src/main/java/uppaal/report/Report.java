@@ -78,7 +78,7 @@ final class Report {
 
     /** What one missing check of a board leads to. */
     void flaw(Flaw flaw, Trace counterexample) {
-        heading("Delivery with a fault, against " + flaw.query() + ": " + flaw.fault().sentence());
+        heading("With a fault, against " + flaw.query() + ": " + flaw.fault().sentence());
         counterexample.lines().forEach(out::println);
     }
 

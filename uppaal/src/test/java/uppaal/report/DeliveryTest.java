@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import uppaal.check.Exploration;
@@ -37,6 +38,18 @@ class DeliveryTest {
     }
 
     @Test
+    void renew_ourModel_isAsExpectedForAllEngines() throws IOException {
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
+        assertEquals(List.of(), Main.renew(MODELS, folder, new Report(out)));
+        for (Flaw flaw : Flaw.OF_RENEWAL) {
+            assertTrue(printed.toString(StandardCharsets.UTF_8).contains(flaw.fault().sentence()), flaw.fault().name());
+        }
+        int states = Exploration.of(NetworkBuilder.build(DocumentReader.read(MODELS.resolve("renewal.xml"))), List.of()).states();
+        assertTrue(Files.readString(Path.of("README.md")).contains("| `renewal.xml` | " + states + " |"), "README.md needs " + states);
+    }
+
+    @Test
     void readme_scenesAndFaults_areThoseThatAreFound() throws IOException {
         String readme = Files.readString(Path.of("README.md"));
         for (Scene scene : Scene.ALL) {
@@ -44,7 +57,7 @@ class DeliveryTest {
             assertTrue(readme.lines().anyMatch(line -> line.startsWith("| `" + scene.name() + "`:") && line.contains("| " + states + " |")),
                 () -> "README.md needs the scene " + scene.name() + " with " + states + " states");
         }
-        for (Flaw flaw : Flaw.ALL) {
+        for (Flaw flaw : Stream.concat(Flaw.ALL.stream(), Flaw.OF_RENEWAL.stream()).toList()) {
             String row = "| " + flaw.fault().name() + ": " + flaw.fault().sentence() + " | " + flaw.query() + " |";
             assertTrue(readme.contains(row), () -> "README.md needs the row " + row);
         }
