@@ -48,10 +48,10 @@ class BootLoaderTest {
     void boardIsResetWhileItIsPolled_isGreetedAgain(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = scenario("Station").fault(BUTTON_AT, "lamp", "reset");
         try (Emulator emulator = scenario.start(folder); Host host = Host.of(emulator, "lamp")) {
-            int boots = get(host.board.greeted()).bootCount();
+            int boots = get(host.board.greeted()).bootEpoch();
             reset(emulator, "fault");
             host.awaitOnline(2);
-            assertEquals(boots + 1, host.board.info().orElseThrow().bootCount());
+            assertEquals(boots + 1, host.board.info().orElseThrow().bootEpoch());
         }
     }
 

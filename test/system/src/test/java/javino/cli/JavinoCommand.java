@@ -1,0 +1,23 @@
+package javino.cli;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import picocli.CommandLine;
+
+/** The {@code javino} command at real serial ports, in this process. */
+public final class JavinoCommand {
+
+    private JavinoCommand() {
+    }
+
+    /** What a command wrote, on either output, and at last its exit status. */
+    public static List<String> run(String... words) {
+        StringWriter written = new StringWriter();
+        CommandLine command = Main.commandLine(PortOption.serial());
+        command.setOut(new PrintWriter(written, true));
+        command.setErr(new PrintWriter(written, true));
+        int status = command.execute(words);
+        return (written + "" + status).lines().toList();
+    }
+}
