@@ -15,7 +15,7 @@
 #define JAVINO_BY_CHIP(large, small) large
 #endif
 
-/// Keys in the EEPROM store, previous ones included, 1…63 (one reply lists them all). 4 bytes of RAM and 43 of EEPROM
+/// Keys in the EEPROM store, next and previous ones included, 1…63 (one reply lists them all). 4 bytes of RAM and 44 of EEPROM
 /// each, and for one place more, which a new key is written to before an old one goes.
 #ifndef JAVINO_KEYS
 #define JAVINO_KEYS JAVINO_BY_CHIP(16, 6)

@@ -8,8 +8,8 @@ Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
       delivery_(radio, id_, epoch_, keys_, replays_, nonces_, counters_),
       sender_(delivery_.outbox(), id_, keys_, nonces_),
       poll_(delivery_.outbox().outcomes(), delivery_.inbox(), counters_),
-      keyCommands_(keys_, replays_),
-      commands_(firmwareName, radio, id_, epoch_, keyCommands_, delivery_, sender_, poll_, actions_, counters_),
+      keyCommands_(keys_, replays_, nonces_),
+      commands_(firmwareName, radio, id_, keyCommands_, delivery_, sender_, poll_, actions_, counters_),
       session_(port, commands_, counters_) {}
 
 bool Board::begin() {

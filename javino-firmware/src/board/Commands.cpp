@@ -64,10 +64,13 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
       return setRfId(body, length);
     case 'R':
       return openRadio(body, length);
+    case 'E':
+      return keys_.raiseEpoch(body, length);
     case 'K':
-      return keysChanged(keys_.set(body, length, reply));
     case 'N':
-      return keysChanged(keys_.renew(body, length, reply));
+      return keysChanged(keys_.store(name == 'N', body, length, reply));
+    case 'U':
+      return keys_.use(body, length, delivery_.underWay());
     case 'F':
       return keysChanged(keys_.finish(body, length));
     case 'D':
@@ -87,7 +90,7 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   uint8_t fixed[FIXED_OF_HELLO];
   fixed[0] = PROTOCOL_VERSION;
   id_.address().write(fixed + 1);
-  writeUint24(fixed + 1 + Address::TEXT_LENGTH, epoch_.value());
+  writeUint24(fixed + 1 + Address::TEXT_LENGTH, keys_.epoch());
   reply.add(fixed, sizeof fixed);
   reply.add(reinterpret_cast<const uint8_t *>(firmwareName_),
             static_cast<uint16_t>(strnlen(firmwareName_, MAX_FIRMWARE_NAME)));

@@ -4,7 +4,6 @@
 
 #include "../delivery/Delivery.h"
 #include "../radio/Radio.h"
-#include "../storage/BootEpoch.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
 #include "../support/NoInline.h"
@@ -21,12 +20,11 @@ namespace javino {
 class Commands {
  public:
   /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
-  Commands(const char *firmwareName, Radio &radio, RfId &id, const BootEpoch &epoch, KeyCommands &keys,
-           Delivery &delivery, Sender &sender, Poll &poll, Actions &actions, Counters &counters)
+  Commands(const char *firmwareName, Radio &radio, RfId &id, KeyCommands &keys, Delivery &delivery, Sender &sender,
+           Poll &poll, Actions &actions, Counters &counters)
       : firmwareName_(firmwareName),
         radio_(radio),
         id_(id),
-        epoch_(epoch),
         keys_(keys),
         delivery_(delivery),
         sender_(sender),
@@ -56,7 +54,6 @@ class Commands {
   const char *const firmwareName_;
   Radio &radio_;
   RfId &id_;
-  const BootEpoch &epoch_;
   KeyCommands &keys_;
   Delivery &delivery_;
   Sender &sender_;

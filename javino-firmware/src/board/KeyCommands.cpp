@@ -1,12 +1,16 @@
 #include "KeyCommands.h"
 
+#include "../support/BigEndian.h"
+
 namespace javino {
 
 namespace {
 
 const uint8_t STORE_LENGTH = Address::TEXT_LENGTH + Aes128::KEY_LENGTH;
 
-enum Role : uint8_t { CURRENT = 0, PREVIOUS = 1 };  // SPEC 4.3
+enum Role : uint8_t { CURRENT = 0, PREVIOUS = 1, NEXT = 2 };  // SPEC 4.3
+
+const uint8_t EPOCH_LENGTH = 3;
 
 // Reads an address that can have a key.
 bool parseAddress(const uint8_t *text, Address &into) {
@@ -19,42 +23,49 @@ bool parseAddress(const uint8_t *body, uint16_t length, Address &into) {
 
 }  // namespace
 
-Status KeyCommands::set(const uint8_t *body, uint16_t length, Reply &reply) {
-  return store(&KeyStore::set, body, length, reply);
+Status KeyCommands::raiseEpoch(const uint8_t *body, uint16_t length) {
+  if (length != EPOCH_LENGTH || (body[0] & body[1] & body[2]) == 0xFF) return Status::BAD_ARGUMENT;
+  nonces_.raiseEpoch(readUint24(body));
+  replays_.goOnIn(nonces_.epoch());
+  return nonces_.status();
 }
 
-Status KeyCommands::renew(const uint8_t *body, uint16_t length, Reply &reply) {
-  return store(&KeyStore::renew, body, length, reply);
-}
-
-Status KeyCommands::store(Change change, const uint8_t *body, uint16_t length, Reply &reply) {
+Status KeyCommands::store(bool renews, const uint8_t *body, uint16_t length, Reply &reply) {
   Address address;
   if (length != STORE_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
-  const KeyStore::Result result = (keys_.*change)(address, body + Address::TEXT_LENGTH);
+  const Status status = keys_.store(address, body + Address::TEXT_LENGTH, renews);
   const bool forgotten = replays_.forgetLostKeys(keys_);
-  if (result == KeyStore::IS_PREVIOUS) return Status::BAD_ARGUMENT;
-  if (result == KeyStore::FULL) return Status::STORE_FULL;
-  if (result == KeyStore::FAILED || !forgotten) return Status::STORE_FAILED;
-  addCheckValue(keys_.current(address), reply);
+  if (status != Status::OK) return status;
+  if (!forgotten) return Status::STORE_FAILED;
+  const uint8_t next = keys_.next(address);
+  addCheckValue(next == KeyStore::NO_SLOT ? keys_.current(address) : next, reply);
   return Status::OK;
+}
+
+Status KeyCommands::use(const uint8_t *body, uint16_t length, uint8_t underWay) {
+  Address address;
+  if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
+  if (keys_.next(address) != KeyStore::NO_SLOT && keys_.current(address) == underWay) return Status::BUSY;
+  return keys_.use(address);
 }
 
 Status KeyCommands::finish(const uint8_t *body, uint16_t length) {
   Address address;
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  const uint8_t previous = keys_.previous(address);
-  if (previous == KeyStore::NO_SLOT) return Status::NO_KEY;
+  const uint8_t previous = keys_.other(address);
+  const bool isNext = previous == keys_.next(address);
+  if (previous == KeyStore::NO_SLOT || isNext || previous != keys_.other(address)) return Status::NO_KEY;  // a cell may read wrong once
   return erase(previous) ? Status::OK : Status::STORE_FAILED;
 }
 
-// The previous key goes first: a loss of power between the two must not bring it back.
+// The other key goes first: a loss of power between the two must not bring it back, nor into use.
 Status KeyCommands::erase(const uint8_t *body, uint16_t length) {
   Address address;
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
   const uint8_t current = keys_.current(address);
-  const uint8_t previous = keys_.previous(address);
+  const uint8_t other = keys_.other(address);
   if (current == KeyStore::NO_SLOT) return Status::NO_KEY;
-  if (previous != KeyStore::NO_SLOT && !erase(previous)) return Status::STORE_FAILED;
+  if (other != KeyStore::NO_SLOT && !erase(other)) return Status::STORE_FAILED;
   return erase(current) ? Status::OK : Status::STORE_FAILED;
 }
 
@@ -65,7 +76,7 @@ Status KeyCommands::list(uint16_t length, Reply &reply) {
     if (keys_.isFree(slot)) continue;
     uint8_t entry[Address::TEXT_LENGTH + 1];
     address.write(entry);
-    entry[Address::TEXT_LENGTH] = slot == keys_.current(address) ? CURRENT : PREVIOUS;
+    entry[Address::TEXT_LENGTH] = slot == keys_.current(address) ? CURRENT : slot == keys_.next(address) ? NEXT : PREVIOUS;
     reply.add(entry, sizeof entry);
     addCheckValue(slot, reply);
   }

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../secure/NonceSource.h"
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
 #include "../support/NoInline.h"
@@ -10,18 +11,27 @@
 
 namespace javino {
 
-/// The commands that manage keys (SPEC 4.3: K, N, F, D, L). None of them gives away more of a key than its check value.
+/// The commands that manage keys (SPEC 4.3: E, K, N, U, F, D, L). None of them gives away more of a key than its check value.
 /// What the replay memory knows of a key goes after the key itself: else a loss of power between the two would open the
 /// door to replays.
 class KeyCommands {
  public:
-  KeyCommands(KeyStore &keys, ReplayMemory &replays) : keys_(keys), replays_(replays) {}
+  KeyCommands(KeyStore &keys, ReplayMemory &replays, NonceSource &nonces)
+      : keys_(keys), replays_(replays), nonces_(nonces) {}
 
-  /// K: makes a key the only one of its address.
-  Status set(const uint8_t *body, uint16_t length, Reply &reply);
+  /// The boot epoch.
+  uint32_t epoch() const { return nonces_.epoch(); }
 
-  /// N: makes a key the current one of its address. BAD_ARGUMENT where it is the previous one: only K brings that back.
-  Status renew(const uint8_t *body, uint16_t length, Reply &reply);
+  /// E: raises the boot epoch.
+  Status raiseEpoch(const uint8_t *body, uint16_t length);
+
+  /// K: makes a key the only one of its address; N, which renews: the next one.
+  JAVINO_NOINLINE Status store(bool renews, const uint8_t *body, uint16_t length, Reply &reply);
+
+  /// U: makes the next key of an address the current one.
+  /// @param underWay the place of the key that seals what is under way, or NO_SLOT. BUSY where that key is to be replaced:
+  ///        when a board has taken a key into use, nothing of what it sends is sealed with the one before
+  Status use(const uint8_t *body, uint16_t length, uint8_t underWay);
 
   /// F: deletes the previous key.
   Status finish(const uint8_t *body, uint16_t length);
@@ -33,14 +43,12 @@ class KeyCommands {
   Status list(uint16_t length, Reply &reply);
 
  private:
-  typedef KeyStore::Result (KeyStore::*Change)(const Address &address, const uint8_t *key);
-
-  JAVINO_NOINLINE Status store(Change change, const uint8_t *body, uint16_t length, Reply &reply);
   JAVINO_NOINLINE bool erase(uint8_t slot);
   JAVINO_NOINLINE void addCheckValue(uint8_t slot, Reply &reply) const;
 
   KeyStore &keys_;
   ReplayMemory &replays_;
+  NonceSource &nonces_;
 };
 
 }  // namespace javino

@@ -27,10 +27,9 @@ Status Sender::sendSealed(const Frame &frame, uint8_t &number) {
   if (keys_.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
   if (frame.length > MAX_CONTENT_LENGTH) return Status::TOO_LONG;
   if (!outbox_.fits(static_cast<uint16_t>(HEADER_LENGTH + SEAL_LENGTH + frame.length))) return Status::QUEUE_FULL;
-  if (nonces_.isExhausted()) return Status::NONCE_EXHAUSTED;
-  if (!nonces_.isStored()) return Status::STORE_FAILED;
-  number = outbox_.addUnsealed(frame);
-  return Status::OK;
+  const Status status = nonces_.status();
+  if (status == Status::OK) number = outbox_.addUnsealed(frame);
+  return status;
 }
 
 }  // namespace javino

@@ -20,7 +20,8 @@ enum class Status : uint8_t {
   QUEUE_FULL = 11,      ///< the transmit queue is full, or too many outcomes wait: poll, and try again later
   STORE_FULL = 12,      ///< no place for another key: delete one
   STORE_FAILED = 13,    ///< the EEPROM did not keep what was written: it is worn out
-  NONCE_EXHAUSTED = 14  ///< no nonce is left until the next boot, or, after the last epoch, ever
+  NONCE_EXHAUSTED = 14, ///< no nonce is left until the next boot, or, after the last epoch, ever
+  BUSY = 15             ///< what is under way is sealed with the key that is to be replaced: try again when it has ended
 };
 
 }  // namespace javino

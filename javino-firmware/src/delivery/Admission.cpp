@@ -45,9 +45,9 @@ bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16
 // While a key is being renewed a frame may be sealed with either.
 bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length) {
   bool hasKey = false;
-  for (uint8_t previous = 0; previous < 2; previous++) {
+  for (uint8_t other = 0; other < 2; other++) {
     DerivedKeys keys;
-    const uint8_t slot = slotOf(frame, previous != 0);
+    const uint8_t slot = slotOf(frame, other != 0);
     if (!keys_.load(slot, keys)) continue;
     hasKey = true;
     const Envelope envelope(keys);
@@ -56,9 +56,9 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length
   return drop(hasKey ? Counter::RADIO_BAD_TAG : Counter::RADIO_NO_KEY);
 }
 
-uint8_t Admission::slotOf(const Frame &frame, bool previous) const {
-  const Address &other = frame.destination.isMulticast() ? frame.destination : frame.origin;
-  return previous ? keys_.previous(other) : keys_.current(other);
+uint8_t Admission::slotOf(const Frame &frame, bool other) const {
+  const Address &with = frame.destination.isMulticast() ? frame.destination : frame.origin;
+  return other ? keys_.other(with) : keys_.current(with);
 }
 
 bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
@@ -101,8 +101,8 @@ bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame 
 
 bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer) {
   bool hasKey = false;
-  for (uint8_t previous = 0; previous < 2; previous++) {
-    const uint8_t slot = slotOf(frame, previous != 0);
+  for (uint8_t other = 0; other < 2; other++) {
+    const uint8_t slot = slotOf(frame, other != 0);
     if (slot == KeyStore::NO_SLOT) continue;
     hasKey = true;
     const bool taken = replays_.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
@@ -114,8 +114,8 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
 }
 
 void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have) {
-  for (uint8_t previous = 0; previous < 2; previous++) {
-    const uint8_t slot = slotOf(frame, previous != 0);
+  for (uint8_t other = 0; other < 2; other++) {
+    const uint8_t slot = slotOf(frame, other != 0);
     if (slot != KeyStore::NO_SLOT) acknowledger_.pieces(slot, frame.origin, nonce, have);
   }
 }

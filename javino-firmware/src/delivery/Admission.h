@@ -44,7 +44,7 @@ class Admission {
 
  private:
   bool drop(Counter why);
-  uint8_t slotOf(const Frame &frame, bool previous) const;
+  uint8_t slotOf(const Frame &frame, bool other) const;
   bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun);
   bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
   JAVINO_NOINLINE bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,

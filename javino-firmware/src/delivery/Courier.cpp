@@ -55,7 +55,7 @@ void Courier::takeUpNext() {
 bool Courier::seal(bool again) {
   DerivedKeys keys;
   if (!again) slot_ = keys_.current(destination_);
-  if (!keys_.load(slot_, keys) || nonces_.isExhausted() || !nonces_.isStored()) return false;
+  if (!keys_.load(slot_, keys) || nonces_.status() != Status::OK) return false;
   const ByteQueue::Record record = outbox_.first();
   const Envelope envelope(keys);
   if (again) envelope.open(record.bytes, record.length);

@@ -39,6 +39,9 @@ class Courier {
   /// Whether a message is under way or waits.
   bool isBusy() const { return phase_ != IDLE || !outbox_.isEmpty(); }
 
+  /// The place of the key that the message under way is sealed with, or NO_SLOT.
+  uint8_t underWay() const { return phase_ == IDLE ? KeyStore::NO_SLOT : slot_; }
+
   /// Does what air and clock allow now.
   void run();
 

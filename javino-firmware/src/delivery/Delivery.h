@@ -54,6 +54,9 @@ class Delivery {
   /// Whether another board's carrier is heard, or something is to be sent: the host may soon have something to be told.
   bool isActive() const { return channel_.hearsCarrier() || courier_.isBusy(); }
 
+  /// The place of the key that the message under way is sealed with, or NO_SLOT.
+  uint8_t underWay() const { return courier_.underWay(); }
+
   Outbox &outbox() { return courier_.outbox(); }
   Inbox &inbox() { return inbox_; }
 

@@ -9,10 +9,21 @@ const uint8_t NonceSource::MOST_ABOVE;
 
 static const uint8_t COUNTER_AT = 3;
 
+Status NonceSource::status() const {
+  if (epoch_.value() == BootEpoch::NONE_LEFT || counter_ > LAST_COUNTER) return Status::NONCE_EXHAUSTED;
+  return epoch_.isStored() ? Status::OK : Status::STORE_FAILED;
+}
+
 void NonceSource::take(uint8_t *nonce) {
   writeUint24(nonce, epoch_.value());
   writeUint24(nonce + COUNTER_AT, counter_);
   counter_++;
+}
+
+void NonceSource::raiseEpoch(uint32_t epoch) {
+  if (epoch <= epoch_.value()) return;
+  epoch_.raise(epoch);
+  counter_ = 0;
 }
 
 bool NonceSource::raiseAbove(const uint8_t *floor) {

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../board/Status.h"
 #include "../storage/BootEpoch.h"
 #include "../support/NoInline.h"
 
@@ -10,16 +11,20 @@ namespace javino {
 /// Gives each nonce once: boot epoch and a counter of sealed frames (SPEC 5.1).
 class NonceSource {
  public:
-  explicit NonceSource(const BootEpoch &epoch) : epoch_(epoch), counter_(0) {}
+  explicit NonceSource(BootEpoch &epoch) : epoch_(epoch), counter_(0) {}
 
-  /// Whether epoch or counter is used up: nothing can be sealed until the next boot; after the last epoch never
-  /// again on this board.
-  bool isExhausted() const { return epoch_.value() == BootEpoch::NONE_LEFT || counter_ > LAST_COUNTER; }
+  /// The first half of the nonces to come.
+  uint32_t epoch() const { return epoch_.value(); }
 
-  /// Whether the epoch could be stored: where not, a nonce might come again after the next boot, so none is given.
-  bool isStored() const { return epoch_.isStored(); }
+  /// Goes on with another epoch, and the counter 0, where that is higher.
+  /// @param epoch 0…0xFFFFFE
+  JAVINO_NOINLINE void raiseEpoch(uint32_t epoch);
 
-  /// Writes the next nonce. To be called only while it is stored and not exhausted.
+  /// OK; NONCE_EXHAUSTED where epoch or counter is used up: nothing can be sealed until the next boot, after the last epoch
+  /// never again on this board; STORE_FAILED where the epoch was not kept: a nonce might come again after the next boot.
+  JAVINO_NOINLINE Status status() const;
+
+  /// Writes the next nonce. To be called only while status() is OK.
   /// @param nonce room for 6 bytes
   void take(uint8_t *nonce);
 
@@ -33,7 +38,7 @@ class NonceSource {
   static const uint32_t LAST_COUNTER = 0xFFFFFF;
   static const uint8_t MOST_ABOVE = 32;
 
-  const BootEpoch &epoch_;
+  BootEpoch &epoch_;
   uint32_t counter_;
 };
 

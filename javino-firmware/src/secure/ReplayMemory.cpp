@@ -77,6 +77,11 @@ void ReplayMemory::takeOverRam(uint32_t epoch) {
   memory_.epoch = epoch;
 }
 
+void ReplayMemory::goOnIn(uint32_t epoch) {
+  memory_.epoch = epoch;
+  seal();
+}
+
 void ReplayMemory::readFloors(const KeyStore &keys) {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
     uint8_t record[FLOOR_LENGTH];

@@ -42,6 +42,9 @@ class ReplayMemory {
   /// @param epoch the boot epoch
   JAVINO_NOINLINE void begin(uint32_t epoch, const KeyStore &keys);
 
+  /// The boot epoch was raised: the next boot takes over what RAM holds if it is the one after this.
+  void goOnIn(uint32_t epoch);
+
   /// @param key the place of the key in the key store
   /// @param nonce 6 bytes
   JAVINO_NOINLINE Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;

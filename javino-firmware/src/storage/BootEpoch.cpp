@@ -15,12 +15,7 @@ static EepromRecord recordAt(uint8_t slot) {
 
 void BootEpoch::begin() {
   const uint8_t highest = findHighest();
-  if (value_ != NONE_LEFT) value_++;
-  uint8_t copies = 0;
-  for (uint8_t i = 1; i < config::EPOCH_SLOTS && copies < COPIES && value_ != NONE_LEFT; i++) {
-    if (store(static_cast<uint8_t>((highest + i) % config::EPOCH_SLOTS))) copies++;
-  }
-  stored_ = copies == COPIES;
+  store(highest, value_ == NONE_LEFT ? NONE_LEFT : value_ + 1);
 }
 
 // Sets the value to the highest epoch stored so far, 0 where there is none, and returns its place.
@@ -36,10 +31,16 @@ uint8_t BootEpoch::findHighest() {
   return slotOfHighest;
 }
 
-bool BootEpoch::store(uint8_t slot) {
-  uint8_t epoch[EPOCH_LENGTH];
-  writeUint24(epoch, value_);
-  return recordAt(slot).write(epoch);
+// Goes on with an epoch, and writes it behind the place of the highest so far.
+void BootEpoch::store(uint8_t highest, uint32_t epoch) {
+  uint8_t record[EPOCH_LENGTH];
+  writeUint24(record, epoch);
+  value_ = epoch;
+  uint8_t copies = 0;
+  for (uint8_t i = 1; i < config::EPOCH_SLOTS && copies < COPIES && epoch != NONE_LEFT; i++) {
+    if (recordAt(static_cast<uint8_t>((highest + i) % config::EPOCH_SLOTS)).write(record)) copies++;
+  }
+  stored_ = copies == COPIES;
 }
 
 }  // namespace javino

@@ -6,8 +6,8 @@
 
 namespace javino {
 
-/// The count of this board's boots, the first half of each nonce (SPEC 5.1): raised by one and stored before anything
-/// is sent, so that no epoch is ever used in two boots.
+/// The first half of each nonce (SPEC 5.1): raised by one in each boot and stored before anything is sent, so that no
+/// epoch is ever used in two boots. A host can raise it further.
 ///
 /// A ring of records (Config.h: 16) takes the epochs in turn, each of them twice: in the two places behind the highest
 /// epoch so far. A write that is torn by a loss of power leaves the earlier epochs whole, and an epoch counts as
@@ -26,6 +26,10 @@ class BootEpoch {
   /// Raises the epoch and stores it: some 60 ms. To be called once, after a boot.
   JAVINO_NOINLINE void begin();
 
+  /// Goes on with a higher epoch, and stores it: some 30 ms.
+  /// @param epoch above value(), and below NONE_LEFT
+  void raise(uint32_t epoch) { store(findHighest(), epoch); }
+
   /// 1…0xFFFFFE, or NONE_LEFT.
   uint32_t value() const { return value_; }
 
@@ -33,8 +37,8 @@ class BootEpoch {
   bool isStored() const { return stored_; }
 
  private:
-  uint8_t findHighest();
-  bool store(uint8_t slot);
+  JAVINO_NOINLINE uint8_t findHighest();
+  JAVINO_NOINLINE void store(uint8_t highest, uint32_t epoch);
 
   uint32_t value_;
   bool stored_;

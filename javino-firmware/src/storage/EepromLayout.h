@@ -24,9 +24,12 @@ static const uint8_t RF_ID_PLACES = 2;
 static const uint8_t EPOCH_LENGTH = 3;
 static const uint8_t EPOCH_RECORD_LENGTH = EPOCH_LENGTH + EepromRecord::CHECK_LENGTH;
 
-/// Kenc, Kmac, check value, address, generation, and whether it replaces older ones.
+/// Kenc, Kmac, check value, address, generation, and whether it replaces all older ones.
 static const uint8_t KEY_LENGTH = 2 * Aes128::KEY_LENGTH + DerivedKeys::CHECK_LENGTH + Address::STORED_LENGTH + 1 + 1;
 static const uint8_t KEY_RECORD_LENGTH = KEY_LENGTH + EepromRecord::CHECK_LENGTH;
+
+/// The record, and whether it was taken into use.
+static const uint8_t KEY_PLACE_LENGTH = KEY_RECORD_LENGTH + 1;
 static const uint8_t KEY_PLACES = config::KEYS + 1;
 
 /// Place of the key, origin and nonce. Each place of the ring has two copies, one behind the other.
@@ -38,7 +41,7 @@ static const uint8_t FLOOR_PLACE_LENGTH = FLOOR_COPIES * FLOOR_RECORD_LENGTH;
 static const uint16_t RF_ID_AT = config::EEPROM_START;
 static const uint16_t EPOCHS_AT = RF_ID_AT + RF_ID_PLACES * RF_ID_RECORD_LENGTH;
 static const uint16_t KEYS_AT = EPOCHS_AT + config::EPOCH_SLOTS * EPOCH_RECORD_LENGTH;
-static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_RECORD_LENGTH;
+static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_PLACE_LENGTH;
 
 /// The first byte that is free for the sketch.
 static const uint16_t EEPROM_END = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;

@@ -21,16 +21,37 @@ const uint8_t CHECK_AT = SECRETS_LENGTH;
 const uint8_t ADDRESS_AT = CHECK_AT + DerivedKeys::CHECK_LENGTH;
 const uint8_t GENERATION_AT = ADDRESS_AT + Address::STORED_LENGTH;
 const uint8_t ALONE_AT = GENERATION_AT + 1;
+const uint8_t UNUSED = 0xFF;
+const uint8_t USED = 0;
+const uint8_t READINGS = 8;  // that show whether a cell is weak
 
-uint16_t placeAt(uint8_t slot) { return static_cast<uint16_t>(KEYS_AT + slot * KEY_RECORD_LENGTH); }
+uint16_t placeAt(uint8_t slot) { return static_cast<uint16_t>(KEYS_AT + slot * KEY_PLACE_LENGTH); }
 
 EepromRecord recordAt(uint8_t slot) { return EepromRecord(placeAt(slot), KEY_LENGTH); }
 
 // How often the key of its address had been replaced when this one came (mod 256).
 uint8_t generationAt(uint8_t slot) { return eeprom::read(static_cast<uint16_t>(placeAt(slot) + GENERATION_AT)); }
 
-// Whether the key replaces all older ones, and not all but one.
+// Whether the key replaces all older ones.
 bool isAlone(uint8_t slot) { return eeprom::read(static_cast<uint16_t>(placeAt(slot) + ALONE_AT)) != 0; }
+
+uint16_t useAt(uint8_t slot) { return static_cast<uint16_t>(placeAt(slot) + KEY_RECORD_LENGTH); }
+
+// Whether the key was set, or taken into use.
+bool isUsed(uint8_t slot) { return isAlone(slot) || eeprom::read(useAt(slot)) != UNUSED; }
+
+// Power may have failed while the byte was written, so that it reads now so, now otherwise. Then it becomes what it mostly
+// reads as: either will do, as all who share the key accept it.
+void settleUse(uint8_t slot) {
+  uint8_t unused = 0;
+  uint8_t used = 0;
+  for (uint8_t i = 0; i < READINGS; i++) {
+    const uint8_t reading = eeprom::read(useAt(slot));
+    if (reading == UNUSED) unused++;
+    if (reading == USED) used++;
+  }
+  if (unused != READINGS && used != READINGS) eeprom::write(useAt(slot), unused > READINGS / 2 ? UNUSED : USED);
+}
 
 // An address has at most three keys at once, so that generations that wrap around are told apart.
 bool isNewer(uint8_t slot, uint8_t other) { return static_cast<int8_t>(generationAt(slot) - generationAt(other)) > 0; }
@@ -64,6 +85,7 @@ void KeyStore::begin() {
     StoredKey stored;
     const bool whole = recordAt(slot).begin(stored.bytes, SECRETS_LENGTH);
     addresses_[slot] = whole ? stored.address() : Address::serialLine();
+    if (whole) settleUse(slot);
   }
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     if (isReplaced(slot) && isReplaced(slot)) erase(slot);  // twice, as a cell may read wrong once
@@ -72,21 +94,25 @@ void KeyStore::begin() {
 
 // Whether a newer key of the same address replaces this one: an interrupted change has left it.
 bool KeyStore::isReplaced(uint8_t slot) const {
-  uint8_t newer = 0;
   for (uint8_t other = 0; other < SLOTS; other++) {
-    if (isFree(slot) || addresses_[other] != addresses_[slot] || !isNewer(other, slot)) continue;
-    newer = static_cast<uint8_t>(newer + (isAlone(other) ? 2 : 1));
+    if (!isFree(slot) && addresses_[other] == addresses_[slot] && isNewer(other, slot) && isAlone(other)) return true;
   }
-  return newer >= 2;
+  return false;
 }
 
-uint8_t KeyStore::newest(const Address &address, uint8_t except) const {
-  uint8_t newest = NO_SLOT;
+// The newest that is in use; where none is, the only one.
+uint8_t KeyStore::best(const Address &address, uint8_t except) const {
+  uint8_t best = NO_SLOT;
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     if (slot == except || addresses_[slot] != address || isFree(slot)) continue;
-    if (newest == NO_SLOT || isNewer(slot, newest)) newest = slot;
+    if (best == NO_SLOT || (isNewer(slot, best) ? isUsed(slot) : !isUsed(best))) best = slot;
   }
-  return newest;
+  return best;
+}
+
+uint8_t KeyStore::next(const Address &address) const {
+  const uint8_t other = this->other(address);
+  return other != NO_SLOT && isNewer(other, current(address)) ? other : NO_SLOT;
 }
 
 bool KeyStore::load(uint8_t slot, DerivedKeys &into) const {
@@ -102,32 +128,32 @@ void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
   }
 }
 
-KeyStore::Result KeyStore::set(const Address &address, const uint8_t *key) {
+Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) {
   DerivedKeys keys;
   keys.derive(key);
   const uint8_t current = this->current(address);
-  const uint8_t previous = this->previous(address);
-  if (holds(current, keys)) {
-    if (previous == NO_SLOT) return UNCHANGED;
-    return erase(previous) ? STORED : FAILED;
+  const uint8_t other = this->other(address);
+  const bool isOther = holds(other, keys);
+  if (renews) {
+    if (current == NO_SLOT) return Status::NO_KEY;
+    const uint8_t next = this->next(address);
+    if (isOther ? other == next : holds(current, keys) && next == NO_SLOT) return Status::OK;
+    return other == NO_SLOT ? add(address, keys, false) : Status::BAD_ARGUMENT;
   }
-  // The previous key is current again as soon as its successor is gone.
-  if (holds(previous, keys)) return erase(current) ? STORED : FAILED;
-  const Result result = add(address, keys, true);
-  if (result != STORED) return result;
-  const bool erased = eraseIfAny(previous);
-  return eraseIfAny(current) && erased ? STORED : FAILED;
+  // The other key is the current one as soon as it is alone.
+  if (isOther) return eraseIfAny(current);
+  if (holds(current, keys)) return eraseIfAny(other);
+  const Status status = add(address, keys, true);
+  if (status != Status::OK) return status;
+  const Status erased = eraseIfAny(other);
+  return eraseIfAny(current) == Status::OK ? erased : Status::STORE_FAILED;
 }
 
-KeyStore::Result KeyStore::renew(const Address &address, const uint8_t *key) {
-  DerivedKeys keys;
-  keys.derive(key);
-  const uint8_t previous = this->previous(address);
-  if (holds(current(address), keys)) return UNCHANGED;
-  if (holds(previous, keys)) return IS_PREVIOUS;
-  const Result result = add(address, keys, false);
-  if (result != STORED) return result;
-  return eraseIfAny(previous) ? STORED : FAILED;
+Status KeyStore::use(const Address &address) {
+  const uint8_t slot = next(address);
+  if (slot == NO_SLOT) return Status::NO_KEY;
+  eeprom::write(useAt(slot), USED);
+  return isUsed(slot) ? Status::OK : Status::STORE_FAILED;
 }
 
 bool KeyStore::erase(uint8_t slot) {
@@ -142,14 +168,16 @@ bool KeyStore::holds(uint8_t slot, const DerivedKeys &keys) const {
 }
 
 // Adds the newest key of an address, if there will not be too many when those are gone that it replaces.
-KeyStore::Result KeyStore::add(const Address &address, const DerivedKeys &keys, bool alone) {
+Status KeyStore::add(const Address &address, const DerivedKeys &keys, bool alone) {
   const uint8_t current = this->current(address);
   uint8_t count = this->count();
   if (alone && current != NO_SLOT) count--;
-  if (previous(address) != NO_SLOT) count--;
-  if (count >= config::KEYS) return FULL;
-  const uint8_t generation = current == NO_SLOT ? 0 : static_cast<uint8_t>(generationAt(current) + 1);
-  return write(address, keys, generation, alone) ? STORED : FAILED;
+  if (alone && other(address) != NO_SLOT) count--;
+  if (count >= config::KEYS) return Status::STORE_FULL;
+  const uint8_t next = this->next(address);
+  const uint8_t newest = next == NO_SLOT ? current : next;
+  const uint8_t generation = newest == NO_SLOT ? 0 : static_cast<uint8_t>(generationAt(newest) + 1);
+  return write(address, keys, generation, alone) ? Status::OK : Status::STORE_FAILED;
 }
 
 // Writes a key to the first free place that keeps it.
@@ -160,7 +188,8 @@ bool KeyStore::write(const Address &address, const DerivedKeys &keys, uint8_t ge
   stored.bytes[ALONE_AT] = alone;
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     if (!isFree(slot)) continue;
-    if (recordAt(slot).write(stored.bytes)) {
+    if (eeprom::read(useAt(slot)) != UNUSED) eeprom::write(useAt(slot), UNUSED);
+    if (eeprom::read(useAt(slot)) == UNUSED && recordAt(slot).write(stored.bytes)) {
       addresses_[slot] = address;
       return true;
     }

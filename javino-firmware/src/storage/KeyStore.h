@@ -4,30 +4,25 @@
 
 #include "../Config.h"
 #include "../addressing/Address.h"
+#include "../board/Status.h"
 #include "../crypto/DerivedKeys.h"
 #include "../support/NoInline.h"
 
 namespace javino {
 
 /// The keys that the board shares with devices and groups, in EEPROM (SPEC 4.3, 5.2): for each address the current one,
-/// which seals, and while it is being renewed the previous one, which still opens.
+/// which seals, and while it is being renewed another one, which opens only: the next key, or the previous one.
 ///
 /// What is stored is not the key but what is derived from it. RAM holds the addresses only.
 ///
 /// A new key is always written to a free place first, for which there is one place more than keys; then what it replaces
 /// is erased. Each record has a generation, one higher than the one before it, and says whether it replaces all older
-/// ones of its address (set) or all but the last (renew). So a loss of power at any moment leaves the old keys or the new
-/// ones: begin() erases what a newer record replaces.
+/// ones of its address (set): begin() erases what a newer record replaces.
+///
+/// Behind each record is one byte, which is 0xFF until a renewed key is taken into use. Of two keys the newer one that is
+/// in use seals. So a loss of power at any moment, also while that byte is written, leaves the old keys or the new ones.
 class KeyStore {
  public:
-  enum Result : uint8_t {
-    STORED,       ///< something has changed
-    UNCHANGED,    ///< this key was there already; nothing was written
-    IS_PREVIOUS,  ///< a renewal to the previous key, which must not come back so; nothing was written
-    FULL,         ///< no place is free; nothing was written
-    FAILED        ///< the EEPROM did not keep what was written: the old key stays; or it did not erase the old key
-  };
-
   /// Places, one of which is always free.
   static const uint8_t SLOTS = config::KEYS + 1;
   static const uint8_t NO_SLOT = 0xFF;
@@ -37,10 +32,13 @@ class KeyStore {
   JAVINO_NOINLINE void begin();
 
   /// @return the place 0…SLOTS - 1 of the key that seals for a device or multicast address, or NO_SLOT.
-  uint8_t current(const Address &address) const { return newest(address, NO_SLOT); }
+  uint8_t current(const Address &address) const { return best(address, NO_SLOT); }
 
-  /// @return the place of the key that is being replaced and still opens, or NO_SLOT.
-  uint8_t previous(const Address &address) const { return newest(address, current(address)); }
+  /// @return the place of the key that opens beside the current one while that is being renewed, or NO_SLOT.
+  uint8_t other(const Address &address) const { return best(address, current(address)); }
+
+  /// @return the other key's place where that is to be the current one, and NO_SLOT where it was.
+  JAVINO_NOINLINE uint8_t next(const Address &address) const;
 
   /// The address of a place, or `++++` where it is free.
   const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
@@ -57,23 +55,32 @@ class KeyStore {
 
   /// Makes a key of 16 bytes the only one of an address: some 150 ms of EEPROM, and 120 ms for each one that it replaces.
   /// @param address a device or a multicast address
-  JAVINO_NOINLINE Result set(const Address &address, const uint8_t *key);
+  /// @return OK; STORE_FULL, and nothing was written; STORE_FAILED, and the old key stays, or was not erased
+  Status set(const Address &address, const uint8_t *key) { return store(address, key, false); }
 
-  /// Makes a key the current one, and what was the current one the previous: some 150 ms, and 120 ms where there was a
-  /// previous one.
-  JAVINO_NOINLINE Result renew(const Address &address, const uint8_t *key);
+  /// Makes a key the next one of an address: some 150 ms.
+  /// @return OK; NO_KEY where there is none to be renewed, BAD_ARGUMENT where another renewal is not finished, STORE_FULL,
+  ///         and nothing was written; STORE_FAILED
+  Status renew(const Address &address, const uint8_t *key) { return store(address, key, true); }
+
+  /// One of the two above.
+  JAVINO_NOINLINE Status store(const Address &address, const uint8_t *key, bool renews);
+
+  /// Makes the next key the current one, and what was the current one the previous: 3.4 ms.
+  /// @return OK, NO_KEY where there is no next one, or STORE_FAILED
+  JAVINO_NOINLINE Status use(const Address &address);
 
   /// Forgets the key at a place and overwrites it: some 120 ms.
   /// @return false where the EEPROM still holds it.
   JAVINO_NOINLINE bool erase(uint8_t slot);
 
  private:
-  JAVINO_NOINLINE uint8_t newest(const Address &address, uint8_t except) const;
+  JAVINO_NOINLINE uint8_t best(const Address &address, uint8_t except) const;
   bool isReplaced(uint8_t slot) const;
   JAVINO_NOINLINE bool holds(uint8_t slot, const DerivedKeys &keys) const;
-  Result add(const Address &address, const DerivedKeys &keys, bool alone);
+  Status add(const Address &address, const DerivedKeys &keys, bool alone);
   bool write(const Address &address, const DerivedKeys &keys, uint8_t generation, bool alone);
-  bool eraseIfAny(uint8_t slot) { return slot == NO_SLOT || erase(slot); }
+  JAVINO_NOINLINE Status eraseIfAny(uint8_t slot) { return slot == NO_SLOT || erase(slot) ? Status::OK : Status::STORE_FAILED; }
   uint8_t count() const;
 
   Address addresses_[SLOTS];

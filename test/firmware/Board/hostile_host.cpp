@@ -24,7 +24,7 @@ TEST(Board, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks) {
   RandomBytes random(15);
   for (int i = 0; i < 5000; i++) {
     Bytes message = random.bytes(random.number(40));
-    if (!message.empty()) message[0] = static_cast<uint8_t>("HPAIRLSZX"[random.number(9)]);
+    if (!message.empty()) message[0] = static_cast<uint8_t>("HPAIRELSZX"[random.number(10)]);
     board.request(message);
   }
   Bytes everything = board.port.everWritten();

@@ -21,12 +21,12 @@ TEST(BootEpoch, the_last_one_is_used_and_none_after_it) {
   BootEpoch last;
   last.begin();
   EXPECT_EQ(0xFFFFFEu, last.value());
-  EXPECT_FALSE(javino::NonceSource(last).isExhausted());
+  EXPECT_EQ(javino::Status::OK, javino::NonceSource(last).status());
   for (int i = 0; i < 3; i++) {
     BootEpoch after;
     after.begin();
     EXPECT_EQ(BootEpoch::NONE_LEFT, after.value());
-    EXPECT_TRUE(javino::NonceSource(after).isExhausted());
+    EXPECT_EQ(javino::Status::NONCE_EXHAUSTED, javino::NonceSource(after).status());
   }
 }
 
@@ -51,5 +51,5 @@ TEST(NonceSource, is_exhausted_after_the_last_counter) {
   Bytes nonce(6);
   for (uint32_t i = 0; i <= 0xFFFFFF; i++) nonces.take(nonce.data());
   EXPECT_EQ("000001ffffff", toHex(nonce));
-  EXPECT_TRUE(nonces.isExhausted());
+  EXPECT_EQ(javino::Status::NONCE_EXHAUSTED, nonces.status());
 }

@@ -93,3 +93,26 @@ TEST(BootEpoch, wear_is_spread_over_the_ring) {
   for (int i = 0; i < 1600; i++) boot(eeprom);
   for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) EXPECT_LE(eeprom.writesOf(at), 400) << at;
 }
+
+TEST(BootEpoch, raised_at_any_moment_with_and_without_power_never_repeats) {
+  RandomBytes random(11);
+  for (int run = 0; run < 200; run++) {
+    SimulatedEeprom eeprom;
+    uint32_t last = 0;
+    for (int i = 0; i < 50; i++) {
+      BootEpoch epoch;
+      if (random.number(2) == 0) eeprom.cutPowerAfter(static_cast<int>(random.number(2 * STORE_WRITES)), random.byte());
+      try {
+        epoch.begin();
+        ASSERT_GT(epoch.value(), last);
+        last = epoch.value();
+        const uint32_t higher = last + 1 + random.number(1000);
+        epoch.raise(higher);
+        ASSERT_EQ(higher, epoch.value());
+        last = higher;
+      } catch (const PowerCut &) {
+      }
+      eeprom.restorePower();
+    }
+  }
+}

@@ -87,12 +87,21 @@ TEST_F(Acknowledging, a_message_whose_key_was_replaced_is_given_to_the_host_and_
 
 TEST_F(Acknowledging, frames_under_the_previous_key_are_accepted_and_acknowledged_with_it) {
   board.request('N', bytesOf("SUPP") + OTHER_KEY);
+  board.request('U', bytesOf("SUPP"));
   board.receive(frame);
   board.pollTaking(0);
   EXPECT_EQ(std::vector<Bytes>{delivered()}, answers());
   board.request('F', bytesOf("SUPP"));
   board.receive(sealed(KEY, "SUHO", "SUPP", {0, 0, 5, 0, 1, 3}, "tell;x"));
   EXPECT_EQ(1u, board.counter(Counter::RADIO_BAD_TAG));
+}
+
+TEST_F(Acknowledging, frames_under_the_next_key_are_accepted_and_acknowledged_with_it) {
+  board.request('N', bytesOf("SUPP") + OTHER_KEY);
+  board.receive(sealed(OTHER_KEY, "SUHO", "SUPP", NONCE, "tell;x"));
+  board.request('U', bytesOf("SUPP"));
+  board.pollTaking(0);
+  EXPECT_EQ((std::vector<Bytes>{acknowledgement(OTHER_KEY, "SUPP", "SUHO", NONCE, 6)}), answers());
 }
 
 TEST_F(Acknowledging, a_blocked_board_neither_receives_nor_acknowledges_but_settles_what_waits) {

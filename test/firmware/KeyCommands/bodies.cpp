@@ -23,13 +23,20 @@ std::string checkOf(const Bytes &key) {
 // The rig's four keys are deleted first.
 class KeyCommandsTest : public testing::Test {
  protected:
-  KeyCommandsTest() : commands(rig.keys, *rig.memory) {
+  KeyCommandsTest() : nonces(epoch), commands(rig.keys, *rig.memory, nonces) {
+    epoch.begin();
     for (uint8_t slot = 0; slot < ReplayRig::KEYS; slot++) rig.keys.erase(slot);
     rig.memory->forgetLostKeys(rig.keys);
   }
 
-  Status set(const Bytes &body) { return commands.set(body.data(), static_cast<uint16_t>(body.size()), begin()); }
-  Status renew(const Bytes &body) { return commands.renew(body.data(), static_cast<uint16_t>(body.size()), begin()); }
+  Status set(const Bytes &body) { return commands.store(false, body.data(), static_cast<uint16_t>(body.size()), begin()); }
+  Status renew(const Bytes &body) { return commands.store(true, body.data(), static_cast<uint16_t>(body.size()), begin()); }
+  Status use(const Bytes &body, uint8_t underWay = javino::KeyStore::NO_SLOT) {
+    return commands.use(body.data(), static_cast<uint16_t>(body.size()), underWay);
+  }
+  Status raise(const Bytes &body) {
+    return commands.raiseEpoch(body.data(), static_cast<uint16_t>(body.size()));
+  }
   Status finish(const Bytes &body) { return commands.finish(body.data(), static_cast<uint16_t>(body.size())); }
   Status erase(const Bytes &body) { return commands.erase(body.data(), static_cast<uint16_t>(body.size())); }
 
@@ -46,6 +53,8 @@ class KeyCommandsTest : public testing::Test {
   }
 
   ReplayRig rig;
+  javino::BootEpoch epoch;
+  javino::NonceSource nonces;
   KeyCommands commands;
   Reply reply;
 };
@@ -66,18 +75,72 @@ TEST_F(KeyCommandsTest, list_the_roles) {
   set(TO_SUPO + KEY);
   EXPECT_EQ("SUPO" + std::string(1, 0) + checkOf(KEY), list());
   renew(TO_SUPO + OTHER_KEY);
+  EXPECT_EQ("SUPO" + std::string(1, 0) + checkOf(KEY) + "SUPO" + std::string(1, 2) + checkOf(OTHER_KEY), list());
+  EXPECT_EQ(Status::OK, use(TO_SUPO));
   EXPECT_EQ("SUPO" + std::string(1, 1) + checkOf(KEY) + "SUPO" + std::string(1, 0) + checkOf(OTHER_KEY), list());
   EXPECT_EQ(Status::OK, finish(TO_SUPO));
   EXPECT_EQ("SUPO" + std::string(1, 0) + checkOf(OTHER_KEY), list());
 }
 
-TEST_F(KeyCommandsTest, finish_only_what_was_begun) {
+TEST_F(KeyCommandsTest, take_each_step_of_a_renewal_only_after_the_one_before) {
+  EXPECT_EQ(Status::NO_KEY, renew(TO_SUPO + KEY));
+  EXPECT_EQ(Status::NO_KEY, use(TO_SUPO));
   EXPECT_EQ(Status::NO_KEY, finish(TO_SUPO));
   set(TO_SUPO + KEY);
+  EXPECT_EQ(Status::NO_KEY, use(TO_SUPO));
   EXPECT_EQ(Status::NO_KEY, finish(TO_SUPO));
-  renew(TO_SUPO + OTHER_KEY);
+  EXPECT_EQ(Status::OK, renew(TO_SUPO + OTHER_KEY));
+  EXPECT_EQ(checkOf(OTHER_KEY), body());
+  EXPECT_EQ(Status::NO_KEY, finish(TO_SUPO)) << "it would delete the next key";
+  EXPECT_EQ(Status::OK, use(TO_SUPO));
+  EXPECT_EQ(Status::OK, renew(TO_SUPO + OTHER_KEY)) << "it has that one";
+  EXPECT_EQ(checkOf(OTHER_KEY), body());
+  EXPECT_EQ(Status::NO_KEY, use(TO_SUPO));
   EXPECT_EQ(Status::OK, finish(TO_SUPO));
   EXPECT_EQ(Status::NO_KEY, finish(TO_SUPO));
+}
+
+TEST_F(KeyCommandsTest, do_not_replace_a_key_under_which_something_is_under_way) {
+  set(TO_SUPO + KEY);
+  const uint8_t old = rig.keys.current(SUPO);
+  renew(TO_SUPO + OTHER_KEY);
+  EXPECT_EQ(Status::BUSY, use(TO_SUPO, old));
+  EXPECT_EQ(old, rig.keys.current(SUPO));
+  EXPECT_EQ(Status::OK, use(TO_SUPO, static_cast<uint8_t>(old + 5))) << "what goes to others does not matter";
+  EXPECT_EQ(Status::NO_KEY, use(TO_SUPO, rig.keys.current(SUPO)));
+}
+
+TEST_F(KeyCommandsTest, raise_the_epoch_and_never_lower_it) {
+  EXPECT_EQ(Status::OK, raise({0, 1, 2}));
+  for (const Bytes &notHigher : {Bytes{0, 0, 9}, Bytes{0, 0, 0}, Bytes{0, 1, 2}}) {
+    EXPECT_EQ(Status::OK, raise(notHigher));
+    EXPECT_EQ(0x102u, nonces.epoch());
+  }
+  EXPECT_EQ(Status::BAD_ARGUMENT, raise({0xFF, 0xFF, 0xFF})) << "it is never used";
+  for (size_t length : {0, 1, 2, 4, 5}) EXPECT_EQ(Status::BAD_ARGUMENT, raise(Bytes(length))) << length;
+  EXPECT_EQ(0x102u, nonces.epoch());
+  EXPECT_EQ(Status::OK, raise({0xFF, 0xFF, 0xFE}));
+  epoch.begin();
+  EXPECT_EQ(Status::NONCE_EXHAUSTED, raise({0xFF, 0xFF, 0xFE}));
+}
+
+TEST_F(KeyCommandsTest, tell_where_an_epoch_was_not_stored) {
+  for (uint16_t at = 0; at < 4096; at++) rig.eeprom.wearOut(at);
+  EXPECT_EQ(Status::STORE_FAILED, raise({0, 1, 2}));
+  EXPECT_EQ(Status::STORE_FAILED, nonces.status()) << "nothing is sealed with it";
+}
+
+TEST_F(KeyCommandsTest, keep_what_RAM_knows_when_the_epoch_is_raised) {
+  rig.memory->goOnIn(epoch.value());
+  rig.take(0, SUPO, nonce(5, 7));
+  set(TO_SUPO + KEY);
+  const uint8_t slot = rig.keys.current(SUPO);
+  rig.take(slot, SUPO, nonce(5, 7));
+  EXPECT_EQ(Status::OK, raise({7, 0, 0}));
+  rig.epoch = 0x070000;
+  rig.reset();
+  EXPECT_EQ(ReplayMemory::NEWER, rig.judge(slot, SUPO, nonce(5, 8))) << "exactly, and not by the floor";
+  EXPECT_EQ(ReplayMemory::REPEATED, rig.judge(slot, SUPO, nonce(5, 7)));
 }
 
 TEST_F(KeyCommandsTest, delete_both_keys) {
@@ -88,10 +151,12 @@ TEST_F(KeyCommandsTest, delete_both_keys) {
   EXPECT_EQ("", list());
 }
 
-TEST_F(KeyCommandsTest, refuse_to_renew_to_the_previous_key) {
+TEST_F(KeyCommandsTest, refuse_a_renewal_before_the_last_one_is_finished) {
   set(TO_SUPO + KEY);
   renew(TO_SUPO + OTHER_KEY);
-  EXPECT_EQ(Status::BAD_ARGUMENT, renew(TO_SUPO + KEY));
+  EXPECT_EQ(Status::BAD_ARGUMENT, renew(TO_SUPO + THIRD_KEY));
+  use(TO_SUPO);
+  EXPECT_EQ(Status::BAD_ARGUMENT, renew(TO_SUPO + KEY)) << "the previous key must not come back so";
 }
 
 TEST_F(KeyCommandsTest, forget_the_floors_of_the_keys_that_go) {
@@ -99,7 +164,8 @@ TEST_F(KeyCommandsTest, forget_the_floors_of_the_keys_that_go) {
   const uint8_t first = rig.keys.current(SUPO);
   rig.take(first, SUPO, nonce(5, 7));
   renew(TO_SUPO + OTHER_KEY);
-  EXPECT_EQ(ReplayMemory::REPEATED, rig.judge(first, SUPO, nonce(5, 7))) << "the previous key is still in use";
+  use(TO_SUPO);
+  EXPECT_EQ(ReplayMemory::REPEATED, rig.judge(first, SUPO, nonce(5, 7))) << "the previous key still opens";
   finish(TO_SUPO);
   EXPECT_EQ(ReplayMemory::NEWER, rig.judge(first, SUPO, nonce(5, 7)));
   const uint8_t second = rig.keys.current(SUPO);
@@ -114,6 +180,7 @@ TEST_F(KeyCommandsTest, keep_the_floors_of_a_key_that_is_set_again_or_taken_back
   rig.take(place, SUPO, nonce(5, 7));
   set(TO_SUPO + KEY);
   renew(TO_SUPO + OTHER_KEY);
+  use(TO_SUPO);
   set(TO_SUPO + KEY);
   EXPECT_EQ(place, rig.keys.current(SUPO));
   EXPECT_EQ(ReplayMemory::REPEATED, rig.judge(place, SUPO, nonce(5, 7)));
@@ -123,15 +190,15 @@ TEST_F(KeyCommandsTest, after_a_power_cut_anywhere_leave_no_key_without_its_floo
   for (int cut = 0, cuts = 1; cuts > 0; cut++) {
     cuts = 0;
     ReplayRig torn;
-    KeyCommands keys(torn.keys, *torn.memory);
+    KeyCommands keys(torn.keys, *torn.memory, nonces);
     begin();
     const Bytes first = TO_SUPO + KEY;
     const Bytes second = TO_SUPO + OTHER_KEY;
-    keys.set(first.data(), 20, reply);
+    keys.store(false, first.data(), 20, reply);
     torn.take(torn.keys.current(SUPO), SUPO, nonce(5, 7));
     torn.eeprom.cutPowerAfter(cut, 0x5A);
     try {
-      keys.set(second.data(), 20, reply);
+      keys.store(false, second.data(), 20, reply);
     } catch (const PowerCut &) {
       cuts++;
     }
@@ -154,6 +221,7 @@ TEST_F(KeyCommandsTest, refuse_bodies_of_any_other_shape) {
       EXPECT_EQ(Status::BAD_ARGUMENT, renew(whole)) << length;
     }
     if (length != 4) {
+      EXPECT_EQ(Status::BAD_ARGUMENT, use(whole)) << length;
       EXPECT_EQ(Status::BAD_ARGUMENT, finish(whole)) << length;
       EXPECT_EQ(Status::BAD_ARGUMENT, erase(whole)) << length;
     }
@@ -164,6 +232,7 @@ TEST_F(KeyCommandsTest, refuse_addresses_that_have_no_key) {
   for (const char *address : {"++++", "////", "+FAA", "+KAA", "/AAA", "SU O", "SUP\x01"}) {
     EXPECT_EQ(Status::BAD_ARGUMENT, set(bytesOf(address) + KEY)) << address;
     EXPECT_EQ(Status::BAD_ARGUMENT, renew(bytesOf(address) + KEY)) << address;
+    EXPECT_EQ(Status::BAD_ARGUMENT, use(bytesOf(address))) << address;
     EXPECT_EQ(Status::BAD_ARGUMENT, finish(bytesOf(address))) << address;
     EXPECT_EQ(Status::BAD_ARGUMENT, erase(bytesOf(address))) << address;
   }

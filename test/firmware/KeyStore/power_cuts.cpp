@@ -11,24 +11,35 @@ using javino::KeyStore;
 
 namespace {
 
+const Bytes FOURTH_KEY = fromHex("8899aabbccddeeff0011223344556677");
+
+// The keys of SUPO, an empty one for none.
 struct Keys {
   Bytes current;
+  Bytes next;
   Bytes previous;
 };
 
+bool is(const KeyStore &store, uint8_t slot, const Bytes &key) {
+  return key.empty() ? slot == KeyStore::NO_SLOT : holds(store, slot, key);
+}
+
 bool is(const KeyStore &store, const Keys &keys) {
-  const bool current = keys.current.empty() ? store.current(SUPO) == KeyStore::NO_SLOT
-                                            : holds(store, store.current(SUPO), keys.current);
-  const bool previous = keys.previous.empty() ? store.previous(SUPO) == KeyStore::NO_SLOT
-                                              : holds(store, store.previous(SUPO), keys.previous);
-  return current && previous;
+  return is(store, store.current(SUPO), keys.current) && is(store, store.next(SUPO), keys.next) &&
+         is(store, store.other(SUPO), keys.next.empty() ? keys.previous : keys.next);
 }
 
 void begin(KeyStore &store, const Keys &keys) {
   store.begin();
   store.set(SUPP, THIRD_KEY.data());
-  if (!keys.previous.empty()) store.set(SUPO, keys.previous.data());
-  if (!keys.current.empty()) store.renew(SUPO, keys.current.data());
+  if (!keys.previous.empty()) {
+    store.set(SUPO, keys.previous.data());
+    store.renew(SUPO, keys.current.data());
+    store.use(SUPO);
+  } else if (!keys.current.empty()) {
+    store.set(SUPO, keys.current.data());
+  }
+  if (!keys.next.empty()) store.renew(SUPO, keys.next.data());
 }
 
 // Cuts the power at each write of a change, with several kinds of garbage, and once more in the boot that mends it.
@@ -67,32 +78,37 @@ void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)
 }  // namespace
 
 TEST(KeyStorePowerCuts, while_setting_the_first_key_leave_none_or_it) {
-  expectAllOrNothing({{}, {}}, [](KeyStore &store) { store.set(SUPO, KEY.data()); }, {KEY, {}});
+  expectAllOrNothing({{}, {}, {}}, [](KeyStore &store) { store.set(SUPO, KEY.data()); }, {KEY, {}, {}});
 }
 
 TEST(KeyStorePowerCuts, while_replacing_a_key_leave_the_old_or_the_new) {
-  expectAllOrNothing({KEY, {}}, [](KeyStore &store) { store.set(SUPO, OTHER_KEY.data()); }, {OTHER_KEY, {}});
+  expectAllOrNothing({KEY, {}, {}}, [](KeyStore &store) { store.set(SUPO, OTHER_KEY.data()); }, {OTHER_KEY, {}, {}});
 }
 
 TEST(KeyStorePowerCuts, while_replacing_two_keys_leave_both_or_the_new) {
-  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) { store.set(SUPO, THIRD_KEY.data()); }, {THIRD_KEY, {}});
+  const auto change = [](KeyStore &store) { store.set(SUPO, FOURTH_KEY.data()); };
+  expectAllOrNothing({OTHER_KEY, {}, KEY}, change, {FOURTH_KEY, {}, {}});
+  expectAllOrNothing({OTHER_KEY, KEY, {}}, change, {FOURTH_KEY, {}, {}});
 }
 
 TEST(KeyStorePowerCuts, while_renewing_leave_the_old_or_both) {
-  expectAllOrNothing({KEY, {}}, [](KeyStore &store) { store.renew(SUPO, OTHER_KEY.data()); }, {OTHER_KEY, KEY});
+  expectAllOrNothing({KEY, {}, {}}, [](KeyStore &store) { store.renew(SUPO, OTHER_KEY.data()); }, {KEY, OTHER_KEY, {}});
 }
 
-TEST(KeyStorePowerCuts, while_renewing_again_leave_the_old_pair_or_the_new) {
-  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) { store.renew(SUPO, THIRD_KEY.data()); }, {THIRD_KEY, OTHER_KEY});
+TEST(KeyStorePowerCuts, while_taking_the_next_key_into_use_leave_both_in_either_role) {
+  expectAllOrNothing({KEY, OTHER_KEY, {}}, [](KeyStore &store) { store.use(SUPO); }, {OTHER_KEY, {}, KEY});
 }
 
-TEST(KeyStorePowerCuts, while_going_back_to_the_previous_key_leave_both_or_it) {
-  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) { store.set(SUPO, KEY.data()); }, {KEY, {}});
+TEST(KeyStorePowerCuts, while_going_back_to_the_other_key_leave_both_or_it) {
+  const auto change = [](KeyStore &store) { store.set(SUPO, KEY.data()); };
+  expectAllOrNothing({OTHER_KEY, {}, KEY}, change, {KEY, {}, {}});
+  expectAllOrNothing({OTHER_KEY, KEY, {}}, change, {KEY, {}, {}});
+  expectAllOrNothing({KEY, OTHER_KEY, {}}, change, {KEY, {}, {}});
 }
 
 TEST(KeyStorePowerCuts, while_finishing_leave_both_or_the_new) {
-  expectAllOrNothing({OTHER_KEY, KEY}, [](KeyStore &store) {
-    const uint8_t previous = store.previous(SUPO);
+  expectAllOrNothing({OTHER_KEY, {}, KEY}, [](KeyStore &store) {
+    const uint8_t previous = store.other(SUPO);
     if (previous != KeyStore::NO_SLOT) store.erase(previous);
-  }, {OTHER_KEY, {}});
+  }, {OTHER_KEY, {}, {}});
 }

@@ -9,6 +9,7 @@
 using javino::Address;
 using javino::DerivedKeys;
 using javino::KeyStore;
+using javino::Status;
 
 namespace {
 
@@ -30,41 +31,41 @@ class KeyStoreTest : public testing::Test {
 }  // namespace
 
 TEST_F(KeyStoreTest, keeps_a_key_over_a_reboot) {
-  EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
+  EXPECT_EQ(Status::OK, store.set(SUPO, KEY.data()));
   KeyStore after;
   after.begin();
   EXPECT_TRUE(holds(after, after.current(SUPO), KEY));
-  EXPECT_EQ(KeyStore::NO_SLOT, after.previous(SUPO));
+  EXPECT_EQ(KeyStore::NO_SLOT, after.other(SUPO));
 }
 
 TEST_F(KeyStoreTest, the_same_key_again_writes_nothing) {
   store.set(SUPO, KEY.data());
   const int before = eeprom.writes();
-  EXPECT_EQ(KeyStore::UNCHANGED, store.set(SUPO, KEY.data()));
+  EXPECT_EQ(Status::OK, store.set(SUPO, KEY.data()));
   EXPECT_EQ(before, eeprom.writes());
 }
 
 TEST_F(KeyStoreTest, another_key_replaces_the_old_and_wipes_it) {
   store.set(SUPO, KEY.data());
   EXPECT_TRUE(holdsSecretsOf(eeprom, KEY));
-  EXPECT_EQ(KeyStore::STORED, store.set(SUPO, OTHER_KEY.data()));
+  EXPECT_EQ(Status::OK, store.set(SUPO, OTHER_KEY.data()));
   EXPECT_TRUE(holds(store, store.current(SUPO), OTHER_KEY));
-  EXPECT_EQ(KeyStore::NO_SLOT, store.previous(SUPO));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.other(SUPO));
   EXPECT_FALSE(holdsSecretsOf(eeprom, KEY));
 }
 
 TEST_F(KeyStoreTest, holds_as_many_as_Config_says_and_then_is_full) {
-  for (uint8_t i = 0; i < javino::config::KEYS; i++) EXPECT_EQ(KeyStore::STORED, store.set(Address(i), KEY.data()));
-  EXPECT_EQ(KeyStore::FULL, store.set(SUPO, KEY.data()));
-  EXPECT_EQ(KeyStore::FULL, store.renew(SUPO, KEY.data()));
-  EXPECT_EQ(KeyStore::FULL, store.renew(Address(4), OTHER_KEY.data())) << "both keys would stay";
-  EXPECT_EQ(KeyStore::STORED, store.set(Address(3), OTHER_KEY.data())) << "replacing needs the spare place only";
+  for (uint8_t i = 0; i < javino::config::KEYS; i++) EXPECT_EQ(Status::OK, store.set(Address(i), KEY.data()));
+  EXPECT_EQ(Status::STORE_FULL, store.set(SUPO, KEY.data()));
+  EXPECT_EQ(Status::STORE_FULL, store.renew(Address(4), OTHER_KEY.data())) << "both keys would stay";
+  EXPECT_EQ(Status::OK, store.set(Address(3), OTHER_KEY.data())) << "replacing needs the spare place only";
   EXPECT_TRUE(store.erase(store.current(Address(5))));
-  EXPECT_EQ(KeyStore::STORED, store.renew(Address(4), OTHER_KEY.data()));
-  EXPECT_EQ(KeyStore::FULL, store.set(SUPO, KEY.data())) << "a previous key counts too";
-  EXPECT_EQ(KeyStore::STORED, store.renew(Address(4), fromHex("ffffffffffffffffffffffffffffffff").data()));
-  EXPECT_EQ(KeyStore::STORED, store.set(Address(4), OTHER_KEY.data()));
-  EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
+  EXPECT_EQ(Status::OK, store.renew(Address(4), OTHER_KEY.data()));
+  EXPECT_EQ(Status::STORE_FULL, store.set(SUPO, KEY.data())) << "a next key counts too";
+  EXPECT_EQ(Status::OK, store.use(Address(4)));
+  EXPECT_EQ(Status::STORE_FULL, store.set(SUPO, KEY.data())) << "a previous one as well";
+  EXPECT_EQ(Status::OK, store.set(Address(4), THIRD_KEY.data())) << "it replaces both";
+  EXPECT_EQ(Status::OK, store.set(SUPO, KEY.data()));
 }
 
 TEST_F(KeyStoreTest, an_erased_key_is_gone_for_good) {
@@ -86,20 +87,20 @@ TEST_F(KeyStoreTest, the_key_itself_is_never_in_the_eeprom) {
 
 TEST_F(KeyStoreTest, a_free_place_has_no_key_for_the_serial_line) {
   EXPECT_EQ(KeyStore::NO_SLOT, store.current(Address::serialLine()));
-  EXPECT_EQ(KeyStore::NO_SLOT, store.previous(Address::serialLine()));
+  EXPECT_EQ(KeyStore::NO_SLOT, store.other(Address::serialLine()));
 }
 
 TEST_F(KeyStoreTest, a_worn_place_is_passed_over) {
   eeprom.wearOut(javino::KEYS_AT + 20);
-  EXPECT_EQ(KeyStore::STORED, store.set(SUPO, KEY.data()));
+  EXPECT_EQ(Status::OK, store.set(SUPO, KEY.data()));
   EXPECT_TRUE(holds(store, store.current(SUPO), KEY));
 }
 
 TEST_F(KeyStoreTest, an_eeprom_that_keeps_nothing_is_told_and_the_old_key_stays) {
   store.set(SUPO, KEY.data());
   for (uint16_t at = javino::KEYS_AT; at < javino::FLOORS_AT; at++) eeprom.wearOut(at);
-  EXPECT_EQ(KeyStore::FAILED, store.set(SUPO, OTHER_KEY.data()));
-  EXPECT_EQ(KeyStore::FAILED, store.renew(SUPO, OTHER_KEY.data()));
+  EXPECT_EQ(Status::STORE_FAILED, store.set(SUPO, OTHER_KEY.data()));
+  EXPECT_EQ(Status::STORE_FAILED, store.renew(SUPO, OTHER_KEY.data()));
   EXPECT_TRUE(holds(store, store.current(SUPO), KEY));
   EXPECT_FALSE(store.erase(store.current(SUPO)));
 }

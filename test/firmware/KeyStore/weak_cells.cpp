@@ -93,14 +93,24 @@ TEST(WeakKeys, one_that_is_renewed_is_the_old_or_both_once_and_for_all) {
   expectFirm([](KeyStore &store) { store.set(SUPO, KEY.data()); }, [](KeyStore &store) { store.renew(SUPO, OTHER_KEY.data()); });
 }
 
-TEST(WeakKeys, a_renewal_that_ends_leaves_both_or_the_new_once_and_for_all) {
+TEST(WeakKeys, one_that_is_taken_into_use_seals_or_does_not_once_and_for_all) {
   expectFirm(
       [](KeyStore &store) {
         store.set(SUPO, KEY.data());
         store.renew(SUPO, OTHER_KEY.data());
       },
+      [](KeyStore &store) { store.use(SUPO); });
+}
+
+TEST(WeakKeys, a_renewal_that_ends_leaves_both_or_the_new_once_and_for_all) {
+  expectFirm(
       [](KeyStore &store) {
-        const uint8_t previous = store.previous(SUPO);
+        store.set(SUPO, KEY.data());
+        store.renew(SUPO, OTHER_KEY.data());
+        store.use(SUPO);
+      },
+      [](KeyStore &store) {
+        const uint8_t previous = store.other(SUPO);
         if (previous != KeyStore::NO_SLOT) store.erase(previous);
       });
 }

@@ -59,5 +59,23 @@ TEST_F(NonceRaisingTest, ignores_floors_of_other_epochs) {
 TEST_F(NonceRaisingTest, to_the_very_last_nonce_exhausts_it) {
   for (uint32_t floor = 131; floor < 0xFFFFFF; floor += 32) ASSERT_TRUE(nonces.raiseAbove(nonce(1, floor).data()));
   EXPECT_TRUE(nonces.raiseAbove(nonce(1, 0xFFFFFF).data()));
-  EXPECT_TRUE(nonces.isExhausted());
+  EXPECT_EQ(javino::Status::NONCE_EXHAUSTED, nonces.status());
+}
+
+TEST_F(NonceRaisingTest, begins_a_higher_epoch_at_its_first_nonce) {
+  nonces.raiseEpoch(7);
+  EXPECT_EQ(nonce(7, 0), next());
+  EXPECT_EQ(nonce(7, 1), next());
+}
+
+TEST_F(NonceRaisingTest, goes_on_in_its_epoch_where_that_is_not_lower) {
+  for (uint32_t epoch : {0, 1}) nonces.raiseEpoch(epoch);
+  EXPECT_EQ(nonce(1, 100), next());
+}
+
+TEST_F(NonceRaisingTest, of_an_epoch_begins_the_next_boot_above_it) {
+  nonces.raiseEpoch(0x070000);
+  epoch = BootEpoch();
+  epoch.begin();
+  EXPECT_EQ(0x070001u, epoch.value());
 }

@@ -150,8 +150,18 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Stores a key in the board, which keeps the one so far until {@link #finishRenewal}: it seals with the new one
-     * only, but frames that come sealed with the old one are still accepted and acknowledged.
+     * Raises the first half of the board's nonces; one that is not lower stays. The board goes on with it.
+     *
+     * @throws IllegalArgumentException if the epoch is not 0…0xFFFFFE.
+     */
+    public CompletableFuture<Void> raiseEpoch(int epoch) {
+        return ask(new Request.RaiseEpoch(epoch), Board::nothing);
+    }
+
+    /**
+     * Stores a key in the board as the next one of an address that has one: frames that come sealed with it are accepted
+     * and acknowledged; the one so far seals, until {@link #useKey}. Fails with NO_KEY where there is none so far, with
+     * BAD_ARGUMENT where another renewal is not finished.
      *
      * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
@@ -160,12 +170,24 @@ public final class Board implements AutoCloseable {
         return ask(new Request.RenewKey(address, key), Reply::checkValue);
     }
 
-    /** Has the board forget the previous key of an address; fails with NO_KEY where there is none. */
+    /**
+     * Has the board seal with the next key of an address, once all who share it accept it; frames that come sealed with
+     * the one so far are still accepted, until {@link #finishRenewal}. Fails with NO_KEY where there is no next one, with
+     * BUSY while a message is under way that is sealed with the one so far: then it is to be tried again.
+     */
+    public CompletableFuture<Void> useKey(Address address) {
+        return ask(new Request.UseKey(address), Board::nothing);
+    }
+
+    /**
+     * Has the board forget the previous key of an address, once all who share it seal with the one after it; fails with
+     * NO_KEY where there is none.
+     */
     public CompletableFuture<Void> finishRenewal(Address address) {
         return ask(new Request.FinishRenewal(address), Board::nothing);
     }
 
-    /** Has the board forget the keys of an address, current and previous. */
+    /** Has the board forget all keys of an address. */
     public CompletableFuture<Void> deleteKey(Address address) {
         return ask(new Request.DeleteKey(address), Board::nothing);
     }

@@ -12,7 +12,6 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
-import javino.protocol.Key;
 
 /** Looks for the usual troubles with a board, and writes a line for each: ok, or what to do. */
 final class Doctor {
@@ -57,7 +56,7 @@ final class Doctor {
      * @return whether all is well.
      * @throws JavinoException if the board went while it was examined.
      */
-    boolean examine(Address id, Map<Address, Key> keys, Duration listen) throws JavinoException, InterruptedException {
+    boolean examine(Address id, Map<Address, SharedKey> keys, Duration listen) throws JavinoException, InterruptedException {
         Watched link = new Watched(port.link());
         try (Board board = Board.open(link, port.config(), new BoardListener() { })) {
             if (isReached(board, link)) {

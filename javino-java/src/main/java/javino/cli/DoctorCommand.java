@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.protocol.Address;
-import javino.protocol.Key;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -50,7 +49,7 @@ final class DoctorCommand implements Callable<Integer> {
         if (keyring != null && id == null) {
             throw wrongUsage("--keyring needs --id: whose keys the board should have");
         }
-        Map<Address, Key> keys = keyring == null ? Map.of() : Keyring.keysOf(keyring, id);
+        Map<Address, SharedKey> keys = keyring == null ? Map.of() : Keyring.keysOf(keyring, id);
         Doctor doctor = new Doctor(port, spec.commandLine().getOut());
         return doctor.examine(id, keys, Duration.ofSeconds(seconds)) ? 0 : 1;
     }

@@ -6,7 +6,6 @@ import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.protocol.Address;
-import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -35,10 +34,6 @@ final class ForgetCommand implements Callable<Integer> {
                 description = "The device or group (//SU) that a key is shared with.")
         private List<Address> addresses;
 
-        @Option(names = "--previous", required = true,
-                description = "All that provision --renew has replaced; once all boards have the new keys.")
-        private boolean previous;
-
         @Option(names = "--all", required = true, description = "All keys that the board has.")
         private boolean all;
     }
@@ -47,9 +42,7 @@ final class ForgetCommand implements Callable<Integer> {
     public Integer call() throws JavinoException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
-            if (which.previous) {
-                forgetPrevious(board, out);
-            } else if (which.all) {
+            if (which.all) {
                 forgetAll(board, out);
             } else {
                 forget(board, which.addresses, out);
@@ -72,19 +65,6 @@ final class ForgetCommand implements Callable<Integer> {
         forget(board, addresses, out);
         if (addresses.isEmpty()) {
             out.println("the board has no key");
-        }
-    }
-
-    /** Ends all renewals. */
-    static void forgetPrevious(Board board, PrintWriter out) throws JavinoException, InterruptedException {
-        List<StoredKey> previous = Await.result(board.keys()).stream()
-                .filter(key -> key.role() == Role.PREVIOUS).toList();
-        for (StoredKey key : previous) {
-            Await.result(board.finishRenewal(key.address()));
-            out.println("previous key for " + key.address() + ", check value " + key.check() + ", forgotten");
-        }
-        if (previous.isEmpty()) {
-            out.println("the board has no previous key");
         }
     }
 }

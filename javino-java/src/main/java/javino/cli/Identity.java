@@ -5,15 +5,12 @@ import java.util.Map;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Key;
+import javino.protocol.Nonce;
 import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
 /** Examines what a board has in its EEPROM: RF id, keys, epoch. */
 final class Identity {
-
-    /** An epoch that is never used: the board has none left (SPEC 5.1). */
-    private static final int LAST_EPOCH = 0xFFFFFF;
 
     private final String port;
     private final Findings findings;
@@ -37,7 +34,7 @@ final class Identity {
     }
 
     /** @param wanted none where any will do. */
-    void examineKeys(List<StoredKey> stored, Map<Address, Key> wanted, Address id) {
+    void examineKeys(List<StoredKey> stored, Map<Address, SharedKey> wanted, Address id) {
         List<StoredKey> current = stored.stream().filter(key -> key.role() == Role.CURRENT).toList();
         if (wanted.isEmpty() && current.isEmpty()) {
             findings.trouble("keys", "none, so that only broadcasts are sent and heard; javino keygen once, and "
@@ -47,26 +44,26 @@ final class Identity {
         }
         wanted.forEach((address, key) -> examineKey(address, current.stream()
                 .filter(each -> each.address().equals(address)).map(StoredKey::check).findFirst().orElse(null),
-                key.check(), id));
+                key, id));
     }
 
-    private void examineKey(Address address, Bytes found, Bytes expected, Address id) {
+    private void examineKey(Address address, Bytes found, SharedKey expected, Address id) {
         String what = "key " + address;
         if (found == null) {
             findings.trouble(what, "missing; " + provision(id));
-        } else if (!found.equals(expected)) {
+        } else if (expected.all().stream().noneMatch(key -> key.check().equals(found))) {
             findings.trouble(what, "another than in the keyring: check value " + found + " instead of "
-                    + expected + "; " + provision(id));
+                    + expected.key().check() + "; " + provision(id));
         } else {
             findings.ok(what, "check value " + found);
         }
     }
 
     void examineNonces(BoardInfo info) {
-        if (info.bootCount() == LAST_EPOCH) {
-            findings.trouble("nonces", "used up by " + LAST_EPOCH + " boots; another board, with new keys");
+        if (info.bootEpoch() > Nonce.LAST_EPOCH) {
+            findings.trouble("nonces", "the epochs are used up; another board, with new keys");
         } else {
-            findings.ok("nonces", info.bootCount() + " of " + LAST_EPOCH + " boots");
+            findings.ok("nonces", "epoch " + info.bootEpoch() + " of " + Nonce.LAST_EPOCH);
         }
     }
 

@@ -45,11 +45,19 @@ final class InfoCommand implements Callable<Integer> {
         out.println(line("firmware", info.firmware()));
         out.println(line("protocol version", info.protocolVersion()));
         out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
-        out.println(line("boot count", info.bootCount()));
+        out.println(line("boot epoch", info.bootEpoch()));
         out.println(line("actions", info.actions().isEmpty() ? "none" : String.join(", ", info.actions())));
-        keys.forEach(key -> out.println(line(key.role() == Role.CURRENT ? "key" : "previous key",
+        keys.forEach(key -> out.println(line(nameOf(key.role()),
                 key.address() + ", check value " + key.check())));
         counters.forEach((counter, value) -> out.println(line(counter, value)));
+    }
+
+    private static String nameOf(Role role) {
+        return switch (role) {
+            case CURRENT -> "key";
+            case NEXT -> "next key";
+            case PREVIOUS -> "previous key";
+        };
     }
 
     /** Wide enough for the longest counter's name. */

@@ -49,7 +49,7 @@ final class Monitor implements BoardListener {
         // They may have started anew, and what was counted before is told once more.
         counted = Map.of();
         line(Style.fg_green, "online", info.firmware() + ", RF id "
-                + info.rfId().map(Address::toString).orElse("none") + ", boot count " + info.bootCount());
+                + info.rfId().map(Address::toString).orElse("none") + ", boot epoch " + info.bootEpoch());
     }
 
     @Override

@@ -1,8 +1,8 @@
 package javino.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -17,7 +17,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code javino provision}: gives a board its address and its keys. */
-@Command(name = "provision", description = "Gives a board its RF id and the keys that it needs.")
+@Command(name = "provision", description = {
+    "Gives a board its RF id and the keys that it needs, and notes in the keyring what it has.",
+    "Keys that keygen --renew has renewed are changed in three steps: call it on each board three times. A step that would "
+            + "lose messages, since another board is not that far, is refused."})
 final class ProvisionCommand implements Callable<Integer> {
 
     @Mixin
@@ -35,28 +38,23 @@ final class ProvisionCommand implements Callable<Integer> {
             description = "A device or group (//SU) and a file that holds the key as 32 hexadecimal digits.")
     private Map<Address, Path> keyFiles = Map.of();
 
-    @Option(names = "--renew", description = {
-        "Keep the keys so far for receiving, so that boards that are not provisioned yet are still heard; "
-                + "end it on each board by forget --previous."})
-    private boolean renew;
-
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() throws IOException, JavinoException, InterruptedException {
+        if (keyring != null) {
+            Keyring.keysOf(keyring, id);  // before the port is opened: whether it has any
+        }
         Map<Address, Key> keys = readKeys();
         try (Board board = port.open()) {
-            new Provisioning(board, renew, spec.commandLine().getOut()).run(id, keys);
+            new Provisioning(board, port.name(), id, keyring, spec.commandLine().getOut()).run(keys, Instant.now());
         }
         return 0;
     }
 
-    private Map<Address, Key> readKeys() throws IOException, JavinoException {
+    private Map<Address, Key> readKeys() throws IOException {
         Map<Address, Key> keys = new LinkedHashMap<>();
-        if (keyring != null) {
-            keys.putAll(Keyring.keysOf(keyring, id));
-        }
         for (Map.Entry<Address, Path> file : keyFiles.entrySet()) {
             keys.put(file.getKey(), readKey(file.getValue()));
         }
@@ -64,8 +62,9 @@ final class ProvisionCommand implements Callable<Integer> {
     }
 
     private static Key readKey(Path file) throws IOException {
+        String text = PrivateFile.read(file).strip();
         try {
-            return Key.ofHex(Files.readString(file).strip());
+            return Key.ofHex(text);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(file + ": " + e.getMessage(), e);
         }

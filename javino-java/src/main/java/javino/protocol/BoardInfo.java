@@ -8,26 +8,26 @@ import java.util.Optional;
  *
  * @param protocolVersion the board's, 1…255; {@link #LEGACY_VERSION} where it speaks the older protocol.
  * @param rfId            its address on the radio, if it has one.
- * @param bootCount       how often it booted, 0…0xFFFFFF; also the epoch of its nonces.
+ * @param bootEpoch       the epoch of its nonces, raised in each boot; 0xFFFFFF where none is left.
  * @param firmware        the sketch's name.
  * @param actions         the names of the sketch's actions in its order; none where it speaks the older protocol, which cannot tell.
  */
-public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCount, String firmware,
+public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpoch, String firmware,
                         List<String> actions) {
 
     /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;
 
     private static final int ID_OFFSET = 1;
-    private static final int BOOT_COUNT_OFFSET = ID_OFFSET + Address.LENGTH;
-    private static final int FIRMWARE_OFFSET = BOOT_COUNT_OFFSET + 3;
+    private static final int BOOT_EPOCH_OFFSET = ID_OFFSET + Address.LENGTH;
+    private static final int FIRMWARE_OFFSET = BOOT_EPOCH_OFFSET + 3;
 
     static BoardInfo decode(Bytes body) throws ProtocolException {
         Reply.expect(body.length() >= FIRMWARE_OFFSET, "a hello is answered with at least 8 bytes", body);
         Address id = Address.decode(body, ID_OFFSET);
         return new BoardInfo(body.at(0),
                 id.equals(Address.SERIAL) ? Optional.empty() : Optional.of(id),
-                (int) body.number(BOOT_COUNT_OFFSET, FIRMWARE_OFFSET),
+                (int) body.number(BOOT_EPOCH_OFFSET, FIRMWARE_OFFSET),
                 body.from(FIRMWARE_OFFSET).text(), List.of());
     }
 
@@ -44,11 +44,11 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootCou
 
     /** The same board after it was given an address. */
     public BoardInfo withRfId(Address id) {
-        return new BoardInfo(protocolVersion, Optional.of(id), bootCount, firmware, actions);
+        return new BoardInfo(protocolVersion, Optional.of(id), bootEpoch, firmware, actions);
     }
 
     /** The same board after it was asked for its actions. */
     public BoardInfo withActions(List<String> names) {
-        return new BoardInfo(protocolVersion, rfId, bootCount, firmware, List.copyOf(names));
+        return new BoardInfo(protocolVersion, rfId, bootEpoch, firmware, List.copyOf(names));
     }
 }

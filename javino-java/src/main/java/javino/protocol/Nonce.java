@@ -3,13 +3,16 @@ package javino.protocol;
 /**
  * A number that an origin uses only once (SPEC 5.1).
  *
- * @param epoch   the board's boot count, 0…0xFFFFFE.
- * @param counter of the sealed frames since that boot, 0…0xFFFFFF.
+ * @param epoch   the board's boot epoch, 0…0xFFFFFE.
+ * @param counter of the sealed frames in that epoch, 0…0xFFFFFF.
  */
 public record Nonce(int epoch, int counter) {
 
     /** The number of bytes. */
     public static final int LENGTH = 6;
+
+    /** The last epoch that is used; what a board says that has none left is one more. */
+    public static final int LAST_EPOCH = 0xFFFFFE;
 
     private static final int MAX = 0xFFFFFF;
 

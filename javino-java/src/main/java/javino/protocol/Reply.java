@@ -22,7 +22,7 @@ public record Reply(Status status, Bytes body) {
      * A key that a board has.
      *
      * @param address whom it is shared with.
-     * @param role    whether it is in use, or on its way out.
+     * @param role    whether it seals, did so before, or is to be the next that does.
      * @param check   its check value (SPEC 5.2), 3 bytes.
      */
     public record StoredKey(Address address, Role role, Bytes check) {
@@ -32,8 +32,10 @@ public record Reply(Status status, Bytes body) {
     public enum Role {
         /** It seals. */
         CURRENT,
-        /** Its renewal is not finished: frames sealed with it are still accepted. */
-        PREVIOUS
+        /** It was renewed, and that is not finished: frames sealed with it are still accepted. */
+        PREVIOUS,
+        /** It is to seal next: frames sealed with it are accepted. */
+        NEXT
     }
 
     /** @throws ProtocolException BAD_REPLY if the frame is not from board to host, or has no known status. */
@@ -79,7 +81,7 @@ public record Reply(Status status, Bytes body) {
 
     private static StoredKey storedKey(Bytes entry) throws ProtocolException {
         int role = entry.at(Address.LENGTH);
-        expect(role < Role.values().length, "a key's role is 0 or 1", entry);
+        expect(role < Role.values().length, "a key's role is 0, 1 or 2", entry);
         return new StoredKey(Address.decode(entry, 0), Role.values()[role], entry.from(Address.LENGTH + 1));
     }
 

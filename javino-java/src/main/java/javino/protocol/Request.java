@@ -150,6 +150,29 @@ public sealed interface Request {
     }
 
     /**
+     * Raises the board's boot epoch, where it is lower.
+     *
+     * @param epoch 0…0xFFFFFE.
+     */
+    record RaiseEpoch(int epoch) implements EepromWrite {
+
+        /** @throws IllegalArgumentException if the epoch is out of range. */
+        public RaiseEpoch {
+            check(epoch >= 0 && epoch <= Nonce.LAST_EPOCH, "an epoch is 0…16777214", epoch);
+        }
+
+        @Override
+        public Frame frame() {
+            return command('E', Bytes.ofNumber(epoch, 3));
+        }
+
+        @Override
+        public String toString() {
+            return "raise epoch to " + epoch;
+        }
+    }
+
+    /**
      * Stores a key in the place of all that there is for the address.
      *
      * @param address the device or group that the key is shared with.
@@ -174,7 +197,7 @@ public sealed interface Request {
     }
 
     /**
-     * Stores a key and keeps the one so far as the previous one, with which frames are still accepted but not sealed.
+     * Stores a key as the next one: frames sealed with it are accepted, and the one so far still seals.
      *
      * @param address the device or group that the key is shared with.
      * @param key     the new shared key.
@@ -197,6 +220,19 @@ public sealed interface Request {
         }
     }
 
+    /** @param address the device or group whose next key is to seal, and whose key so far to be the previous one. */
+    record UseKey(Address address) implements EepromWrite {
+        @Override
+        public Frame frame() {
+            return command('U', address.toBytes());
+        }
+
+        @Override
+        public String toString() {
+            return "use key for " + address;
+        }
+    }
+
     /** @param address the device or group whose previous key is to be forgotten. */
     record FinishRenewal(Address address) implements EepromWrite {
         @Override
@@ -210,7 +246,7 @@ public sealed interface Request {
         }
     }
 
-    /** @param address the device or group whose keys, current and previous, are to be forgotten. */
+    /** @param address the device or group whose keys, all of them, are to be forgotten. */
     record DeleteKey(Address address) implements EepromWrite {
         @Override
         public Frame frame() {

@@ -25,6 +25,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Counter;
 import javino.protocol.Key;
+import javino.protocol.Reply;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -197,8 +198,13 @@ class BoardTest extends BoardFixture {
         assertEquals(key.check(), board.setKey(SUPO, key).get());
         assertEquals("SUPO", board.keys().get().get(0).address().toString());
         assertEquals(9, board.statistics().get().get(Counter.SERIAL_REQUESTS));
-        assertEquals(key.check(), board.renewKey(SUPO, key).get());
+        Key next = Key.ofHex("11".repeat(16));
+        assertEquals(next.check(), board.renewKey(SUPO, next).get());
+        assertEquals(Reply.Role.NEXT, board.keys().get().get(1).role());
+        board.useKey(SUPO).get();
         board.finishRenewal(SUPO).get();
+        board.raiseEpoch(470_012).get();
+        assertEquals(470_012, fake.bootEpoch());
         board.deleteKey(SUPO).get();
         assertEquals(Status.NO_KEY,
                 failure(RequestFailedException.class, board.deleteKey(SUPO)).status());

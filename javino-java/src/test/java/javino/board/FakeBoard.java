@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -27,7 +28,7 @@ public final class FakeBoard {
 
     private static final Bytes ACCEPTED = Bytes.of(0);
     /** A board that was booted so often stays there (SPEC 5.1). */
-    private static final int MAX_BOOT_COUNT = 0xFFFFFF;
+    private static final int MAX_BOOT_EPOCH = 0xFFFFFF;
 
     /** What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all. */
     private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
@@ -50,15 +51,14 @@ public final class FakeBoard {
     private String rfId = "++++";
     private int version = 1;
     private String firmware = "fake";
-    private int bootCount = 1;
+    private int bootEpoch = 1;
     private boolean greeted;
     private boolean silent;
     private boolean loading;
     private boolean corruptsKeys;
     private boolean badPolls;
-    private boolean hasKey = true;
-    private Bytes check = Bytes.of(1, 2, 3);
-    private boolean hasPrevious;
+    private int busy;
+    private final Map<String, StoredKeys> keys = new LinkedHashMap<>(Map.of("SUPO", new StoredKeys(Bytes.of(1, 2, 3))));
     private int hellos;
     private int polls;
     private Fault fault = reply -> reply;
@@ -134,7 +134,7 @@ public final class FakeBoard {
             greeted = true;
             hellos++;
             notifyAll();
-            return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(bootCount, 3),
+            return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(bootEpoch, 3),
                     Bytes.ofText(firmware));
         }
         mail.replyArrived();
@@ -150,13 +150,14 @@ public final class FakeBoard {
                 yield record("id " + rfId, ACCEPTED);
             }
             case 'R' -> record("radio " + message.at(1), ACCEPTED);
-            case 'K' -> record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3)
-                    : Key.of(message.from(1 + Address.LENGTH)).check()));
+            case 'E' -> raiseEpoch((int) message.number(1, 4));
+            case 'K' -> store(message);
             case 'S' -> record("statistics", statistics());
             case 'N' -> renew(message);
-            case 'F' -> finishRenewal(message);
+            case 'U' -> use(addressIn(message));
+            case 'F' -> finishRenewal(addressIn(message));
             case 'L' -> record("list", list());
-            case 'D' -> forget(message);
+            case 'D' -> forget(addressIn(message));
             default -> status(Status.UNKNOWN_COMMAND);
         };
     }
@@ -185,33 +186,82 @@ public final class FakeBoard {
         return Bytes.join(Bytes.of(0, actions.size()), names.slice(offset, end));
     }
 
-    /** Has but one key, for SUPO, and a second one while that is renewed. */
-    private Bytes forget(Bytes message) {
-        boolean known = hasKey && isForSupo(message);
-        hasKey = hasKey && !known;
-        return known ? record("forget SUPO", ACCEPTED) : status(Status.NO_KEY);
+    /** The check values of an address's keys: what seals, and beside it a next or a previous one, or null. */
+    private static final class StoredKeys {
+        private Bytes current;
+        private Bytes other;
+        private boolean isNext;
+
+        StoredKeys(Bytes current) {
+            this.current = current;
+        }
+    }
+
+    private static String addressIn(Bytes message) {
+        return new String(message.slice(1, 1 + Address.LENGTH).toArray(), StandardCharsets.UTF_8);
+    }
+
+    private Bytes raiseEpoch(int epoch) {
+        bootEpoch = Math.max(bootEpoch, epoch);
+        return record("epoch " + epoch, ACCEPTED);
+    }
+
+    private Bytes store(Bytes message) {
+        Bytes check = Key.of(message.from(1 + Address.LENGTH)).check();
+        keys.put(addressIn(message), new StoredKeys(check));
+        return record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3) : check));
+    }
+
+    private Bytes forget(String address) {
+        return keys.remove(address) == null ? status(Status.NO_KEY) : record("forget " + address, ACCEPTED);
     }
 
     private Bytes renew(Bytes message) {
-        hasPrevious = hasKey;
-        hasKey = true;
-        return record("renew", Bytes.join(ACCEPTED, Key.of(message.from(1 + Address.LENGTH)).check()));
+        StoredKeys stored = keys.get(addressIn(message));
+        if (stored == null || stored.other != null) {
+            return status(stored == null ? Status.NO_KEY : Status.BAD_ARGUMENT);
+        }
+        stored.other = Key.of(message.from(1 + Address.LENGTH)).check();
+        stored.isNext = true;
+        return record("renew", Bytes.join(ACCEPTED, stored.other));
     }
 
-    private Bytes finishRenewal(Bytes message) {
-        boolean known = hasPrevious && isForSupo(message);
-        hasPrevious = hasPrevious && !known;
-        return known ? record("finish SUPO", ACCEPTED) : status(Status.NO_KEY);
+    private Bytes use(String address) {
+        StoredKeys stored = keys.get(address);
+        if (busy > 0) {
+            busy--;
+            return status(Status.BUSY);
+        }
+        if (stored == null || !stored.isNext) {
+            return status(Status.NO_KEY);
+        }
+        Bytes before = stored.current;
+        stored.current = stored.other;
+        stored.other = before;
+        stored.isNext = false;
+        return record("use " + address, ACCEPTED);
     }
 
-    private static boolean isForSupo(Bytes message) {
-        return message.slice(1, 1 + Address.LENGTH).equals(Bytes.ofText("SUPO"));
+    private Bytes finishRenewal(String address) {
+        StoredKeys stored = keys.get(address);
+        if (stored == null || stored.other == null || stored.isNext) {
+            return status(Status.NO_KEY);
+        }
+        stored.other = null;
+        return record("finish " + address, ACCEPTED);
     }
 
     private Bytes list() {
-        Bytes supo = Bytes.ofText("SUPO");
-        return Bytes.join(Bytes.of(0), hasKey ? Bytes.join(supo, Bytes.of(0), check) : Bytes.of(),
-                hasPrevious ? Bytes.join(supo, Bytes.of(1, 4, 5, 6)) : Bytes.of());
+        Bytes list = ACCEPTED;
+        for (Map.Entry<String, StoredKeys> entry : keys.entrySet()) {
+            Bytes address = Bytes.ofText(entry.getKey());
+            StoredKeys stored = entry.getValue();
+            list = Bytes.join(list, address, Bytes.of(0), stored.current);
+            if (stored.other != null) {
+                list = Bytes.join(list, address, Bytes.of(stored.isNext ? 2 : 1), stored.other);
+            }
+        }
+        return list;
     }
 
     private Bytes statistics() {
@@ -276,7 +326,23 @@ public final class FakeBoard {
 
     /** Has its key for SUPO have this check value, 3 bytes. */
     public synchronized void setCheck(Bytes value) {
-        check = value;
+        keys.put("SUPO", new StoredKeys(value));
+    }
+
+    /** Has the board's EEPROM be erased: it knows neither id nor keys, and counts its boots anew. */
+    public synchronized void eraseEeprom() {
+        keys.clear();
+        rfId = "++++";
+        bootEpoch = 1;
+    }
+
+    /** Has a message be under way that so many times prevents the use of a key. */
+    public synchronized void setBusy(int times) {
+        busy = times;
+    }
+
+    public synchronized int bootEpoch() {
+        return bootEpoch;
     }
 
     /** Has each reply pass through a fault. */
@@ -345,14 +411,14 @@ public final class FakeBoard {
         mail.end(number, outcome);
     }
 
-    public synchronized void setBootCount(int count) {
-        bootCount = count;
+    public synchronized void setBootEpoch(int count) {
+        bootEpoch = count;
     }
 
     /** Boots anew: it must be greeted, and what was not taken comes again. */
     public synchronized void reset() {
         greeted = false;
-        bootCount = Math.min(bootCount + 1, MAX_BOOT_COUNT);
+        bootEpoch = Math.min(bootEpoch + 1, MAX_BOOT_EPOCH);
         transmissions = 0;
         mail.boot();
         lastRequest = Bytes.EMPTY;

@@ -14,7 +14,7 @@ final class RecordingListener implements BoardListener {
 
     @Override
     public void online(BoardInfo info) {
-        lines.add("online " + info.bootCount());
+        lines.add("online " + info.bootEpoch());
     }
 
     @Override

@@ -98,8 +98,8 @@ class TransmissionTest extends BoardFixture {
     }
 
     @Test
-    void reset_bootCountAtItsEnd_isNoticedAllTheSame() throws Exception {
-        fake.setBootCount(0xFFFFFF);
+    void reset_bootEpochAtItsEnd_isNoticedAllTheSame() throws Exception {
+        fake.setBootEpoch(0xFFFFFF);
         openAndAwaitOnline();
         board.transmit(SUPO, HELP).get();
         fake.reset();

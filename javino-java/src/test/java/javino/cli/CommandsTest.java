@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
@@ -17,6 +18,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
@@ -69,16 +71,22 @@ class CommandsTest {
         assertEquals(1, err.toString().lines().count(), err.toString());
     }
 
+    private Path secret(String text) throws IOException, JavinoException {
+        Path file = folder.resolve("keys");
+        PrivateFile.create(file, text);
+        return file;
+    }
+
     @Test
     void keygen_pairsAndGroups_writesAKeyringForItsOwner() throws IOException {
         Path file = folder.resolve("keys");
         assertEquals(0, run("keygen", "--out", file.toString(), "--pair", "ROMA,SUPO", "--pair", "SUHO,SUPO",
                 "--group", "SU"), err.toString());
-        assertEquals(3, Keyring.read(file).keysOf(SUPO).values().stream().distinct().count());
+        assertEquals(3, Keyring.read(file).keysOf(SUPO).values().stream().map(SharedKey::key).distinct().count());
         if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
             assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
         }
-        assertFalse(out.toString().contains(Keyring.read(file).keysOf(SUPO).values().iterator().next().bytes().hex()));
+        assertFalse(out.toString().contains(Keyring.read(file).keysOf(SUPO).values().iterator().next().key().bytes().hex()));
     }
 
     @Test
@@ -86,6 +94,46 @@ class CommandsTest {
         Path file = Files.writeString(folder.resolve("keys"), "precious");
         assertFails(1, "already", "keygen", "--out", file.toString(), "--group", "SU");
         assertEquals("precious", Files.readString(file));
+    }
+
+    /** In a folder that others may write to, somebody else takes the file away as soon as it is there, and lays out another. */
+    @Test
+    void keygen_fileTakenAwayMeanwhile_writesNoKeyIntoWhatLiesThere() throws Exception {
+        Path file = folder.resolve("keys");
+        Path bait = Files.createFile(folder.resolve("bait"));
+        AtomicBoolean going = new AtomicBoolean(true);
+        Thread thief = new Thread(() -> {
+            while (going.get()) {
+                try {
+                    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(file)) {
+                        Files.delete(file);
+                        Files.createSymbolicLink(file, bait);
+                    }
+                } catch (IOException e) {
+                    // The other was quicker.
+                    continue;
+                }
+            }
+        });
+        thief.start();
+        try {
+            for (int i = 0; i < 100; i++) {
+                Files.deleteIfExists(file);
+                run("keygen", "--out", file.toString(), "--group", "SU");
+            }
+        } finally {
+            going.set(false);
+            thief.join();
+        }
+        assertEquals("", Files.readString(bait));
+    }
+
+    @Test
+    void keygen_linkThere_isNotFollowed() throws IOException {
+        Path target = folder.resolve("target");
+        Path link = Files.createSymbolicLink(folder.resolve("keys"), target);
+        assertFails(1, "already", "keygen", "--out", link.toString(), "--group", "SU");
+        assertFalse(Files.exists(target));
     }
 
     @Test
@@ -130,16 +178,15 @@ class CommandsTest {
     }
 
     @Test
-    void provision_keyringWithoutItsKey_saysWhichItHas() throws IOException {
-        Path file = Files.writeString(folder.resolve("keys"), "ROMA SUPO = " + KEY.bytes().hex() + "\n//SU = "
-                + KEY.bytes().hex() + "\n");
+    void provision_keyringWithoutItsKey_saysWhichItHas() throws IOException, JavinoException {
+        Path file = secret("ROMA SUPO = " + KEY.bytes().hex() + "\n//SU = " + KEY.bytes().hex() + "\n");
         assertFails(1, file + " has no key for ROMB; it has ROMA, SUPO, //SU", "provision", "--port", "nowhere",
                 "--id", "ROMB", "--keyring", file.toString());
     }
 
     @Test
-    void provision_emptyKeyring_saysSo() throws IOException {
-        Path file = Files.createFile(folder.resolve("keys"));
+    void provision_emptyKeyring_saysSo() throws IOException, JavinoException {
+        Path file = secret("");
         assertFails(1, "it has none at all", "provision", "--port", "nowhere", "--id", "ROMB",
                 "--keyring", file.toString());
     }
@@ -173,22 +220,8 @@ class CommandsTest {
         assertEquals(List.of("key for SUPO forgotten", "the board has no key"), out.toString().lines().toList());
     }
 
-    @Test
-    void forget_previous_endsTheRenewal() throws JavinoException, InterruptedException {
-        try (Board board = open()) {
-            PrintWriter lines = new PrintWriter(out, true);
-            new Provisioning(board, true, lines).run(Address.parse("ROMA"), Map.of(SUPO, KEY));
-            ForgetCommand.forgetPrevious(board, lines);
-            ForgetCommand.forgetPrevious(board, lines);
-        }
-        assertEquals(List.of("RF id ROMA", "key for SUPO, check value " + KEY.check(),
-                "previous key for SUPO, check value 040506, forgotten", "the board has no previous key"),
-                out.toString().lines().toList());
-        assertEquals(List.of("id ROMA", "renew", "list", "finish SUPO", "list"), fake.performed());
-    }
-
     @ParameterizedTest
-    @ValueSource(strings = {"", "--all --previous", "--key SUPO --all"})
+    @ValueSource(strings = {"", "--key SUPO --all"})
     void forget_notOneKind_isWrongUsage(String options) {
         List<String> arguments = new ArrayList<>(List.of("forget", "--port", "nowhere"));
         arguments.addAll(Arrays.stream(options.split(" ")).filter(option -> !option.isEmpty()).toList());
@@ -250,8 +283,8 @@ class CommandsTest {
     }
 
     @Test
-    void provision_badKeyFile_namesIt() throws IOException {
-        Path file = Files.writeString(folder.resolve("key"), "secret");
+    void provision_badKeyFile_namesIt() throws IOException, JavinoException {
+        Path file = secret("secret");
         assertFails(1, "32 hexadecimal digits", "provision", "--port", "nowhere", "--id", "SUPO",
                 "--key", "ROMA=" + file);
         assertFalse(err.toString().contains("secret"), err.toString());
@@ -269,33 +302,13 @@ class CommandsTest {
     }
 
     @Test
-    void provisioning_board_getsIdAndKeys() throws JavinoException, InterruptedException {
-        try (Board board = open()) {
-            new Provisioning(board, false, new PrintWriter(out, true)).run(SUPO, Map.of(Address.parse("ROMA"), KEY));
-        }
-        assertEquals(List.of("id SUPO", "key"), fake.performed());
-        assertEquals(List.of("RF id SUPO", "key for ROMA, check value " + KEY.check()), out.toString().lines().toList());
-    }
-
-    @Test
-    void provisioning_wrongCheckValue_fails() {
-        fake.setCorruptsKeys(true);
-        try (Board board = open()) {
-            Provisioning provisioning = new Provisioning(board, false, new PrintWriter(out, true));
-            JavinoException e = assertThrows(JavinoException.class,
-                    () -> provisioning.run(SUPO, Map.of(Address.parse("ROMA"), KEY)));
-            assertTrue(e.getMessage().contains("another key for ROMA"), e.getMessage());
-        }
-    }
-
-    @Test
     void info_board_isShown() throws JavinoException, InterruptedException {
         fake.setActions("lampOn", "lampOff");
         try (Board board = open()) {
             InfoCommand.print(board, new PrintWriter(out, true));
         }
         assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
-                "boot count          1", "actions             lampOn, lampOff",
+                "boot epoch          1", "actions             lampOn, lampOff",
                 "key                 SUPO, check value 010203", "serialRequests      9"),
                 out.toString().lines().toList());
     }

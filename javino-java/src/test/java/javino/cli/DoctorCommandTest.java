@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import javino.JavinoException;
 import java.util.stream.Stream;
 import javino.protocol.Counter;
 import javino.protocol.Key;
@@ -40,8 +41,10 @@ class DoctorCommandTest extends CommandFixture {
                 .toArray(String[]::new));
     }
 
-    private Path keyring(String... lines) throws IOException {
-        return Files.write(folder.resolve("keys"), List.of(lines));
+    private Path keyring(String... lines) throws IOException, JavinoException {
+        Path file = folder.resolve("keys");
+        PrivateFile.create(file, String.join("\n", lines));
+        return file;
     }
 
     /** All was ok but for one thing, of which the line says this. */
@@ -60,7 +63,7 @@ class DoctorCommandTest extends CommandFixture {
         assertEquals(0, examine("--id", "ROMA"), out.toString());
         List<String> expected = List.of("port                ok, fake", "board               ok, fake",
                 "protocol            ok, version 1", "RF id               ok, ROMA", "keys                ok, 1",
-                "nonces              ok, 1 of 16777215 boots");
+                "nonces              ok, epoch 1 of 16777214");
         assertEquals(expected, lines().subList(0, expected.size()));
         assertTrue(lines().get(6).matches("serial line         ok, 0 of \\d+ packets were damaged"), out.toString());
         assertEquals("radio               ok, 3 packets received, 0 damaged", lines().get(7));
@@ -124,7 +127,7 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
-    void key_asInTheKeyring_isOk() throws IOException {
+    void key_asInTheKeyring_isOk() throws IOException, JavinoException {
         fake.setCheck(KEY.check());
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
         assertEquals(0, examine("--id", "ROMA", "--keyring", keys.toString()), out.toString());
@@ -133,21 +136,21 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
-    void key_other_tellsBothCheckValues() throws IOException {
+    void key_other_tellsBothCheckValues() throws IOException, JavinoException {
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
         assertTrouble("key SUPO", "check value 010203 instead of " + KEY.check() + "; " + PROVISION + "ROMA",
                 "--id", "ROMA", "--keyring", keys.toString());
     }
 
     @Test
-    void key_missing_isToBeProvisioned() throws IOException {
+    void key_missing_isToBeProvisioned() throws IOException, JavinoException {
         fake.setCheck(KEY.check());
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex(), "//RO = " + KEY.bytes().hex());
         assertTrouble("key //RO", "missing; " + PROVISION + "ROMA", "--id", "ROMA", "--keyring", keys.toString());
     }
 
     @Test
-    void keyring_withoutTheDevice_saysWhichItHas() throws IOException {
+    void keyring_withoutTheDevice_saysWhichItHas() throws IOException, JavinoException {
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
         assertFails(1, keys + " has no key for SUHO; it has ROMA, SUPO", "doctor", "--port", "fake", "--id", "SUHO",
                 "--keyring", keys.toString());
@@ -166,8 +169,8 @@ class DoctorCommandTest extends CommandFixture {
 
     @Test
     void nonces_usedUp_isTold() {
-        fake.setBootCount(0xFFFFFF);
-        assertTrouble("nonces", "used up by 16777215 boots");
+        fake.setBootEpoch(0xFFFFFF);
+        assertTrouble("nonces", "the epochs are used up");
     }
 
     @Test

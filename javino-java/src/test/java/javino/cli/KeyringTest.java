@@ -8,7 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
+import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Key;
 import org.junit.jupiter.api.Test;
@@ -24,34 +28,105 @@ class KeyringTest {
     @TempDir
     private Path folder;
 
-    private Keyring read(String text) throws IOException {
-        return Keyring.read(Files.writeString(folder.resolve("keys"), text));
+    private Path file(String text) throws IOException, JavinoException {
+        Path file = folder.resolve("keys");
+        Files.deleteIfExists(file);
+        PrivateFile.create(file, text);
+        return file;
+    }
+
+    private Keyring read(String text) throws IOException, JavinoException {
+        return Keyring.read(file(text));
+    }
+
+    private static SharedKey shared(Key key) {
+        return new SharedKey(key, null);
     }
 
     @Test
-    void keysOf_eachDevice_areThoseItNeeds() throws IOException {
+    void keysOf_eachDevice_areThoseItNeeds() throws IOException, JavinoException {
         Keyring keyring = read("# the highway\nROMA SUPO = " + HEX + " # bus and police\n\n  //SU=" + OTHER.toUpperCase()
                 + "\r\nSUHO SUPO = " + OTHER + "\n");
         Key key = Key.ofHex(HEX);
         Key other = Key.ofHex(OTHER);
-        assertEquals(Map.of(Address.parse("SUPO"), key), keyring.keysOf(Address.parse("ROMA")));
-        assertEquals(Map.of(Address.parse("ROMA"), key, Address.parse("SUHO"), other, Address.parse("//SU"), other),
+        assertEquals(Map.of(Address.parse("SUPO"), shared(key)), keyring.keysOf(Address.parse("ROMA")));
+        assertEquals(Map.of(Address.parse("ROMA"), shared(key), Address.parse("SUHO"), shared(other),
+                Address.parse("//SU"), shared(other)),
                 keyring.keysOf(Address.parse("SUPO")));
-        assertEquals(Map.of(Address.parse("//SU"), other), keyring.keysOf(Address.parse("SUXX")));
+        assertEquals(Map.of(Address.parse("//SU"), shared(other)), keyring.keysOf(Address.parse("SUXX")));
         assertEquals(Map.of(), keyring.keysOf(Address.parse("CAFE")));
     }
 
     @Test
-    void format_read_isTheSame() throws IOException {
-        String text = "ROMA SUPO = " + HEX + "\n//SU = " + OTHER + "\n";
+    void format_read_isTheSame() throws IOException, JavinoException {
+        String text = "# the highway\nROMA SUPO = " + HEX + "  # bus\n\n//SU = " + OTHER + ", next " + HEX
+                + "\nSUPO: epoch 470012, ROMA 3640e0, //SU 148bda next 0a0b0c # police\n"
+                + "ROMA: lost, epoch 9, SUPO 3640e0 previous 010203\n";
         assertEquals(text, read(text).format());
+    }
+
+    @Test
+    void change_oneLine_leavesAllElse() throws Exception {
+        Path file = file("# the highway\nSUPO: epoch 7 # police\nROMA SUPO = " + HEX + "  # bus\n");
+        Keyring.change(file, keyring -> {
+            keyring.renew(Keyring.Members.pair(Address.parse("SUPO"), Address.parse("ROMA")), Key.ofHex(OTHER));
+            keyring.note(Address.parse("SUPO"), keyring.note(Address.parse("SUPO")).withEpoch(9));
+            keyring.note(Address.parse("ROMA"), BoardNote.NONE.withEpoch(3));
+        });
+        assertEquals("# the highway\nSUPO: epoch 9 # police\nROMA SUPO = " + HEX + ", next " + OTHER
+                + "  # bus\nROMA: epoch 3\n", Files.readString(file));
+        assertEquals(List.of("keys"), Files.list(folder).map(each -> each.getFileName().toString()).toList());
+        assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
+    }
+
+    @Test
+    void change_throughALink_changesTheFileItself() throws Exception {
+        Path file = file("ROMA SUPO = " + HEX + "\n");
+        Path link = Files.createSymbolicLink(folder.resolve("link"), file);
+        Keyring.change(link, keyring -> keyring.note(Address.parse("ROMA"), BoardNote.NONE.withEpoch(3)));
+        assertTrue(Files.isSymbolicLink(link));
+        assertTrue(Files.readString(file).contains("ROMA: epoch 3"));
+    }
+
+    @Test
+    void change_manyAtOnce_losesNone() throws Exception {
+        Path file = file("ROMA SUPO = " + HEX + "\n");
+        List<Thread> threads = IntStream.range(0, 20).mapToObj(i -> new Thread(() -> {
+            try {
+                Keyring.change(file, keyring -> keyring.note(Address.parse("AAA" + (char) ('A' + i)),
+                        BoardNote.NONE.withEpoch(i)));
+            } catch (IOException | JavinoException | InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        })).toList();
+        threads.forEach(Thread::start);
+        for (Thread thread : threads) {
+            thread.join();
+        }
+        Keyring keyring = Keyring.read(file);
+        IntStream.range(0, 20).forEach(i -> assertEquals(i, keyring.note(Address.parse("AAA" + (char) ('A' + i))).epoch()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"rw-r-----", "rw----r--", "rw--w----", "rwxrwxrwx"})
+    void read_othersMay_isRefusedWithTheRemedy(String permissions) throws Exception {
+        Path file = file("ROMA SUPO = " + HEX + "\n");
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(permissions));
+        Exception e = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file));
+        assertEquals(file + ": others than you may read or write it; chmod 600 " + file, e.getMessage());
+        assertThrows(IllegalArgumentException.class, () -> Keyring.change(file, keyring -> { }));
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--------"));
+        assertEquals(1, Keyring.read(file).size());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {
         "ROMA SUPO", "ROMA = " + HEX, "//// = " + HEX, "ROMA //SU = " + HEX, "ROMA ROMA = " + HEX,
         "A B C = " + HEX, "ROMA SUPO = 00", "ROMA SUPO = " + HEX + "=", "= " + HEX, "RO-A SUPO = " + HEX,
-        "SUPO ROMA = " + HEX, HEX + " = " + OTHER, "ROMA " + HEX + " = " + OTHER
+        "SUPO ROMA = " + HEX, "SUHO ROMA = " + HEX + ", " + HEX, "SUHO ROMA = " + HEX + ", next 00",
+        "SUHO ROMA = " + HEX + ", next " + HEX + ", next " + HEX, "SUPO: " + HEX, "SUPO: epoch 16777216", "SUPO: epoch x",
+        "SUPO: epoch 1, ROMA " + HEX, "SUPO: epoch 1, ROMA 010203 then 010203", "SUPO: epoch 1, //// 010203",
+        "//SU: epoch 1", "SUPO: epoch 1, " + HEX + " 010203", HEX + ": epoch 1", HEX + " = " + OTHER, "ROMA " + HEX + " = " + OTHER
     })
     void read_badLine_throwsWithFileAndLineButNoKey(String line) {
         String text = "ROMA SUPO = " + OTHER + "\n\n" + line;
@@ -61,8 +136,8 @@ class KeyringTest {
     }
 
     @Test
-    void read_noUtf8_throwsWithFile() throws IOException {
-        Path file = Files.write(folder.resolve("keys"), new byte[] {'#', ' ', (byte) 0xE4, '\n'});
+    void read_noUtf8_throwsWithFile() throws IOException, JavinoException {
+        Path file = Files.write(file(""), new byte[] {'#', ' ', (byte) 0xE4, '\n'});
         Exception e = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file));
         assertTrue(e.getMessage().startsWith(file + " is no text in UTF-8"), e.getMessage());
     }

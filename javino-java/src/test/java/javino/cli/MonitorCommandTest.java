@@ -28,7 +28,7 @@ class MonitorCommandTest extends CommandFixture {
         fake.setRfId("ROMA");
         startOnline();
         assertEquals(0, interrupt());
-        assertTrue(lines().get(0).matches(" *\\d+\\.\\d{3} s  online    fake, RF id ROMA, boot count 1"),
+        assertTrue(lines().get(0).matches(" *\\d+\\.\\d{3} s  online    fake, RF id ROMA, boot epoch 1"),
                 out.toString());
         assertEquals("", err.toString());
     }
@@ -97,7 +97,7 @@ class MonitorCommandTest extends CommandFixture {
         awaitLine("offline   fake: there is no such port");
         fake.reset();
         port.plug();
-        await("boot count 2");
+        await("boot epoch 2");
         assertEquals(0, interrupt());
         List<String> radio = fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
         assertEquals(List.of("radio 1", "radio 1", "radio 0"), radio);

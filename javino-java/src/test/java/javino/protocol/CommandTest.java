@@ -46,6 +46,8 @@ class CommandTest {
                     Key.ofHex(VectorFile.text(vector, "key")));
             case "renewKey" -> new Request.RenewKey(VectorFile.address(vector, "address"),
                     Key.ofHex(VectorFile.text(vector, "key")));
+            case "raiseEpoch" -> new Request.RaiseEpoch(vector.get("epoch").getAsInt());
+            case "useKey" -> new Request.UseKey(VectorFile.address(vector, "address"));
             case "finishRenewal" -> new Request.FinishRenewal(VectorFile.address(vector, "address"));
             case "deleteKey" -> new Request.DeleteKey(VectorFile.address(vector, "address"));
             case "listKeys" -> new Request.ListKeys();
@@ -70,7 +72,7 @@ class CommandTest {
                 fields.addProperty("version", info.protocolVersion());
                 fields.add("rfId", info.rfId().<JsonElement>map(id -> new JsonPrimitive(id.toString()))
                         .orElse(JsonNull.INSTANCE));
-                fields.addProperty("bootCount", info.bootCount());
+                fields.addProperty("bootEpoch", info.bootEpoch());
                 fields.addProperty("firmware", info.firmware());
             }
             case "poll" -> {

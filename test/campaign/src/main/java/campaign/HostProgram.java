@@ -115,7 +115,7 @@ final class HostProgram implements BoardListener {
 
     @Override
     public void online(BoardInfo info) {
-        log.write("online " + info.bootCount());
+        log.write("online " + info.bootEpoch());
     }
 
     @Override
