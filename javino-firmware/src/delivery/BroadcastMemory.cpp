@@ -7,6 +7,7 @@ namespace javino {
 const uint8_t BroadcastMemory::CAPACITY;
 
 static const uint16_t REPEAT_MILLIS = 400;
+static const uint16_t LONGEST_MILLIS = 0xFFFF;  // from a message's first piece to its last, and more
 
 BroadcastMemory::BroadcastMemory() : oldest_(0) {
   for (uint8_t i = 0; i < CAPACITY; i++) entries_[i].origin = Address::serialLine();
@@ -17,8 +18,8 @@ bool BroadcastMemory::isRepeat(const Address &origin, const uint8_t *frame, uint
   Crc16 crc;
   crc.add(frame, length);
   Entry &entry = entries_[placeFor(origin)];
-  // What began before the other ended, as pieces may, is within 400 ms too.
-  const bool soon = static_cast<int32_t>(begun - entry.ended) <= REPEAT_MILLIS;
+  // What began before the other ended, as pieces may, is within 400 ms too; what seems to have begun weeks before, after.
+  const bool soon = begun - entry.ended + LONGEST_MILLIS <= static_cast<uint32_t>(LONGEST_MILLIS) + REPEAT_MILLIS;
   const bool repeat = soon && entry.origin == origin && entry.crc == crc.value();
   entry.origin = origin;
   entry.crc = crc.value();
