@@ -95,7 +95,7 @@ final class Service {
                 poll();
             }
         }
-        if (pollFirst) {
+        if (inbox.owesTaken()) {
             confirm();
         }
     }
@@ -131,12 +131,14 @@ final class Service {
     private void poll() throws LinkException, LostException {
         Request.Poll poll = inbox.nextPoll();
         Duration interval = context.config().pollInterval();
+        boolean first = pollFirst;
         pollFirst = false;
         try {
             PollReply reply = pollReply(ask(poll));
             inbox.take(poll, reply);
-            interval = intervalAfter(reply);
-            pollFirst = inbox.owesTaken();
+            interval = inbox.owesTaken() ? Duration.ZERO : intervalAfter(reply);
+            // Once: a board that has a message each time shall not keep all requests waiting.
+            pollFirst = inbox.owesTaken() && !first;
             pollsFail = false;
         } catch (ProtocolException e) {
             badPollReply(e);
