@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -70,15 +71,18 @@ class TransmissionTest extends BoardFixture {
         openAndAwaitOnline();
         // The board numbers from 0, and has the outcome of 0 ready before it is asked to transmit.
         CompletableFuture<List<String>> toldBefore = new CompletableFuture<>();
+        CountDownLatch asked = new CountDownLatch(1);
         fake.setFault(reply -> {
             if (!fake.performed().isEmpty() && fake.performed().get(fake.performed().size() - 1).startsWith("transmit")
                     && !toldBefore.isDone()) {
+                await(asked);
                 fake.end(0, Outcome.SENT);
                 fake.setFault(same -> same);
             }
             return reply;
         });
         board.transmit(Address.BROADCAST, HELP).thenRun(() -> toldBefore.complete(listener.rest()));
+        asked.countDown();
         assertEquals(List.of(), toldBefore.get());
         assertEquals("transmitted 0 SENT", listener.next());
     }
