@@ -4,17 +4,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 
 import jason.JasonException;
-import jason.asSemantics.Circumstance;
-import jason.asSemantics.ConcurrentInternalAction;
-import jason.asSemantics.Intention;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
-import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Term;
 
 /**
- * An internal action that waits for the board: it suspends its intention, not its agent, until the board has answered,
- * and resumes or fails it in the agent's own cycle, as {@link ConcurrentInternalAction} does.
+ * An internal action that waits for the board: its intention waits, not its agent, until the board has answered, and goes
+ * on or fails in the agent's own cycle, as after Jason's {@code .wait}.
  */
 public abstract class BoardAction extends DiffuserAction {
 
@@ -55,22 +51,15 @@ public abstract class BoardAction extends DiffuserAction {
     public final Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
         checkArguments(args);
         CompletableFuture<?> answer = start(Diffuser.of(ts), args);
-        String key = suspend(ts.getC());
+        String key = getClass().getSimpleName() + "/javino/" + COUNT.incrementAndGet();
+        Intentions.await(ts.getC(), key);
         answer.whenComplete((done, thrown) -> {
             if (thrown == null) {
-                ConcurrentInternalAction.resume(ts, key, false, null);
+                Intentions.resume(ts, key);
             } else {
                 Intentions.fail(ts, key, Failure.of(thrown));
             }
         });
         return true;
-    }
-
-    private String suspend(Circumstance circumstance) {
-        String key = getClass().getSimpleName() + "/javino/" + COUNT.incrementAndGet();
-        Intention intention = circumstance.getSelectedIntention();
-        intention.setSuspended(true);
-        circumstance.addPendingIntention(key, ASSyntax.createAtom("board"), intention, true);
-        return key;
     }
 }

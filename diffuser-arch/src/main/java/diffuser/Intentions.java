@@ -3,14 +3,18 @@ package diffuser;
 import java.util.function.Supplier;
 
 import jason.asSemantics.Circumstance;
+import jason.asSemantics.CircumstanceListener;
 import jason.asSemantics.ConcurrentInternalAction;
 import jason.asSemantics.Intention;
 import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
 
 /**
- * The agent's intentions that wait for an answer to Jason's {@code .send(To,Ask,Content,Answer)}, by the ids of their
- * messages. Jason suspends them, resumes them with the answer, and ends their waiting at a time-out.
+ * The agent's intentions that wait for the board, and how they go on: by an action of this library, or for an answer to
+ * Jason's {@code .send(To,Ask,Content,Answer)}, by the ids of their messages. The latter Jason itself suspends, resumes
+ * with the answer, and ends at a time-out.
  */
 final class Intentions {
 
@@ -41,16 +45,71 @@ final class Intentions {
         fail(agent.get(), messageId, why);
     }
 
-    /** Fails the intention that is pending under a key, if there is one, in the agent's next cycle. For any thread. */
+    /**
+     * Suspends the selected intention until {@link #resume} or {@link #fail}. As long as it is so, {@code .suspend} and
+     * {@code .resume} may be said of it; so it is not marked as suspended, which is how Jason notes that.
+     *
+     * @param key names it.
+     */
+    static void await(Circumstance circumstance, String key) {
+        circumstance.addPendingIntention(key, ASSyntax.createAtom("board"), circumstance.getSelectedIntention(), false);
+    }
+
+    /** Has the intention that is pending under a key go on, if there is one. For any thread. */
+    static void resume(TransitionSystem ts, String key) {
+        goOn(ts, () -> pending(ts, key), () -> ConcurrentInternalAction.resume(ts, key, false, null));
+    }
+
+    /** Fails the intention that is pending under a key, if there is one. For any thread. */
     static void fail(TransitionSystem ts, String key, Failure why) {
-        // Jason leaves an atomic intention selected, and then waits for it for ever instead of running its failure plan.
-        ts.runAtBeginOfNextCycle(() -> {
-            Intention pending = ts.getC().getPendingIntentions().get(key);
-            if (pending != null && pending.isAtomic()) {
+        goOn(ts, () -> pending(ts, key), () -> {
+            // Jason leaves an atomic intention selected, and then waits for it for ever instead of running its failure plan.
+            if (pending(ts, key).isAtomic()) {
                 ts.getC().setAtomicIntention(null);
             }
+            ConcurrentInternalAction.resume(ts, key, true, why.annotations());
         });
-        ConcurrentInternalAction.resume(ts, key, true, why.annotations());
+    }
+
+    private static Intention pending(TransitionSystem ts, String key) {
+        return ts.getC().getPendingIntentions().get(key);
+    }
+
+    /**
+     * Does what lets an intention go on, on the agent's thread: at the beginning of its next cycle, or where {@code .suspend}
+     * was said of the intention, after {@code .resume}. For any thread.
+     *
+     * @param waiting the intention, asked on the agent's thread; null if it waits no longer.
+     */
+    static void goOn(TransitionSystem ts, Supplier<Intention> waiting, Runnable step) {
+        ts.runAtBeginOfNextCycle(() -> {
+            Intention intention = waiting.get();
+            if (intention != null && intention.isSuspended()) {
+                ts.getC().addEventListener(new Resumption(ts, intention, () -> goOn(ts, waiting, step)));
+            } else if (intention != null) {
+                step.run();
+            }
+        });
+        ts.getAgArch().wakeUpDeliberate();
+    }
+
+    /** Notices that {@code .resume} was said of an intention. */
+    private record Resumption(TransitionSystem ts, Intention intention, Runnable then) implements CircumstanceListener {
+
+        @Override
+        public void intentionResumed(Intention resumed, Term reason) {
+            if (resumed == intention) {
+                ts.getC().removeEventListener(this);
+                then.run();
+            }
+        }
+
+        @Override
+        public void intentionDropped(Intention dropped) {
+            if (dropped == intention) {
+                ts.getC().removeEventListener(this);
+            }
+        }
     }
 
     /** No answer will come for a message that could not be sent; its intention fails by itself. */

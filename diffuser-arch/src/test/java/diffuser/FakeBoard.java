@@ -48,6 +48,8 @@ final class FakeBoard implements LinkOpener {
     private volatile boolean plugged = true;
     private volatile boolean silent;
     private volatile String swallowed = "";
+    private volatile String held;
+    private volatile CountDownLatch released = new CountDownLatch(0);
     private volatile Outcome everyOutcome;
     private volatile Status everyRefusal = Status.OK;
     private volatile boolean hearing;
@@ -87,6 +89,9 @@ final class FakeBoard implements LinkOpener {
     public Link open() throws LinkException {
         if (!plugged) {
             throw new LinkException(port, "there is no such port");
+        }
+        if (openLinks.get() > 0) {
+            throw new LinkException(port, "another program is using it");
         }
         InMemoryLink.Pair pair = InMemoryLink.pair(port);
         link = pair.board();
@@ -146,7 +151,7 @@ final class FakeBoard implements LinkOpener {
         return this;
     }
 
-    /** Its sketch has these actions. */
+    /** Its sketch has these actions, and no others; without them it tells of none and does all. */
     FakeBoard knowing(String... names) {
         actions = List.of(names);
         return this;
@@ -200,6 +205,18 @@ final class FakeBoard implements LinkOpener {
     /** When this request comes, the board records it and falls silent. */
     void swallow(String request) {
         swallowed = request;
+    }
+
+    /** Each request that begins so is recorded, and answered only after {@link #release}. */
+    void hold(String request) {
+        held = request;
+        released = new CountDownLatch(1);
+    }
+
+    /** What is held is answered. */
+    void release() {
+        held = null;
+        released.countDown();
     }
 
     /** From here on there is a packet for somebody in the air whenever the board is asked for its counters, or none. */
@@ -308,13 +325,19 @@ final class FakeBoard implements LinkOpener {
         Bytes body = request.message().from(1);
         return switch (request.message().at(0)) {
             case 'P' -> ok(poll(body));
-            case 'A' -> recorded("A " + text(body), Bytes.EMPTY);
+            case 'A' -> act(text(body));
             case 'C' -> ok(actions((int) body.number(0, 2)));
             case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
             case 'I' -> setRfId(text(body));
             case 'S' -> statistics();
             default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
         };
+    }
+
+    private Bytes act(String action) {
+        boolean known = actions.isEmpty() || actions.contains(action.split("\\(")[0]);
+        Bytes reply = recorded("A " + action, Bytes.EMPTY);
+        return known ? reply : Bytes.of(Status.UNKNOWN_ACTION.ordinal());
     }
 
     private Bytes actions(int offset) {
@@ -356,6 +379,9 @@ final class FakeBoard implements LinkOpener {
             silent = true;
         }
         requests.add(request);
+        if (held != null && request.replaceFirst("#...;", ";").startsWith(held)) {
+            awaitUninterrupted(released);
+        }
         percepts = effects.getOrDefault(request, percepts);
         Status status = refusals.getOrDefault(request, Status.OK);
         return status == Status.OK ? ok(body) : Bytes.of(status.ordinal());

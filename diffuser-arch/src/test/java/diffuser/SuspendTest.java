@@ -1,0 +1,190 @@
+package diffuser;
+
+import java.util.List;
+
+import javino.board.BoardConfig;
+import javino.protocol.Outcome;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Jason's {@code .suspend} and {@code .resume}, said of an intention that waits for the board. */
+class SuspendTest {
+
+    private static final String PROGRAM = """
+            !start.
+            +!start <- .port(body); .setMyRFId("SUPO"); diffuser.note(ready).
+            +!outer <- !do; diffuser.note(outer).
+            +!do <- %s; diffuser.note(done).
+            -!do[error(outcome_unknown)] <- diffuser.note(failed).
+            -!do[error(undelivered)] <- diffuser.note(failed).
+            +!halt(G) <- .suspend(G); diffuser.note(halted).
+            +!on(G) <- .resume(G); diffuser.note(resumed).
+            +!other <- .act(go); diffuser.note(other).
+            +!drop <- .drop_intention(do); diffuser.note(dropped).
+            +!probe <- diffuser.note(probed).
+            """;
+
+    /** Waits for a board as long as a test lets it. */
+    public static class Patient extends ScriptedDiffuser {
+
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected BoardConfig boardConfig() {
+            return BoardConfig.create(config -> config.setAttempts(1000));
+        }
+    }
+
+    private static RunningAgent run(String program, FakeBoard board) {
+        return RunningAgent.run(program, null, List.of(Patient.class.getName()), board);
+    }
+
+    private static RunningAgent waiting(String action, String request, FakeBoard board) {
+        RunningAgent agent = run(PROGRAM.formatted(action), board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        board.hold(request);
+        agent.achieve("outer");
+        RunningAgent.asked(board, request);
+        return agent;
+    }
+
+    private static void suspend(RunningAgent agent, String goal) {
+        agent.achieve("halt(" + goal + ")");
+        agent.notes("halted");
+    }
+
+    private static void resume(RunningAgent agent, String goal) {
+        agent.achieve("on(" + goal + ")");
+        agent.notes("resumed");
+    }
+
+    @ParameterizedTest
+    @CsvSource({".act(stop),do", ".act(stop),outer", "stop,do", "stop,outer"})
+    void suspend_boardHasDoneIt_goesOnAfterResumeOnly(String action, String goal) {
+        FakeBoard board = new FakeBoard("body");
+        try (RunningAgent agent = waiting(action, "A stop", board)) {
+            suspend(agent, goal);
+            board.release();
+            answerToAnother(agent, board);
+            resume(agent, goal);
+            agent.notes("done");
+            agent.notes("outer");
+            agent.notesNothingElse();
+        }
+    }
+
+    /** When the board has answered this, the answer before is there too. */
+    private static void answerToAnother(RunningAgent agent, FakeBoard board) {
+        agent.achieve("other");
+        RunningAgent.asked(board, "A go");
+        agent.notes("other");
+        agent.notesNothingElse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".act(stop)", "stop"})
+    void suspend_boardIsLost_failsAfterResumeOnly(String action) {
+        FakeBoard board = new FakeBoard("body");
+        try (RunningAgent agent = waiting(action, "A stop", board)) {
+            suspend(agent, "do");
+            board.unplug();
+            board.release();
+            agent.warns("the board is off");
+            agent.notesNothingElse();
+            resume(agent, "do");
+            agent.notes("failed");
+            agent.notes("outer");
+            agent.notesNothingElse();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"DELIVERED,done", "UNDELIVERED,failed"})
+    void suspend_messageHasEnded_goesOnAfterResumeOnly(Outcome outcome, String note) {
+        FakeBoard board = new FakeBoard("body");
+        try (RunningAgent agent = waiting(".deliver(\"ROMA\",tell,help)", "ROMA tell;help", board)) {
+            board.release();
+            suspend(agent, "do");
+            board.end("ROMA tell;help", outcome);
+            answerToAnother(agent, board);
+            resume(agent, "do");
+            agent.notes(note);
+            agent.notes("outer");
+        }
+    }
+
+    @Test
+    void suspend_questionThatCannotBeAnswered_failsAfterResumeOnly() {
+        FakeBoard board = new FakeBoard("body").endingAll(Outcome.UNDELIVERED);
+        String ask = ".send(\"ROMA\",askOne,p(_),_)";
+        board.hold("ROMA askOne");
+        try (RunningAgent agent = run(PROGRAM.formatted(ask), board)) {
+            agent.notes("ready");
+            RunningAgent.asked(board, "I SUPO");
+            agent.achieve("outer");
+            Conversing.asked(board, "ROMA askOne;p\\(\\w+\\)");
+            suspend(agent, "do");
+            board.release();
+            answerToAnother(agent, board);
+            resume(agent, "do");
+            agent.notes("failed");
+            agent.notes("outer");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".act(stop)", "stop"})
+    void suspend_resumedBeforeTheBoardAnswers_goesOnWhenItHas(String action) {
+        FakeBoard board = new FakeBoard("body");
+        try (RunningAgent agent = waiting(action, "A stop", board)) {
+            suspend(agent, "do");
+            resume(agent, "do");
+            agent.notesNothingElse();
+            board.release();
+            agent.notes("done");
+            agent.notes("outer");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".act(stop)", "stop"})
+    void suspend_droppedMeanwhile_nothingElseHappens(String action) {
+        FakeBoard board = new FakeBoard("body");
+        try (RunningAgent agent = waiting(action, "A stop", board)) {
+            suspend(agent, "do");
+            board.release();
+            answerToAnother(agent, board);
+            agent.achieve("drop");
+            agent.notes("dropped");
+            resume(agent, "do");
+            agent.notesNothingElse();
+        }
+    }
+
+    @Test
+    void suspend_plainActionBesideAnother_onlyTheOtherGoesOn() {
+        FakeBoard board = new FakeBoard("body");
+        String more = "+!second <- go; diffuser.note(second).";
+        try (RunningAgent agent = run(PROGRAM.formatted("stop") + more, board)) {
+            agent.notes("ready");
+            RunningAgent.asked(board, "I SUPO");
+            board.hold("A stop");
+            agent.achieve("outer");
+            RunningAgent.asked(board, "A stop");
+            suspend(agent, "do");
+            board.release();
+            for (int i = 0; i < 3; i++) {
+                agent.achieve("second");
+                RunningAgent.asked(board, "A go");
+                agent.notes("second");
+            }
+            agent.notesNothingElse();
+            resume(agent, "do");
+            agent.notes("done");
+        }
+    }
+}
