@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 
 import jason.asSyntax.Literal;
@@ -15,7 +14,6 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
-import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
@@ -58,8 +56,9 @@ final class Device implements BoardListener {
     record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake) {
     }
 
-    private Device(String port, Term term, Wishes wishes, Surroundings surroundings) {
-        this.port = port;
+    private Device(Handover link, Term term, Wishes wishes, Surroundings surroundings) {
+        this.link = link;
+        this.port = link.name();
         this.wishes = wishes;
         this.surroundings = surroundings;
         this.percepts = new Percepts(term, wishes.percepts(), surroundings.warnings());
@@ -124,14 +123,14 @@ final class Device implements BoardListener {
         return percepts.malformed();
     }
 
-    /** Whether the board has said, since it came online, that it knows no action of this name. */
-    boolean disowns(String action) {
-        return unknownActions.contains(action);
+    /** Whether a board was here ever. */
+    boolean isKnown() {
+        return actions != null;
     }
 
-    /** Remembers that the board knows no action of this name. */
-    void disown(String action) {
-        unknownActions.add(action);
+    /** Whether the sketch of the board that is here, or was here last, has named an action so. */
+    boolean hasAction(String name) {
+        return actions != null && actions.contains(name);
     }
 
     /** Has the board do as wished, now and whenever it comes back; {@link #setRfId} and {@link #radio} add when. */

@@ -111,7 +111,7 @@ public class Diffuser extends AgArch {
     public CompletableFuture<Void> openPort(String port) {
         PlainLines.of(getTS().getLogger());
         PlainLines.of(getTS().getAg().getLogger());
-        device = Device.open(new Handover(link(port), closeDevice()), portTerm(port), boardConfig(), wishes,
+        device = Device.open(new Handover(link(port), getAgName(), closeDevice()), portTerm(port), boardConfig(), wishes,
                 new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
         return device.decided();
     }

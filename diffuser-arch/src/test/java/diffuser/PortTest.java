@@ -3,6 +3,9 @@ package diffuser;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
+
 import org.junit.jupiter.api.Test;
 
 class PortTest {
@@ -141,6 +144,56 @@ class PortTest {
     static Thread thread(String name) {
         return Thread.getAllStackTraces().keySet().stream()
                 .filter(any -> any.getName().equals(name) && any.isAlive()).findAny().orElseThrow();
+    }
+
+    @Test
+    void port_heldByAnotherAgent_saysByWhich() {
+        FakeBoard left = new FakeBoard("left");
+        RunningAgent one = RunningAgent.run(PROGRAM, left);
+        one.notesAll("left on", "ready");
+        try (RunningAgent other = RunningAgent.run(PROGRAM)) {
+            other.warns("the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
+                    + " its own, or end that agent first");
+            other.notesAll("left off", "ready");
+            assertEquals(1, left.mostOpenAtOnce());
+            one.close();
+            other.notesAll("no left off", "left on");
+            assertEquals(1, left.mostOpenAtOnce());
+        }
+    }
+
+    @Test
+    void port_killedAndCreatedAnew_isNeverOff() {
+        FakeBoard left = new FakeBoard("left");
+        RunningAgent one = RunningAgent.run(PROGRAM, left);
+        one.notesAll("left on", "ready");
+        left.closesSlowly(true);
+        Thread end = new Thread(one::close);
+        end.start();
+        try (RunningAgent next = RunningAgent.run(PROGRAM)) {
+            left.awaitClosing();
+            left.closesSlowly(false);
+            next.notesAll("left on", "ready");
+            assertEquals(1, left.mostOpenAtOnce());
+        }
+    }
+
+    @Test
+    void port_bothNamesOfOnePort_areOnePort() throws Exception {
+        Path port = Files.createTempFile("port", "");
+        Path link = Files.createSymbolicLink(port.resolveSibling(port.getFileName() + "-by-id"), port);
+        FakeBoard board = new FakeBoard(port.toString());
+        String program = "!start. +!start <- .port(\"%s\"). +port(_,S) <- diffuser.note(S).";
+        try (RunningAgent one = RunningAgent.run(program.formatted(port), board)) {
+            one.notes("on");
+            try (RunningAgent other = RunningAgent.run(program.formatted(link), new FakeBoard(link.toString()))) {
+                other.warns("agent " + one.name() + " of this MAS has it");
+                other.notes("off");
+            }
+        } finally {
+            Files.delete(link);
+            Files.delete(port);
+        }
     }
 
     @Test
