@@ -1,21 +1,27 @@
 package diffuser;
 
+import java.util.Set;
 import java.util.function.Consumer;
 
 import jason.JasonException;
 import jason.architecture.AgArch;
 import jason.asSemantics.ActionExec;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Structure;
 import jason.infra.local.LocalAgArch;
 
 /**
  * Decides who performs a plain external action: the board, or what is behind it (an environment, CArtAgO).
  *
- * <p>The board is asked first, since only it knows what its sketch can do. What it does not know goes behind, and goes
- * there directly the next time; what no board can read, such as a variable without a value that an operation of
- * CArtAgO is to give one, goes behind each time. While the board is away, all actions go behind, so that they do not wait
- * for it; where there is nothing behind, they wait for the board as long as its session allows.
+ * <p>The board's is what its sketch has named: a board tells the names when it is greeted, and they hold while it is
+ * away. All else goes behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace from
+ * the intention that is selected then. Where nothing is behind, the board is asked in any case.
  */
 final class ActionRouter {
+
+    /** By these annotations CArtAgO is told whose operation is meant. */
+    private static final Set<String> OF_ARTIFACTS =
+            Set.of("artifact_id", "aid", "artifact_name", "art", "wid", "wsp");
 
     private final Diffuser diffuser;
     private final Consumer<ActionExec> behind;
@@ -30,50 +36,41 @@ final class ActionRouter {
 
     void act(ActionExec action) {
         Device device = diffuser.device().orElse(null);
-        String name = action.getActionTerm().getFunctor();
-        if (device == null || device.disowns(name)) {
+        Structure term = action.getActionTerm();
+        if (device == null || isOfAnArtifact(term) || somethingIsBehind() && !isBoards(term, device)) {
             behind.accept(action);
         } else if (device.isLegacy()) {
-            String text = action.getActionTerm().toString();
+            String text = term.toString();
             // It does not say which actions it has, and one that it does not know may well crash it.
-            passOn(action, new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
-                    + " which it cannot be asked whether it has an action; write .act(" + text + ") instead of " + text));
-        } else if (device.isOnline() || !somethingIsBehind()) {
-            askBoard(device, action);
+            finish(action, new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
+                    + " which it cannot say which actions it has; write .act(" + text + ") instead of " + text));
         } else {
-            warnings.once("the board on " + device.port() + " is off: " + name + " goes to the environment");
-            behind.accept(action);
+            askBoard(action);
         }
     }
 
-    /** Leaves an action that cannot be the board's to what is behind; where nothing is, it has failed. */
-    private void passOn(ActionExec action, Failure failure) {
-        if (somethingIsBehind()) {
-            behind.accept(action);
-        } else {
-            finish(action, failure);
+    /** Whether the sketch has the action, as far as is known, and the board can be asked for it. */
+    private boolean isBoards(Structure action, Device device) {
+        if (!device.isKnown()) {
+            warnings.once("no board has answered on " + device.port() + " yet: plain actions go to the environment"
+                    + " until one has");
         }
+        return device.hasAction(action.getFunctor()) && action.isGround() && !action.negated()
+                && action.getNS().equals(Literal.DefaultNS);
     }
 
-    private void askBoard(Device device, ActionExec action) {
+    private static boolean isOfAnArtifact(Structure action) {
+        return action.hasAnnot() && action.getAnnots().stream()
+                .anyMatch(annotation -> annotation.isStructure()
+                && OF_ARTIFACTS.contains(((Structure) annotation).getFunctor()));
+    }
+
+    private void askBoard(ActionExec action) {
         try {
             diffuser.perform(Texts.action(action.getActionTerm()))
-                    .whenComplete((done, thrown) -> answered(device, action, thrown));
+                    .whenComplete((done, thrown) -> finish(action, thrown == null ? null : Failure.of(thrown)));
         } catch (JasonException e) {
-            passOn(action, Failure.of(e));
-        }
-    }
-
-    private void answered(Device device, ActionExec action, Throwable thrown) {
-        Failure failure = thrown == null ? null : Failure.of(thrown);
-        if (failure != null && failure.isUnknownAction()) {
-            device.disown(action.getActionTerm().getFunctor());
-        }
-        if (failure != null && failure.isNoAction() && somethingIsBehind()) {
-            // On the agent's own thread, as Jason calls act.
-            diffuser.getTS().runAtBeginOfNextCycle(() -> behind.accept(action));
-        } else {
-            finish(action, failure);
+            finish(action, Failure.of(e));
         }
     }
 
@@ -82,7 +79,7 @@ final class ActionRouter {
         if (failure != null) {
             action.setFailureReason(failure.annotation(), failure.message());
         }
-        diffuser.actionExecuted(action);
+        Intentions.goOn(diffuser.getTS(), action::getIntention, () -> diffuser.actionExecuted(action));
     }
 
     /** Whether another than Jason's own last architecture, or an environment, may know the action. */

@@ -31,18 +31,19 @@ final class Device implements BoardListener {
     /** Until sensors that are held are read by themselves. */
     private static final Duration NEVER = Duration.ofDays(36_500);
 
+    private final Handover link;
     private final String port;
     private final Surroundings surroundings;
     private final Percepts percepts;
     private final Channel channel;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
-    private final Set<String> unknownActions = ConcurrentHashMap.newKeySet();
     private final Transmissions transmissions = new Transmissions();
     private volatile Wishes wishes;
     private volatile boolean online;
     private volatile boolean legacy;
-    private volatile List<String> actions = List.of();
+    /** What the sketch has named, when it was greeted last; null before the first time. */
+    private volatile Set<String> actions;
     private volatile boolean closed;
 
     /**
@@ -70,8 +71,8 @@ final class Device implements BoardListener {
      *
      * @param port as beliefs name it.
      */
-    static Device open(LinkOpener link, Term port, BoardConfig config, Wishes wishes, Surroundings surroundings) {
-        Device device = new Device(link.name(), port, wishes, surroundings);
+    static Device open(Handover link, Term port, BoardConfig config, Wishes wishes, Surroundings surroundings) {
+        Device device = new Device(link, port, wishes, surroundings);
         Board board = Board.open(link, config, device);
         device.session.complete(board);
         device.wish(wishes);
@@ -105,7 +106,7 @@ final class Device implements BoardListener {
 
     /** Whether an action of that name is the board's; one that speaks the older protocol cannot say, so any may be. */
     boolean performs(String action) {
-        return legacy || actions.contains(action);
+        return legacy || hasAction(action);
     }
 
     /** Whether agents can communicate by the board's radio. */
@@ -179,7 +180,7 @@ final class Device implements BoardListener {
         closed = true;
         channel.close();
         decided.complete(null);
-        return session.join().end();
+        return session.join().end().whenComplete((done, thrown) -> link.leave());
     }
 
     private CompletableFuture<Long> packetsReceived() {
@@ -198,9 +199,8 @@ final class Device implements BoardListener {
         if (closed) {
             return;
         }
-        unknownActions.clear();
         legacy = info.isLegacy();
-        actions = info.actions();
+        actions = Set.copyOf(info.actions());
         if (legacy) {
             surroundings.warnings().once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
                     + " radio does not; for that flash a sketch with the Javino library");

@@ -26,11 +26,9 @@ import javino.protocol.Status;
  */
 record Failure(String error, String message) {
 
-    private static final String UNKNOWN_ACTION = nameOf(Status.UNKNOWN_ACTION);
     private static final String TOO_LONG = nameOf(Status.TOO_LONG);
     private static final String UNDELIVERED = "undelivered";
     private static final int MOST_BRIEF = 80;
-    private static final String BAD_ARGUMENT = nameOf(Status.BAD_ARGUMENT);
 
     /** Reads what a future of the board failed with. */
     static Failure of(Throwable thrown) {
@@ -70,11 +68,6 @@ record Failure(String error, String message) {
         return status.name().toLowerCase(Locale.ROOT);
     }
 
-    /** Whether the board's sketch has no such action. */
-    boolean isUnknownAction() {
-        return error.equals(UNKNOWN_ACTION);
-    }
-
     /** Whether a message was sent and not acknowledged. */
     boolean isUndelivered() {
         return error.equals(UNDELIVERED);
@@ -88,11 +81,6 @@ record Failure(String error, String message) {
     /** The message if it is short, else the error. */
     String brief() {
         return message.length() <= MOST_BRIEF ? message : error;
-    }
-
-    /** Whether the board knows no such action, or reads it as none; nothing has been done. */
-    boolean isNoAction() {
-        return isUnknownAction() || error.equals(BAD_ARGUMENT);
     }
 
     /** As an exception of an internal action. */

@@ -1,10 +1,14 @@
 package diffuser;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.util.List;
 
 import javino.protocol.Status;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ActionsTest {
 
@@ -102,20 +106,20 @@ class ActionsTest {
     }
 
     @Test
-    void act_plainActionOfTheEnvironment_askedOfTheBoardOnlyOnce() throws Exception {
-        FakeBoard board = new FakeBoard("body").refusing("A paint(red)", Status.UNKNOWN_ACTION);
-        try (RunningAgent agent = withEnvironment(program("paint(red); paint(blue); stop"), board)) {
+    void act_plainActionOfTheEnvironment_isNeverAskedOfTheBoard() throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("stop");
+        try (RunningAgent agent = withEnvironment(program("paint(red); paint(blue); stop; stop(now)"), board)) {
             agent.notes("environment paint(red)");
             agent.notes("environment paint(blue)");
             agent.notes("done");
-            RunningAgent.asked(board, "A paint(red)");
             RunningAgent.asked(board, "A stop");
+            RunningAgent.asked(board, "A stop(now)");
         }
     }
 
     @Test
     void act_plainActionWithAVariable_goesToTheEnvironment() throws Exception {
-        FakeBoard board = new FakeBoard("body");
+        FakeBoard board = new FakeBoard("body").knowing("paint", "stop");
         try (RunningAgent agent = withEnvironment(program("paint(Colour); stop"), board)) {
             agent.notes("environment paint(Colour)");
             agent.notes("done");
@@ -123,32 +127,142 @@ class ActionsTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"artifact_id(7)", "aid(7)", "artifact_name(\"easel\")", "art(easel)", "wid(7)", "wsp(studio)",
+        "source(self),wsp(studio)"})
+    void act_plainActionThatNamesAnArtifact_goesToTheEnvironmentWhateverTheBoardHas(String annotations) throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("paint");
+        try (RunningAgent agent = withEnvironment(program("paint(red)[" + annotations + "]; paint(blue)"), board)) {
+            agent.notes("environment paint(red)[" + annotations + "]");
+            agent.notes("done");
+            RunningAgent.asked(board, "A paint(blue)");
+        }
+    }
+
     @Test
-    void act_plainActionLongerThanABoardReads_goesToTheEnvironment() throws Exception {
+    void act_plainActionWithAnotherAnnotation_goesToTheBoard() throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("paint");
+        try (RunningAgent agent = withEnvironment(program("paint(red)[fast,colour(red)]"), board)) {
+            RunningAgent.asked(board, "A paint(red)");
+            agent.notes("done");
+        }
+    }
+
+    @Test
+    void act_plainActionOfAnArtifactAndNothingBehind_fails() {
+        FakeBoard board = new FakeBoard("body").knowing("paint");
+        try (RunningAgent agent = RunningAgent.run(program("paint(red)[art(easel)]"), board)) {
+            agent.notes("action_failed no environment configured!");
+            assertEquals(0, board.requests.size());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"~paint(red)", "studio::paint(red)"})
+    void act_plainActionOfANameThatNoSketchCanHave_goesToTheEnvironment(String action) throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("paint");
+        try (RunningAgent agent = withEnvironment(program(action), board)) {
+            agent.notes("environment " + action);
+            agent.notes("done");
+            assertEquals(0, board.requests.size());
+        }
+    }
+
+    @Test
+    void act_plainActionLongerThanABoardReads_failsWhereItIsTheBoards() throws Exception {
         String picture = "x".repeat(600);
-        try (RunningAgent agent = withEnvironment(program("paint(\"" + picture + "\")"), new FakeBoard("body"))) {
+        String program = program("paint(\"" + picture + "\")");
+        try (RunningAgent agent = withEnvironment(program, new FakeBoard("body").knowing("paint"))) {
+            agent.notes("action_failed an action has 1…510 bytes of UTF-8, not 609");
+        }
+        try (RunningAgent agent = withEnvironment(program, new FakeBoard("body"))) {
             agent.notes("environment paint(\"" + picture + "\")");
             agent.notes("done");
         }
     }
 
     @Test
-    void act_plainActionThatTheBoardCannotRead_goesToTheEnvironmentAndTheNextOneToTheBoard() throws Exception {
-        FakeBoard board = new FakeBoard("body").refusing("A paint(a(b(c)))", Status.BAD_ARGUMENT);
-        try (RunningAgent agent = withEnvironment(program("paint(a(b(c))); paint(red)"), board)) {
-            agent.notes("environment paint(a(b(c)))");
-            agent.notes("done");
-            RunningAgent.asked(board, "A paint(a(b(c)))");
-            RunningAgent.asked(board, "A paint(red)");
+    void act_plainActionThatTheBoardCannotRead_failsWithItsError() throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("paint").refusing("A paint(a(b(c)))", Status.BAD_ARGUMENT);
+        try (RunningAgent agent = withEnvironment(program("paint(a(b(c)))"), board)) {
+            agent.notes("action_failed act paint(a(b(c))) failed: BAD_ARGUMENT, " + Status.BAD_ARGUMENT.explanation());
         }
     }
 
     @Test
-    void act_plainActionWhileBoardIsAway_goesToTheEnvironment() throws Exception {
-        try (RunningAgent agent = withEnvironment(program("paint(red)"), new FakeBoard("body").unplugged())) {
+    void act_noBoardHasAnsweredYet_goesToTheEnvironmentWithOneWarning() throws Exception {
+        try (RunningAgent agent = withEnvironment(program("paint(red); paint; paint(blue)"),
+                new FakeBoard("body").knowing("paint").unplugged())) {
             agent.notes("environment paint(red)");
+            agent.notes("environment paint");
+            agent.notes("environment paint(blue)");
             agent.notes("done");
-            agent.warns("the board on body is off: paint goes to the environment");
+            assertEquals(List.of("the board is off: body: there is no such port",
+                    "no board has answered on body yet: plain actions go to the environment until one has"),
+                    List.copyOf(agent.warnings));
+        }
+    }
+
+    private static final String OUTAGE = """
+            !start.
+            +!start <- .port(body); diffuser.note(ready); .wait(port(_,off)); .wait(port(_,on)); diffuser.note(back).
+            +!paint <- paint(red); diffuser.note(painted).
+            +!do <- stop; diffuser.note(done).
+            """;
+
+    private static RunningAgent inAnOutage(FakeBoard board) throws Exception {
+        return inAnOutage(board, "-!do[error(port_off)] <- diffuser.note(port_off).");
+    }
+
+    private static RunningAgent inAnOutage(FakeBoard board, String plan) throws Exception {
+        RunningAgent agent = withEnvironment(OUTAGE + plan, board);
+        agent.notes("ready");
+        board.unplug();
+        agent.warns("the board is off");
+        return agent;
+    }
+
+    @Test
+    void act_boardIsAway_actionOfTheEnvironmentGoesThereAndNobodyIsWarned() throws Exception {
+        try (RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop", "go"))) {
+            for (int i = 0; i < 3; i++) {
+                agent.achieve("paint");
+                agent.notes("environment paint(red)");
+                agent.notes("painted");
+            }
+            assertEquals(List.of(), agent.warnings.stream().filter(line -> line.contains("environment")).toList());
+        }
+    }
+
+    @Test
+    void act_boardIsAway_itsOwnActionFailsWithPortOffWhateverIsBehind() throws Exception {
+        try (RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop"))) {
+            agent.achieve("do");
+            agent.notes("port_off");
+        }
+    }
+
+    @Test
+    void act_boardComesBack_performsItsAction() throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("stop");
+        try (RunningAgent agent = inAnOutage(board, "-!do[error(port_off)] <- !do.")) {
+            agent.achieve("do");
+            board.plug();
+            RunningAgent.asked(board, "A stop");
+            agent.notesAll("back", "done");
+        }
+    }
+
+    @Test
+    void act_boardComesBackWithAnotherSketch_itsNamesCount() throws Exception {
+        FakeBoard board = new FakeBoard("body").knowing("stop");
+        try (RunningAgent agent = inAnOutage(board)) {
+            board.knowing("paint").reset();
+            board.plug();
+            agent.notes("back");
+            agent.achieve("paint");
+            RunningAgent.asked(board, "A paint(red)");
+            agent.notes("painted");
         }
     }
 
