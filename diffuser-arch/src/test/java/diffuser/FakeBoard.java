@@ -379,7 +379,8 @@ final class FakeBoard implements LinkOpener {
             silent = true;
         }
         requests.add(request);
-        if (held != null && request.replaceFirst("#...;", ";").startsWith(held)) {
+        String waited = held;
+        if (waited != null && request.replaceFirst("#...;", ";").startsWith(waited)) {
             awaitUninterrupted(released);
         }
         percepts = effects.getOrDefault(request, percepts);
