@@ -29,6 +29,7 @@ import javino.protocol.ProtocolException;
 public final class Host implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 60;
+    private static final int PATIENT_ATTEMPTS = 100;
 
     public final Board board;
     private final Semaphore greetings = new Semaphore(0);
@@ -36,8 +37,8 @@ public final class Host implements AutoCloseable {
     private final BlockingQueue<Integer> sent = new LinkedBlockingQueue<>();
     private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
 
-    private Host(LinkOpener link) {
-        board = Board.open(link, BoardConfig.create(), new BoardListener() {
+    private Host(LinkOpener link, BoardConfig config) {
+        board = Board.open(link, config, new BoardListener() {
             @Override
             public void online(BoardInfo info) {
                 greetings.release();
@@ -65,7 +66,12 @@ public final class Host implements AutoCloseable {
     }
 
     public static Host over(LinkOpener link) {
-        return new Host(link);
+        return new Host(link, BoardConfig.create());
+    }
+
+    /** For boards that write much to their EEPROM: on a busy machine their answers come late by the clock on the wall. */
+    public static Host patient(Emulator emulator, String board) {
+        return new Host(SerialLink.opener(emulator.port(board)), BoardConfig.create(config -> config.setAttempts(PATIENT_ATTEMPTS)));
     }
 
     /** Waits until the board was greeted so often. */

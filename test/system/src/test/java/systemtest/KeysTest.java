@@ -66,7 +66,7 @@ class KeysTest {
     }
 
     private static Host open(Emulator emulator, String board) throws InterruptedException {
-        Host host = Host.of(emulator, board);
+        Host host = Host.patient(emulator, board);
         host.awaitOnline(1);
         Host.get(host.board.radio(true));
         return host;
@@ -235,7 +235,7 @@ class KeysTest {
             for (String board : IDS.keySet()) {
                 Map<String, byte[]> keys = new LinkedHashMap<>();
                 partners(board).forEach(partner -> keys.put(partner.toString(), OLD.bytes().toArray()));
-                hosts.put(board, Host.of(emulator, board).as(IDS.get(board), keys));
+                hosts.put(board, Host.patient(emulator, board).as(IDS.get(board), keys));
             }
             round(List.of("police", "support", "hospital"), (host, with) -> host.board.renewKey(with, NEW));
             round(List.of("support", "hospital", "police"), (host, with) -> host.board.useKey(with));
