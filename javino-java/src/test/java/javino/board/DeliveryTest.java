@@ -123,6 +123,39 @@ class DeliveryTest extends BoardFixture {
         fake.awaitAllTaken();
     }
 
+    /** A board that is broken, or flooded: its host must be able to stop the motor all the same. */
+    @Test
+    void messages_withEachPoll_leaveEachRequestItsTurn() throws Exception {
+        int most = 400;
+        AtomicInteger came = new AtomicInteger();
+        CompletableFuture<Board> opened = new CompletableFuture<>();
+        List<Integer> actedAfter = new ArrayList<>();
+        fake.receive("SUPO", "ROMA", 0, "tell;m");
+        CompletableFuture<Void> acted = new CompletableFuture<>();
+        openRarelyPolling(new BoardListener() {
+            @Override
+            public void message(ReceivedMessage message) {
+                int number = came.incrementAndGet();
+                if (number < most) {
+                    fake.receive("SUPO", "ROMA", number, "tell;m");
+                }
+                if (number == 10 || number == 11) {
+                    opened.join().act("stop").thenRun(() -> {
+                        actedAfter.add(came.get());
+                        if (actedAfter.size() == 2) {
+                            acted.complete(null);
+                        }
+                    });
+                }
+            }
+        });
+        opened.complete(board);
+        acted.get();
+        assertTrue(actedAfter.get(1) < 30, "acted after " + actedAfter + " messages");
+        fake.awaitAllTaken();
+        assertEquals(most, came.get());
+    }
+
     @Test
     void message_boardResetBeforeItKnewOfTheTaking_comesNoSecondTime() throws Exception {
         resetAtNextTaken();
