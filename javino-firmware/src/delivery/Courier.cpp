@@ -208,7 +208,7 @@ bool Courier::onPieces(uint8_t have) {
 }
 
 bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
-  if (!nonces_.raiseAbove(floor)) return false;
+  if (!nonces_.raiseAbove(floor, nonce_)) return false;
   if (!isUnicast()) return true;
   if (!resealed_ && cannotHaveHadIt(uptime) && seal(true)) {
     resealed_ = true;

@@ -26,9 +26,9 @@ void NonceSource::raiseEpoch(uint32_t epoch) {
   counter_ = 0;
 }
 
-bool NonceSource::raiseAbove(const uint8_t *floor) {
+bool NonceSource::raiseAbove(const uint8_t *floor, const uint8_t *nonce) {
   const uint32_t counter = readUint24(floor + COUNTER_AT);
-  if (readUint24(floor) != epoch_.value() || counter > counter_ + MOST_ABOVE) return false;
+  if (readUint24(floor) != epoch_.value() || counter > readUint24(nonce + COUNTER_AT) + MOST_ABOVE) return false;
   if (counter >= counter_) counter_ = counter + 1;
   return true;
 }

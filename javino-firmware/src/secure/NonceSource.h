@@ -30,13 +30,14 @@ class NonceSource {
 
   /// Goes on above the floor of a receiver that lost its memory (SPEC 7.3), unless all to come are above it anyway.
   /// @param floor 6 bytes
-  /// @return false, and nothing is changed, where it is of another epoch or more than 32 above the next nonce: no receiver
-  ///         of our frames has such a floor, and nonces are not to be used up by it.
-  JAVINO_NOINLINE bool raiseAbove(const uint8_t *floor);
+  /// @param nonce 6 bytes, one that was given, of the frame that was refused for the floor
+  /// @return false, and nothing is changed, where the floor is of another epoch or more than 31 above the nonce: no
+  ///         receiver has such a floor, and nonces are not to be used up by it, however often it is told.
+  JAVINO_NOINLINE bool raiseAbove(const uint8_t *floor, const uint8_t *nonce);
 
  private:
   static const uint32_t LAST_COUNTER = 0xFFFFFF;
-  static const uint8_t MOST_ABOVE = 32;
+  static const uint8_t MOST_ABOVE = 31;  // as ReplayMemory sets a floor above the nonce that it is written for
 
   BootEpoch &epoch_;
   uint32_t counter_;

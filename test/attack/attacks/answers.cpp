@@ -157,6 +157,33 @@ Tally replayAcknowledgements(uint32_t seed, uint64_t tries) {
   });
 }
 
+Tally raiseByMulticast(uint32_t seed, uint64_t tries) {
+  Victim victim(seed);
+  return victim.endure(tries, [&] {
+    victim.board.transmit("//SU", "SUPO", "tell;group");
+    const Bytes packet = victim.board.sendNext();
+    const Bytes nonce(packet.begin() + NONCE_AT, packet.begin() + NONCE_AT + javino::NONCE_LENGTH);
+    // A member who holds the key raises and raises.
+    for (unsigned by = 1; by < 200; by++) {
+      const Bytes body = raised(nonce, by) + Bytes{0xFF, 0xFF};
+      const Bytes notice = answer(nonce, "SUXX", body + proof(Victim::groupKey(), Proof::STALE, nonce, "SUPO", "SUXX", body));
+      victim.suffer(notice);
+    }
+    victim.board.sendNext();  // again, as a multicast is
+    victim.board.radio.sent.clear();
+    victim.board.poll();
+    victim.tally.genuine++;
+    victim.board.transmit("//SU", "SUPO", "tell;next");
+    const Bytes next = victim.board.sendNext();
+    const Bytes after(next.begin() + NONCE_AT, next.begin() + NONCE_AT + javino::NONCE_LENGTH);
+    victim.tally.accepted += after > raised(nonce, 32);
+    victim.tally.lost += after <= nonce;
+    victim.board.sendNext();
+    victim.board.radio.sent.clear();
+    victim.board.poll();
+  });
+}
+
 Tally forgeStaleNotices(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   Errand errand(victim);

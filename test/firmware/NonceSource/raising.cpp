@@ -23,6 +23,8 @@ class NonceRaisingTest : public testing::Test {
     return nonce;
   }
 
+  bool raise(const Bytes &floor, const Bytes &of) { return nonces.raiseAbove(floor.data(), of.data()); }
+
   SimulatedEeprom eeprom;
   BootEpoch epoch;
   NonceSource nonces;
@@ -31,34 +33,39 @@ class NonceRaisingTest : public testing::Test {
 }  // namespace
 
 TEST_F(NonceRaisingTest, goes_on_right_above_the_floor) {
-  EXPECT_TRUE(nonces.raiseAbove(nonce(1, 131).data()));
+  EXPECT_TRUE(raise(nonce(1, 130), nonce(1, 99)));
+  EXPECT_EQ(nonce(1, 131), next());
+}
+
+TEST_F(NonceRaisingTest, takes_floors_up_to_31_above_the_nonce_of_the_frame) {
+  EXPECT_FALSE(raise(nonce(1, 131), nonce(1, 99)));
+  EXPECT_EQ(nonce(1, 100), next());
+  EXPECT_TRUE(raise(nonce(1, 131), nonce(1, 100)));
   EXPECT_EQ(nonce(1, 132), next());
 }
 
-TEST_F(NonceRaisingTest, takes_floors_up_to_32_above_the_next_nonce) {
-  EXPECT_FALSE(nonces.raiseAbove(nonce(1, 133).data()));
-  EXPECT_EQ(nonce(1, 100), next());
-  EXPECT_TRUE(nonces.raiseAbove(nonce(1, 133).data()));
-  EXPECT_EQ(nonce(1, 134), next());
+TEST_F(NonceRaisingTest, rises_by_31_for_each_frame_however_often_it_is_asked) {
+  for (uint32_t floor = 100; floor < 100000; floor++) raise(nonce(1, floor), nonce(1, 99));
+  EXPECT_EQ(nonce(1, 131), next());
 }
 
 TEST_F(NonceRaisingTest, never_goes_back) {
   for (uint32_t floor : {0, 50, 99}) {
-    EXPECT_TRUE(nonces.raiseAbove(nonce(1, floor).data())) << floor;
+    EXPECT_TRUE(raise(nonce(1, floor), nonce(1, 99))) << floor;
     EXPECT_GT(next(), nonce(1, 99)) << floor;
   }
 }
 
 TEST_F(NonceRaisingTest, ignores_floors_of_other_epochs) {
   for (uint32_t other : {0u, 2u, 0x010001u, 0xFFFFFFu}) {
-    EXPECT_FALSE(nonces.raiseAbove(nonce(other, 101).data())) << other;
+    EXPECT_FALSE(raise(nonce(other, 101), nonce(1, 99))) << other;
   }
   EXPECT_EQ(nonce(1, 100), next());
 }
 
 TEST_F(NonceRaisingTest, to_the_very_last_nonce_exhausts_it) {
-  for (uint32_t floor = 131; floor < 0xFFFFFF; floor += 32) ASSERT_TRUE(nonces.raiseAbove(nonce(1, floor).data()));
-  EXPECT_TRUE(nonces.raiseAbove(nonce(1, 0xFFFFFF).data()));
+  for (uint32_t floor = 130; floor < 0xFFFFFF; floor += 31) ASSERT_TRUE(raise(nonce(1, floor), nonce(1, floor - 31)));
+  EXPECT_TRUE(raise(nonce(1, 0xFFFFFF), nonce(1, 0xFFFFF0)));
   EXPECT_EQ(javino::Status::NONCE_EXHAUSTED, nonces.status());
 }
 
