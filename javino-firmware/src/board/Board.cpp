@@ -4,6 +4,7 @@ namespace javino {
 
 Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
     : radio_(radio),
+      replays_(keys_),
       nonces_(epoch_),
       delivery_(radio, id_, epoch_, keys_, replays_, nonces_, counters_),
       sender_(delivery_.outbox(), id_, keys_, nonces_),
@@ -16,7 +17,7 @@ bool Board::begin() {
   id_.begin();
   epoch_.begin();
   keys_.begin();
-  replays_.begin(epoch_.value(), keys_);
+  replays_.begin(epoch_.value());
   const bool radioStarted = radio_.begin();
   delivery_.begin();
   return radioStarted && epoch_.isStored();

@@ -33,13 +33,19 @@ Status KeyCommands::raiseEpoch(const uint8_t *body, uint16_t length) {
 Status KeyCommands::store(bool renews, const uint8_t *body, uint16_t length, Reply &reply) {
   Address address;
   if (length != STORE_LENGTH || !parseAddress(body, address)) return Status::BAD_ARGUMENT;
+  if (isOneMorePair(renews, address) && !replays_.hasPlaceForPair()) return Status::STORE_FULL;
   const Status status = keys_.store(address, body + Address::TEXT_LENGTH, renews);
-  const bool forgotten = replays_.forgetLostKeys(keys_);
+  const bool forgotten = replays_.forgetLostKeys();
   if (status != Status::OK) return status;
   if (!forgotten) return Status::STORE_FAILED;
   const uint8_t next = keys_.next(address);
   addCheckValue(next == KeyStore::NO_SLOT ? keys_.current(address) : next, reply);
   return Status::OK;
+}
+
+// Whether a change makes one key more of a pair, which needs a place of its own in the replay memory.
+bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
+  return address.isDevice() && (renews ? keys_.other(address) : keys_.current(address)) == KeyStore::NO_SLOT;
 }
 
 Status KeyCommands::use(const uint8_t *body, uint16_t length, uint8_t underWay) {

@@ -43,6 +43,7 @@ class KeyCommands {
   Status list(uint16_t length, Reply &reply);
 
  private:
+  bool isOneMorePair(bool renews, const Address &address) const;
   JAVINO_NOINLINE bool erase(uint8_t slot);
   JAVINO_NOINLINE void addCheckValue(uint8_t slot, Reply &reply) const;
 

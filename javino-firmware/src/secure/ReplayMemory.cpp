@@ -59,10 +59,10 @@ void packFloor(uint8_t key, const Address &origin, const uint8_t *nonce, uint8_t
 
 }  // namespace
 
-void ReplayMemory::begin(uint32_t epoch, const KeyStore &keys) {
+void ReplayMemory::begin(uint32_t epoch) {
   takeOverRam(epoch);
-  readFloors(keys);
-  forgetLostKeys(keys);
+  readFloors();
+  forgetLostKeys();
   seal();
   beginRing(epoch);
 }
@@ -82,11 +82,11 @@ void ReplayMemory::goOnIn(uint32_t epoch) {
   seal();
 }
 
-void ReplayMemory::readFloors(const KeyStore &keys) {
+void ReplayMemory::readFloors() {
   for (uint8_t place = 0; place < config::FLOOR_SLOTS; place++) {
     uint8_t record[FLOOR_LENGTH];
     if (!beginPlace(place, record)) continue;
-    if (record[0] < KeyStore::SLOTS && !keys.isFree(record[0])) {
+    if (record[0] < KeyStore::SLOTS && !keys_.isFree(record[0])) {
       takeOverFloor(place, record);
     } else {
       erase(place);
@@ -130,7 +130,7 @@ void ReplayMemory::beginRing(uint32_t epoch) {
 
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
   const uint8_t index = find(key, origin);
-  if (index == NO_ENTRY) return findFree() == NO_ENTRY ? FULL : NEWER;
+  if (index == NO_ENTRY) return hasRoom(key) ? NEWER : FULL;
   const TakenNonce &entry = memory_.entries[index];
   const int order = entry.state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry.nonce, NONCE_LENGTH);
   if (order > 0) return NEWER;
@@ -140,9 +140,8 @@ ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, co
 
 bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *nonce) {
   const uint8_t known = find(key, origin);
-  const uint8_t index = known == NO_ENTRY ? findFree() : known;
-  if (index == NO_ENTRY) return false;
-  TakenNonce &entry = memory_.entries[index];
+  if (known == NO_ENTRY && !hasRoom(key)) return false;
+  TakenNonce &entry = memory_.entries[known == NO_ENTRY ? findFree() : known];
   if (known != NO_ENTRY && isCovered(entry, nonce)) return true;
 
   uint8_t record[FLOOR_LENGTH];
@@ -189,10 +188,10 @@ bool ReplayMemory::forget(uint8_t key) {
   return erased;
 }
 
-bool ReplayMemory::forgetLostKeys(const KeyStore &keys) {
+bool ReplayMemory::forgetLostKeys() {
   bool erased = true;
   for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
-    if (keys.isFree(key) && !forget(key)) erased = false;
+    if (keys_.isFree(key) && !forget(key)) erased = false;
   }
   return erased;
 }
@@ -210,6 +209,32 @@ uint8_t ReplayMemory::findFree() const {
     if (memory_.entries[i].state == FREE) return i;
   }
   return NO_ENTRY;
+}
+
+// Whether one more origin of a key may be remembered.
+bool ReplayMemory::hasRoom(uint8_t key) const {
+  if (!keys_.addressAt(key).isMulticast()) return findFree() != NO_ENTRY;
+  const Groups groups = this->groups();
+  uint8_t own = 0;
+  for (const TakenNonce &entry : memory_.entries) {
+    if (entry.state != FREE && entry.key == key) own++;
+  }
+  return groups.origins < groups.places && own < groups.places / groups.keys;
+}
+
+ReplayMemory::Groups ReplayMemory::groups() const {
+  Groups groups = {0, config::REPLAY_ENTRIES, 0};
+  for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
+    if (keys_.addressAt(key).isMulticast()) {
+      groups.keys++;
+    } else if (!keys_.isFree(key)) {
+      groups.places--;
+    }
+  }
+  for (const TakenNonce &entry : memory_.entries) {
+    if (entry.state != FREE && keys_.addressAt(entry.key).isMulticast()) groups.origins++;
+  }
+  return groups;
 }
 
 bool ReplayMemory::isInForce(uint8_t place) const {

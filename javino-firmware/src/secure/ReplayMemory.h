@@ -14,6 +14,9 @@ namespace javino {
 /// Remembers for each key and origin the highest nonce that the host has taken (SPEC 5.1), over reboots too. It never
 /// forgets an origin to make room for another, since whoever can replay could make it forget.
 ///
+/// Of a pair's key there is one origin, and a place is kept for it. Of a group's key there are as many as its members
+/// claim to be: groups share the other places evenly, so that no member can fill those of pairs or of another group.
+///
 /// The exact nonce is in RAM that a reset leaves alone (Retained.h), behind a CRC and the boot epoch: it is taken over
 /// only by the very next boot, so that no old image, which another sketch has left where it was, makes the board forget.
 /// A floor, never lower than any nonce that was accepted, is in EEPROM: all that counts when the RAM is lost. It is there
@@ -35,12 +38,12 @@ class ReplayMemory {
     FULL       ///< from an origin that there is no room to remember
   };
 
-  ReplayMemory() : memory_(retained::takenNonces()), nextPlace_(0) {}
+  explicit ReplayMemory(const KeyStore &keys) : keys_(keys), memory_(retained::takenNonces()), nextPlace_(0) {}
 
   /// Reads the floors, takes over what RAM still holds, and forgets what came under keys that are gone. To be called once,
   /// after a boot, when the epoch was raised and the keys were read: a few ms, and 20 ms for each forgotten floor.
   /// @param epoch the boot epoch
-  JAVINO_NOINLINE void begin(uint32_t epoch, const KeyStore &keys);
+  JAVINO_NOINLINE void begin(uint32_t epoch);
 
   /// The boot epoch was raised: the next boot takes over what RAM holds if it is the one after this.
   void goOnIn(uint32_t epoch);
@@ -69,7 +72,13 @@ class ReplayMemory {
 
   /// Forgets all that came under keys that are gone.
   /// @return false where the EEPROM did not erase a floor.
-  bool forgetLostKeys(const KeyStore &keys);
+  bool forgetLostKeys();
+
+  /// Whether one more key of a pair can have its place.
+  bool hasPlaceForPair() const {
+    const Groups groups = this->groups();
+    return groups.origins < groups.places;
+  }
 
  private:
   enum State : uint8_t {
@@ -79,22 +88,32 @@ class ReplayMemory {
     LOST            // nonce was the floor after the boot: what was taken is not above it
   };
 
+  // The groups' part of the memory.
+  struct Groups {
+    uint8_t keys;
+    uint8_t places;   // that are not kept for pairs
+    uint8_t origins;  // that are remembered
+  };
+
   static const uint8_t NO_ENTRY = 0xFF;
   static const uint8_t NO_PLACE = 0xFF;
 
   void takeOverRam(uint32_t epoch);
-  void readFloors(const KeyStore &keys);
+  void readFloors();
   void takeOverFloor(uint8_t place, const uint8_t *record);
   void beginRing(uint32_t epoch);
   JAVINO_NOINLINE bool isInForce(uint8_t place) const;
   JAVINO_NOINLINE uint8_t find(uint8_t key, const Address &origin) const;
   uint8_t findFree() const;
+  bool hasRoom(uint8_t key) const;
+  JAVINO_NOINLINE Groups groups() const;
   JAVINO_NOINLINE uint8_t store(const uint8_t *record);
   bool readFloor(const TakenNonce &entry, uint8_t *record) const;
   bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
   JAVINO_NOINLINE uint16_t crc() const;
   void seal() { memory_.check = crc(); }
 
+  const KeyStore &keys_;
   TakenNonces &memory_;
   uint8_t nextPlace_;  // of the ring, where to look for a free one
 };

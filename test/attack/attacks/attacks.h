@@ -16,6 +16,7 @@ Tally replayWithinABoot(uint32_t seed, uint64_t tries);
 Tally replayAcrossResets(uint32_t seed, uint64_t tries);
 Tally replayAcrossPowerLoss(uint32_t seed, uint64_t tries);
 Tally replayAcrossCutWrites(uint32_t seed, uint64_t tries);
+Tally inventOrigins(uint32_t seed, uint64_t tries);
 
 // Messages in pieces (pieces.cpp).
 Tally mixPieces(uint32_t seed, uint64_t tries);
@@ -26,3 +27,4 @@ Tally floodWithFirstPieces(uint32_t seed, uint64_t tries);
 Tally forgeAcknowledgements(uint32_t seed, uint64_t tries);
 Tally replayAcknowledgements(uint32_t seed, uint64_t tries);
 Tally forgeStaleNotices(uint32_t seed, uint64_t tries);
+Tally raiseByMulticast(uint32_t seed, uint64_t tries);

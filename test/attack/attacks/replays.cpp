@@ -87,6 +87,35 @@ Tally replayWithinABoot(uint32_t seed, uint64_t tries) {
   });
 }
 
+// Before ROMA has said anything.
+Tally inventOrigins(uint32_t seed, uint64_t tries) {
+  Tally sum;
+  for (uint32_t round = 0; sum.tries < tries; round++) {
+    Victim victim(seed + round);
+    victim.board.setKey("SUPP", Victim::groupKey());
+    for (uint32_t i = 0; i < 500; i++) {
+      std::string origin = "M";
+      for (int k = 0; k < 3; k++) origin += digit(victim.random.number(64));
+      const Bytes frame = sealed(Victim::groupKey(), "//SU", origin, {0, 0, 1, 0, 0, 1}, "invented " + std::to_string(i));
+      victim.allow(frame);
+      victim.suffer(frame);
+      victim.take();
+      if (i % 200 == 100) victim.reset(false);
+    }
+    victim.deliver(victim.genuine(16, false));
+    const Bytes fromSupp = sealed(Victim::groupKey(), "SUPO", "SUPP", {0, 0, 1, 0, 0, 1}, "errand of SUPP");
+    victim.allow(fromSupp);
+    victim.tally.genuine++;
+    victim.hear(fromSupp);
+    victim.tally.lost += victim.board.messages().empty();
+    sum.tries += victim.tally.tries;
+    sum.accepted += victim.tally.accepted;
+    sum.genuine += victim.tally.genuine;
+    sum.lost += victim.tally.lost;
+  }
+  return sum;
+}
+
 Tally replayAcrossResets(uint32_t seed, uint64_t tries) { return replayAcross(true, seed, tries); }
 
 Tally replayAcrossPowerLoss(uint32_t seed, uint64_t tries) { return replayAcross(false, seed, tries); }

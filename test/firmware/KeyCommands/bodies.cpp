@@ -26,7 +26,7 @@ class KeyCommandsTest : public testing::Test {
   KeyCommandsTest() : nonces(epoch), commands(rig.keys, *rig.memory, nonces) {
     epoch.begin();
     for (uint8_t slot = 0; slot < ReplayRig::KEYS; slot++) rig.keys.erase(slot);
-    rig.memory->forgetLostKeys(rig.keys);
+    rig.memory->forgetLostKeys();
   }
 
   Status set(const Bytes &body) { return commands.store(false, body.data(), static_cast<uint16_t>(body.size()), begin()); }
@@ -62,6 +62,21 @@ class KeyCommandsTest : public testing::Test {
 const Bytes TO_SUPO = bytesOf("SUPO");
 
 }  // namespace
+
+// Of invented origins of a group there may be as many as it likes.
+TEST_F(KeyCommandsTest, refuse_one_more_pair_for_which_the_replay_memory_has_no_place) {
+  const Bytes group = bytesOf("//SU");
+  ASSERT_EQ(Status::OK, set(group + KEY));
+  ASSERT_EQ(Status::OK, set(TO_SUPO + KEY));
+  const uint8_t slot = rig.keys.current(javino::Address(0xFFF494));
+  ASSERT_NE(javino::KeyStore::NO_SLOT, slot);
+  for (uint32_t origin = 1000; origin < 1200; origin++) rig.take(slot, javino::Address(origin), nonce(1, 1));
+  EXPECT_EQ(Status::STORE_FULL, set(bytesOf("ROMA") + KEY));
+  EXPECT_EQ(Status::STORE_FULL, renew(TO_SUPO + OTHER_KEY)) << "both keys of a pair need a place";
+  EXPECT_EQ(Status::OK, set(TO_SUPO + OTHER_KEY)) << "in the place of the old one";
+  EXPECT_EQ(Status::OK, set(group + OTHER_KEY)) << "with the group's key its origins go";
+  EXPECT_EQ(Status::OK, set(bytesOf("ROMA") + KEY));
+}
 
 TEST_F(KeyCommandsTest, tell_the_check_value_of_what_they_store) {
   EXPECT_EQ(Status::OK, set(TO_SUPO + KEY));

@@ -16,8 +16,8 @@ ReplayRig::ReplayRig() {
 void ReplayRig::reset() {
   epoch++;
   keys.begin();
-  memory.reset(new ReplayMemory());
-  memory->begin(epoch, keys);
+  memory.reset(new ReplayMemory(keys));
+  memory->begin(epoch);
 }
 
 void ReplayRig::powerCycle() {
