@@ -21,7 +21,8 @@
 #define JAVINO_KEYS JAVINO_BY_CHIP(16, 6)
 #endif
 
-/// Origins, counted once for each key, whose last nonce is remembered, 1…253. 13 bytes of RAM each.
+/// Origins, counted once for each key, whose last nonce is remembered, at least as many as keys, at most 253. Each key of a
+/// pair has a place kept for it; groups share the others. 13 bytes of RAM each.
 #ifndef JAVINO_REPLAY_ENTRIES
 #define JAVINO_REPLAY_ENTRIES JAVINO_BY_CHIP(24, 6)
 #endif
@@ -49,7 +50,7 @@
 #define JAVINO_TRANSMIT_BYTES JAVINO_BY_CHIP(640, 96)
 #endif
 
-/// Messages in pieces that can be received at the same time, 0…8. RAM: the longest message and 26 bytes each. With none,
+/// Messages in pieces that can be received at the same time, 0…8. RAM: the longest message and 172 bytes each. With none,
 /// all that does not fit one packet is dropped and counted: a sealed content of more than 53 bytes, a broadcast of more
 /// than 67.
 #ifndef JAVINO_REASSEMBLIES
@@ -109,7 +110,8 @@ static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
 
 static_assert(JAVINO_KEYS >= 1 && JAVINO_KEYS <= 63, "JAVINO_KEYS must be 1…63");
 static_assert(8 * JAVINO_KEYS < JAVINO_MAX_MESSAGE, "JAVINO_KEYS: one reply of JAVINO_MAX_MESSAGE bytes lists all keys");
-static_assert(JAVINO_REPLAY_ENTRIES >= 1 && JAVINO_REPLAY_ENTRIES <= 253, "JAVINO_REPLAY_ENTRIES must be 1…253");
+static_assert(JAVINO_REPLAY_ENTRIES >= JAVINO_KEYS && JAVINO_REPLAY_ENTRIES <= 253,
+              "JAVINO_REPLAY_ENTRIES must be JAVINO_KEYS at least, and at most 253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,
               "JAVINO_FLOOR_SLOTS must be greater than JAVINO_REPLAY_ENTRIES, and at most 254");
 // A board must be able to receive what fits one radio packet, and tell its host the outcomes of 16 transmissions.

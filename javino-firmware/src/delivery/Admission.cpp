@@ -56,6 +56,15 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length
   return drop(hasKey ? Counter::RADIO_BAD_TAG : Counter::RADIO_NO_KEY);
 }
 
+bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const {
+  if (frame.destination.isBroadcast()) return true;
+  for (uint8_t previous = 0; previous < 2; previous++) {
+    DerivedKeys keys;
+    if (keys_.load(slotOf(frame, previous != 0), keys) && Envelope(keys).isAuthentic(bytes, length)) return true;
+  }
+  return false;
+}
+
 uint8_t Admission::slotOf(const Frame &frame, bool other) const {
   const Address &with = frame.destination.isMulticast() ? frame.destination : frame.origin;
   return other ? keys_.other(with) : keys_.current(with);

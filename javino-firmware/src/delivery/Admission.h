@@ -32,6 +32,9 @@ class Admission {
   /// @return whether it is of no use if it comes again: it is in the inbox, or was before
   JAVINO_NOINLINE bool accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint32_t begun);
 
+  /// Whether a whole frame that is for us comes from where it says: of a broadcast nobody can tell.
+  bool isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const;
+
   /// Looks at the first piece of a sealed frame for us: without a key, or where its nonce is that of a message that we
   /// have, no other piece is needed. That is counted, and a repeat of what the host has taken acknowledged again.
   /// @param nonce in the first piece, 6 bytes

@@ -15,26 +15,19 @@ void PieceReceiver::accept(const Frame &piece, uint32_t begun) {
   const uint8_t index = pieces::indexOf(piece.destination);
   const uint8_t at = index & INDEX_MASK;
   const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
-  uint16_t wholeLength = 0;
   Frame whole;
   if (index >= INDEXES || piece.length == 0 || piece.length > PIECE_LENGTH || (at == 0 && !startsFrame(piece, whole))) {
     counters_.count(Counter::RADIO_PIECES_DROPPED);
     return;
   }
-  if (at == 0) {
-    if (!isWanted(piece, whole, wantsAnswer)) return;
-    wholeLength = static_cast<uint16_t>(HEADER_LENGTH + whole.length);
-  } else if (ignored_.covers(piece.origin, id, now)) {
+  if (at == 0 ? !isWanted(piece, whole, wantsAnswer) : ignored_.covers(piece.origin, id, now)) return;
+  PartialFrame *partial = placeFor(piece, at == 0, begun);
+  if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
+    counters_.count(Counter::RADIO_PIECES_DROPPED);
     return;
   }
-  PartialFrame *partial = placeFor(piece, at == 0, begun);
-  if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), wholeLength, now)) {
-    counters_.count(Counter::RADIO_PIECES_DROPPED);
-  } else if (partial->isWhole()) {
-    finish(*partial, now);
-  } else if (wantsAnswer && partial->hasFirst()) {
-    answer(admission_, *partial);
-  }
+  finish(*partial, now);
+  if (wantsAnswer && partial->hasFirst()) answer(admission_, *partial);
 }
 
 // Whether a first piece begins a frame that has to be cut, and that can be handed on. Reads its header.
@@ -58,7 +51,8 @@ bool PieceReceiver::isWanted(const Frame &piece, const Frame &whole, bool wantsA
     return true;
   }
   PartialFrame *partial = reassembly_.find(piece.origin, id);
-  if (partial != nullptr) partial->have = 0;
+  if (partial != nullptr && partial->hasFirst()) return false;  // it may be forged, and the one that is here not
+  if (partial != nullptr) partial->clear();
   ignored_.add(piece.origin, id, now);
   return false;
 }
@@ -74,19 +68,33 @@ PartialFrame *PieceReceiver::placeFor(const Frame &piece, bool isFirst, uint32_t
   return partial;
 }
 
+// Hands the message on where all its pieces are here. Of some there may be two, of which one is forged.
 void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
-  Frame whole;
-  Frame::parseHeader(partial.bytes, whole);
-  partial.have = 0;
-  if (admission_.accept(whole, partial.bytes, partial.length, partial.begun)) {
-    ignored_.add(partial.origin, partial.id, now);
+  bool wasWhole = false;
+  bool isOther = true;
+  for (uint8_t turn = 0; turn < PartialFrame::CHOICES; turn++) {
+    Frame whole;
+    if (isOther && partial.isWhole()) {
+      wasWhole = wasWhole || turn == 0;
+      Frame::parseHeader(partial.bytes, whole);
+      if (admission_.isGenuine(whole, partial.bytes, partial.length())) {
+        const uint16_t length = partial.length();
+        partial.clear();
+        if (admission_.accept(whole, partial.bytes, length, partial.begun)) ignored_.add(partial.origin, partial.id, now);
+        return;
+      }
+    }
+    isOther = partial.choose(turn);
   }
+  if (!wasWhole) return;
+  counters_.count(Counter::RADIO_BAD_TAG);
+  partial.refuse();
 }
 
 void PieceReceiver::answer(Admission &admission, const PartialFrame &partial) {
   Frame whole;
   Frame::parseHeader(partial.bytes, whole);
-  if (whole.destination.isDevice()) admission.answerPiece(whole, whole.message, partial.have);
+  if (whole.destination.isDevice()) admission.answerPiece(whole, whole.message, partial.undoubted());
 }
 
 void PieceReceiver::run() {

@@ -7,33 +7,99 @@
 namespace javino {
 
 static const uint16_t EXPIRY_MILLIS = 5000;
+static const uint8_t MOST_REFUSALS = 4;
 
-bool PartialFrame::isWhole() const { return hasFirst() && have == pieces::all(pieces::count(length)); }
+namespace {
 
-bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t frameLength, uint16_t now) {
-  const uint16_t at = static_cast<uint16_t>(index * PIECE_LENGTH);
-  if (frameLength == 0 && pieceLength != PIECE_LENGTH) frameLength = static_cast<uint16_t>(at + pieceLength);
-  if (frameLength == 0) frameLength = length;
-  if (at + pieceLength > MAX_FRAME_LENGTH || frameLength > MAX_FRAME_LENGTH) return false;
-  if (length != 0 && frameLength != length) return false;
-  if (frameLength != 0 && !fitsWhole(index, pieceLength, frameLength)) return false;
+uint16_t lengthIn(const uint8_t *first) {
+  Frame whole;
+  Frame::parseHeader(first, whole);
+  return static_cast<uint16_t>(HEADER_LENGTH + whole.length);
+}
+
+// Whether a frame of this length has this piece.
+bool isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) {
+  return index < pieces::count(frameLength) && pieceLength == pieces::length(frameLength, index);
+}
+
+}  // namespace
+
+void PartialFrame::begin(const Address &from, uint8_t number) {
+  have_ = 0;
+  refusals_ = 0;
+  doubted_ = 0;
+  origin = from;
+  id = number;
+  for (Aside &aside : aside_) aside.length = 0;
+}
+
+uint16_t PartialFrame::length() const { return lengthIn(bytes); }
+
+uint8_t PartialFrame::have() const {
+  if (!hasFirst()) return 0;
+  const uint16_t whole = length();
+  uint8_t have = 0;
+  for (uint8_t index = 0; index < MAX_PIECES; index++) {
+    const uint8_t bit = static_cast<uint8_t>(1 << index);
+    if ((have_ & bit) != 0 && isPieceOf(whole, index, lengths_[index])) have |= bit;
+  }
+  return have;
+}
+
+bool PartialFrame::isWhole() const { return hasFirst() && have() == pieces::all(pieces::count(length())); }
+
+bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
+  if (index * PIECE_LENGTH + pieceLength > MAX_FRAME_LENGTH) return false;
+  if (index == 0 || !hasFirst() || isPieceOf(length(), index, pieceLength)) return true;
+  return aside_[0].length != 0 && isPieceOf(lengthIn(aside_[0].bytes), index, pieceLength);
+}
+
+bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now) {
+  if (!fits(index, pieceLength)) return false;
   const uint8_t bit = static_cast<uint8_t>(1 << index);
-  if ((have & bit) != 0) return memcmp(bytes + at, piece, pieceLength) == 0;
-  length = frameLength;
-  have |= bit;
+  uint8_t *at = bytes + index * PIECE_LENGTH;
+  last_ = index;
+  doubted_ = static_cast<uint8_t>(doubted_ & ~bit);
+  if ((have_ & bit) != 0) {
+    if (lengths_[index] == pieceLength && memcmp(at, piece, pieceLength) == 0) return true;
+    Aside &aside = aside_[index != 0];
+    aside.index = index;
+    aside.length = lengths_[index];
+    memcpy(aside.bytes, at, aside.length);
+  }
+  have_ |= bit;
   lastNew = now;
-  memcpy(bytes + at, piece, pieceLength);
+  lengths_[index] = pieceLength;
+  memcpy(at, piece, pieceLength);
   return true;
 }
 
-// Whether a frame of this length has this piece, and those that are here. All of these are full where the length is only
-// told now.
-bool PartialFrame::fitsWhole(uint8_t index, uint8_t pieceLength, uint16_t frameLength) const {
-  const uint8_t count = pieces::count(frameLength);
-  if (count == 1 || index >= count || pieceLength != pieces::length(frameLength, index)) return false;
-  if (length != 0) return true;
-  const bool lastIsFull = pieces::length(frameLength, static_cast<uint8_t>(count - 1)) == PIECE_LENGTH;
-  return (have & ~pieces::all(lastIsFull ? count : static_cast<uint8_t>(count - 1))) == 0;
+bool PartialFrame::choose(uint8_t turn) { return swap(aside_[(turn & 1) == 0]); }
+
+bool PartialFrame::swap(Aside &aside) {
+  if (aside.length == 0) return false;
+  uint8_t *at = bytes + aside.index * PIECE_LENGTH;
+  for (uint8_t i = 0; i < PIECE_LENGTH && at + i < bytes + sizeof bytes; i++) {
+    const uint8_t other = at[i];
+    at[i] = aside.bytes[i];
+    aside.bytes[i] = other;
+  }
+  const uint8_t length = lengths_[aside.index];
+  lengths_[aside.index] = aside.length;
+  aside.length = length;
+  return true;
+}
+
+void PartialFrame::refuse() {
+  const bool hasOtherFirst = aside_[0].length != 0;
+  Aside &aside = aside_[!hasOtherFirst];
+  if ((hasOtherFirst || aside.index == last_) && swap(aside)) {
+    aside.length = 0;
+    return;
+  }
+  refusals_++;
+  if (refusals_ == MOST_REFUSALS) have_ = 0;
+  doubted_ = static_cast<uint8_t>(1 << last_);
 }
 
 Reassembly::Reassembly() { clear(); }
@@ -53,10 +119,7 @@ PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, bool hasFirst
   }
   if (place == nullptr) return nullptr;
   expired = !place->isFree();
-  place->have = 0;
-  place->length = 0;
-  place->origin = origin;
-  place->id = id;
+  place->begin(origin, id);
   return place;
 }
 
@@ -64,14 +127,14 @@ uint8_t Reassembly::expire(uint16_t now) {
   uint8_t expired = 0;
   for (PartialFrame &frame : frames_) {
     if (frame.isFree() || static_cast<uint16_t>(now - frame.lastNew) < EXPIRY_MILLIS) continue;
-    frame.have = 0;
+    frame.clear();
     expired++;
   }
   return expired;
 }
 
 void Reassembly::clear() {
-  for (PartialFrame &frame : frames_) frame.have = 0;
+  for (PartialFrame &frame : frames_) frame.clear();
 }
 
 }  // namespace javino

@@ -10,31 +10,73 @@
 namespace javino {
 
 /// A message of which pieces have come, in any order (SPEC 7.1).
-struct PartialFrame {
-  uint8_t have;      ///< bit k: piece k is here; 0: this place is free
+///
+/// Nothing in a piece proves that it is genuine, only the tag of the whole does. So a piece that is forged must not shut
+/// out the one that it stands for: where two different ones came, both are kept, and the tag tells which is right. The
+/// length is that which a first piece says, and no other piece's.
+class PartialFrame {
+ public:
   uint8_t id;        ///< 0…63
   Address origin;
-  uint16_t length;   ///< of the whole frame; 0 while neither the first piece nor a short one, the last, has come
   uint16_t lastNew;  ///< when the last new piece came, in ms
   uint32_t begun;    ///< when the piece that came first began, in ms
   uint8_t bytes[MAX_FRAME_LENGTH];
 
-  bool isFree() const { return have == 0; }
+  bool isFree() const { return have_ == 0; }
 
-  /// Whether the first piece is here, and with it the frame's header.
-  bool hasFirst() const { return (have & 1) != 0; }
+  void clear() { have_ = 0; }
+
+  /// Begins with nothing of a message.
+  void begin(const Address &from, uint8_t number);
+
+  /// Whether a first piece is here, and with it a frame's header.
+  bool hasFirst() const { return (have_ & 1) != 0; }
+
+  /// The pieces that are here, and fit the first one: bit k for piece k.
+  uint8_t have() const;
+
+  /// The same without a piece that is to be sent once more.
+  uint8_t undoubted() const { return static_cast<uint8_t>(have() & ~doubted_); }
 
   /// Whether all pieces are here.
   bool isWhole() const;
 
-  /// Takes in a piece.
-  /// @param index 0…7
-  /// @param frameLength the whole frame's, where this piece tells it; else 0
-  /// @return false, and nothing changes, where it does not fit what is known.
-  bool add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t frameLength, uint16_t now);
+  /// The whole frame's length, as the first piece says.
+  uint16_t length() const;
+
+  /// Takes in a piece. Of two different ones the newer counts, and the older is kept aside in place of one that was there.
+  /// @param index 0…7; a first piece is one that begins a frame
+  /// @return false, and nothing changes, where it does not fit any first piece that is here, or would not fit a frame.
+  bool add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now);
+
+  /// Sets another choice of the pieces of which there are two. After CHOICES calls all choices were there, and the newest
+  /// pieces count again.
+  /// @param turn 0…3
+  /// @return whether that changed anything
+  bool choose(uint8_t turn);
+  static const uint8_t CHOICES = 4;
+
+  /// No choice is genuine. The newer of two first pieces is forgotten, or the piece that came last where it has replaced
+  /// another, which counts again; else it is to be sent once more, and the fourth time all is forgotten, as another one must be wrong.
+  void refuse();
 
  private:
-  bool fitsWhole(uint8_t index, uint8_t pieceLength, uint16_t frameLength) const;
+  // The other one of two pieces.
+  struct Aside {
+    uint8_t index;
+    uint8_t length;  // 0: none
+    uint8_t bytes[PIECE_LENGTH];
+  };
+
+  bool fits(uint8_t index, uint8_t pieceLength) const;
+  JAVINO_NOINLINE bool swap(Aside &aside);
+
+  uint8_t have_;  // bit k: piece k is here; 0: this place is free
+  uint8_t last_;  // the piece that came last
+  uint8_t refusals_;
+  uint8_t doubted_;  // bit k: piece k is here, but is to be sent once more
+  uint8_t lengths_[MAX_PIECES];
+  Aside aside_[2];  // of the first piece, and of any other
 };
 
 /// The messages that are being put together: a fixed number (Config.h), so that senders who never end theirs take no

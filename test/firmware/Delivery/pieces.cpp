@@ -112,9 +112,67 @@ TEST_F(InPieces, a_message_with_any_piece_changed_is_refused_whole_and_good_when
       if (i == changed) piece.back() = static_cast<uint8_t>(piece.back() ^ 1);
       board.receive(piece);
     }
+    EXPECT_TRUE(board.messages().empty());
+    board.pass(6000);
   }
   EXPECT_EQ(pieces.size(), board.counter(Counter::RADIO_BAD_TAG));
   for (const Bytes &piece : pieces) board.receive(piece);
+  EXPECT_EQ(1u, board.messages().size());
+}
+
+TEST_F(InPieces, a_forged_piece_at_any_time_does_not_shut_out_the_one_that_it_stands_for) {
+  RandomBytes random(22);
+  uint8_t counter = 0;
+  for (size_t forged = 0; forged < 8; forged++) {
+    for (size_t at = 0; at < 8; at++) {
+      counter++;
+      const std::vector<Bytes> pieces = cut(longFrame(counter), counter % 64);
+      Bytes other = pieces[forged];
+      for (size_t i = forged == 0 ? 20 : 10; i < other.size(); i++) other[i] = random.byte();
+      for (size_t i = 0; i < pieces.size(); i++) {
+        if (i == at) board.receive(other);
+        board.receive(pieces[i]);
+      }
+      ASSERT_EQ(1u, board.messages().size()) << "piece " << forged << " forged before piece " << at;
+      EXPECT_EQ(content, board.messages()[0].content);
+      board.pollTaking(static_cast<uint8_t>(counter - 1));
+    }
+  }
+}
+
+TEST_F(InPieces, a_forged_piece_of_one_byte_fixes_no_length) {
+  uint8_t counter = 0;
+  for (size_t index = 1; index < 8; index++) {
+    for (size_t at = 0; at < 8; at++) {
+      counter++;
+      const std::vector<Bytes> pieces = cut(longFrame(counter), counter % 64);
+      Bytes shortened = pieces[index];
+      shortened.resize(11);
+      shortened[8] = 'A';
+      shortened[9] = 'I';
+      for (size_t i = 0; i < pieces.size(); i++) {
+        if (i == at) board.receive(shortened);
+        board.receive(pieces[i]);
+      }
+      ASSERT_EQ(1u, board.messages().size()) << "piece " << index << " forged before piece " << at;
+      board.pollTaking(static_cast<uint8_t>(counter - 1));
+    }
+  }
+}
+
+TEST_F(InPieces, a_forged_first_piece_to_others_or_of_what_was_taken_ends_no_message) {
+  const std::vector<Bytes> before = cut(longFrame(1), 8);
+  for (const Bytes &piece : before) board.receive(piece);
+  board.pollTaking(0);
+  const std::vector<Bytes> pieces = cut(longFrame(2), 9);
+  const Bytes toOthers = cut(sealed(KEY, "SUAM", "SUPP", NONCE, content), 9)[0];
+  Bytes taken = before[0];
+  taken[2] = pieces[0][2];
+  for (size_t i = 0; i < pieces.size(); i++) {
+    board.receive(pieces[i]);
+    board.receive(toOthers);
+    board.receive(taken);
+  }
   EXPECT_EQ(1u, board.messages().size());
 }
 
