@@ -109,6 +109,7 @@ public class Diffuser extends AgArch {
      *         fails, since a board may come later.
      */
     public CompletableFuture<Void> openPort(String port) {
+        PlainLines.everywhere();
         PlainLines.of(getTS().getLogger());
         PlainLines.of(getTS().getAg().getLogger());
         device = Device.open(new Handover(link(port), getAgName(), closeDevice()), portTerm(port), boardConfig(), wishes,

@@ -1,6 +1,7 @@
 package diffuser;
 
 import java.util.logging.Filter;
+import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 
@@ -18,6 +19,15 @@ record PlainLines(Filter before) implements Filter {
     static void of(Logger logger) {
         if (!(logger.getFilter() instanceof PlainLines)) {
             logger.setFilter(new PlainLines(logger.getFilter()));
+        }
+    }
+
+    /** Has whatever is there to write logs do so from now on, as parts of Jason have loggers of their own. */
+    static void everywhere() {
+        for (Handler handler : Logger.getLogger("").getHandlers()) {
+            if (!(handler.getFilter() instanceof PlainLines)) {
+                handler.setFilter(new PlainLines(handler.getFilter()));
+            }
         }
     }
 

@@ -397,7 +397,12 @@ class GateTest {
                 !start.
                 +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready).
                 +!go(X) <- diffuser.note(went,X).
-                +p(X) <- .print("told ", X).
+                +p(X) : X + 1 > 2 <- .print("told ", X).
+                +p(X) : math.abs(X) > 2 <- .print("told ", X).
+                +p(X) : .length(X,N) & N > 100 <- .print("told ", X).
+                +p(X) : X =.. Y <- .print("told ", X).
+                +p(X) <- .print("told ", X); .println(X); .printf("%s", X); .log(info, X); !sum(X).
+                +!sum(X) <- Y = X * 2.
                 """;
         List<LogRecord> lines = new CopyOnWriteArrayList<>();
         Handler log = new Handler() {
