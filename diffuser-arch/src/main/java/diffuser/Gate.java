@@ -206,6 +206,10 @@ final class Gate {
         if (told == null) {
             throw new RefusedException("a broadcast takes back only what a broadcast of the same sender has told");
         }
+        if (!told.isGround()) {
+            // Jason looks for it anew, and may find another.
+            throw new RefusedException("a broadcast takes back no belief with variables");
+        }
         Literal shout = told.copy();
         shout.clearAnnots();
         shout.addAnnot(mark);

@@ -260,6 +260,21 @@ class GateTest {
         }
     }
 
+    /** Jason looks anew for a belief with variables, and may find another. */
+    @Test
+    void pass_untellOfABroadcastOfWhatHasVariables_leavesWhatWasToldSealed() {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(board)) {
+            board.receive(ALL, "SUPO", "tell;q(X,Y)");
+            board.receive(ME, "SUPO", "tell;q(1,2)");
+            board.receive(ALL, "SUPO", "tell;q(1,2)");
+            board.receive(ALL, "SUPO", "untell;q(A,A)");
+            nothingSoFar(agent, board);
+            assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),source(SUPO)]",
+                    belief(agent, "q(1,2)[cast(unicast,SUPO)]"));
+        }
+    }
+
     @Test
     void pass_untellOfABroadcastOfSeveral_eachIsTakenBack() {
         FakeBoard board = new FakeBoard("radio");
