@@ -58,7 +58,8 @@ final class Gate {
 
     /** Annotations to which this architecture, Jason or CArtAgO gives a meaning; the sender's own are taken off. */
     private static final Set<String> MEANINGFUL = Set.of("source", CAST, "error", "error_msg", "signal", "state",
-            "percept_type", "artifact_id", "aid", "artifact_name", "art", "workspace", "wid", "wsp", "env_infra");
+            "hard_deadline", "percept_type", "artifact_id", "aid", "artifact_name", "art", "workspace", "wid", "wsp",
+            "env_infra");
 
     /** Jason's own events, such as {@code jag_shutting_down}, begin so. */
     private static final String JASONS_EVENTS = "jag_";

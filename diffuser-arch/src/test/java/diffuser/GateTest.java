@@ -326,6 +326,20 @@ class GateTest {
         }
     }
 
+    /** Jason drops goals at their deadline, and stumbles over one that is no number. */
+    @Test
+    void pass_goalWithADeadline_isTakenWithoutIt() {
+        FakeBoard board = new FakeBoard("radio");
+        try (RunningAgent agent = ready(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board)) {
+            board.receive(ME, "SUPO", "achieve;keep(1)[hard_deadline(0)]");
+            agent.notes("keeping 1 unicast");
+            board.receive(ME, "SUPO", "achieve;keep(2)[hard_deadline(x)]");
+            agent.notes("keeping 2 unicast");
+            nothingSoFar(agent, board);
+            assertEquals(List.of(), List.copyOf(agent.warnings));
+        }
+    }
+
     @Test
     void pass_originIsAnAgentOfThisMas_refused() throws Exception {
         FakeBoard board = new FakeBoard("radio");
