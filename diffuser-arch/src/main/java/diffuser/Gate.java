@@ -259,35 +259,16 @@ final class Gate {
 
     /** Refuses what names a goal or an event of Jason's, at any depth. */
     private static void refuseJasonsOwn(Term term) throws RefusedException {
-        if (term instanceof Plan plan) {
-            if (plan.getTrigger().getLiteral().isVar()) {
-                throw new RefusedException("a plan for all events is one for Jason's own, too");
-            }
-            refuseJasonsOwn(plan.getLabel(), plan.getTrigger(), plan.getContext(), plan.getBody());
-        } else if (term instanceof PlanBody body) {
-            refuseJasonsOwn(body.getBodyTerm(), body.getBodyNext());
-        } else if (term instanceof Trigger trigger) {
-            refuseJasonsOwn(trigger.getLiteral());
-        } else if (term instanceof ListTerm list && !term.isVar()) {
-            for (Term each : list) {
-                refuseJasonsOwn(each);
-            }
-        } else if (term instanceof Literal literal) {
-            refuseJasonsName(literal);
-            for (int i = 0; i < literal.getArity(); i++) {
-                refuseJasonsOwn(literal.getTerm(i));
-            }
-            if (literal.hasAnnot()) {
-                refuseJasonsOwn(literal.getAnnots());
-            }
+        if (term instanceof Plan plan && plan.getTrigger().getLiteral().isVar()) {
+            throw new RefusedException("a plan for all events is one for Jason's own, too");
         }
-    }
-
-    private static void refuseJasonsOwn(Term... terms) throws RefusedException {
-        for (Term term : terms) {
-            if (term != null) {
-                refuseJasonsOwn(term);
-            }
+        boolean named = term instanceof Literal && !(term instanceof Plan || term instanceof PlanBody
+                || term instanceof Trigger || term instanceof ListTerm && !term.isVar());
+        if (named) {
+            refuseJasonsName((Literal) term);
+        }
+        for (Term part : Texts.parts(term)) {
+            refuseJasonsOwn(part);
         }
     }
 

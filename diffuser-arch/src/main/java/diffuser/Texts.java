@@ -1,11 +1,15 @@
 package diffuser;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 import jason.JasonException;
 import jason.asSemantics.Unifier;
@@ -20,7 +24,9 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.LiteralImpl;
 import jason.asSyntax.NumberTermImpl;
 import jason.asSyntax.Plan;
+import jason.asSyntax.PlanBody;
 import jason.asSyntax.Pred;
+import jason.asSyntax.Rule;
 import jason.asSyntax.StringTerm;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
@@ -162,13 +168,9 @@ public final class Texts {
     }
 
     private static Term plan(String text) throws MalformedTextException {
-        try {
-            Plan plan = ASSyntax.parsePlan(text);
-            plan.setAsPlanTerm(true);
-            return plan;
-        } catch (ParseException | TokenMgrError | RuntimeException e) {
-            throw new MalformedTextException(text, firstLine(e));
-        }
+        Plan plan = parsed(text, ASSyntax::parsePlan);
+        plan.setAsPlanTerm(true);
+        return plan;
     }
 
     /** With the sign before it or without. */
@@ -177,11 +179,7 @@ public final class Texts {
     }
 
     private static Term trigger(String text) throws MalformedTextException {
-        try {
-            return ASSyntax.parseTrigger(text);
-        } catch (ParseException | TokenMgrError | RuntimeException e) {
-            throw new MalformedTextException(text, firstLine(e));
-        }
+        return parsed(text, ASSyntax::parseTrigger);
     }
 
     private static void check(String text, Term term, Force force, boolean conversing) throws MalformedTextException {
@@ -253,25 +251,49 @@ public final class Texts {
             boolean sign = term instanceof ArithExpr expression && expression.getOp() == ArithExpr.ArithmeticOp.minus
                     && function.getArity() == 1 && function.getTerm(0) instanceof NumberTermImpl;
             expect(sign, text, "a number was expected, not something to compute");
-        } else if (term instanceof InternalActionLiteral) {
-            expect(false, text, "an internal action is nothing to say");
-        } else if (term instanceof ListTerm list && !term.isVar()) {
-            for (Term each : list) {
-                expectNoFunction(each, text);
-            }
-        } else if (term instanceof Structure structure && !term.isVar()) {
-            for (int i = 0; i < structure.getArity(); i++) {
-                expectNoFunction(structure.getTerm(i), text);
-            }
-            if (structure.hasAnnot()) {
-                expectNoFunction(structure.getAnnots(), text);
+        } else {
+            expect(!(term instanceof InternalActionLiteral), text, "an internal action is nothing to say");
+            for (Term part : parts(term)) {
+                // What a plan calls, it calls when it runs.
+                boolean call = term instanceof PlanBody && part instanceof InternalActionLiteral;
+                for (Term read : call ? parts(part) : List.of(part)) {
+                    expectNoFunction(read, text);
+                }
             }
         }
     }
 
+    /** What a term is made of. */
+    static List<Term> parts(Term term) {
+        Stream<Term> parts = Stream.of();
+        if (term instanceof Plan plan) {
+            parts = Stream.of(plan.getLabel(), plan.getTrigger(), plan.getContext(), plan.getBody());
+        } else if (term instanceof PlanBody body) {
+            parts = Stream.of(body.getBodyTerm(), body.getBodyNext());
+        } else if (term instanceof Trigger trigger) {
+            parts = Stream.of(trigger.getLiteral());
+        } else if (term instanceof ListTerm list && !term.isVar()) {
+            parts = list.stream();
+        } else if (term instanceof Literal literal) {
+            parts = Stream.concat(IntStream.range(0, literal.getArity()).mapToObj(literal::getTerm),
+                    Stream.of(literal.hasAnnot() ? literal.getAnnots() : null,
+                            literal instanceof Rule rule ? rule.getBody() : null));
+        }
+        return parts.filter(Objects::nonNull).toList();
+    }
+
     private static Term parsed(String text) throws MalformedTextException {
+        return parsed(text, ASSyntax::parseTerm);
+    }
+
+    /** One of Jason's parsers. */
+    private interface Parser<T> {
+        T parse(String text) throws ParseException;
+    }
+
+    private static <T extends Term> T parsed(String text, Parser<T> parser) throws MalformedTextException {
         try {
-            return ASSyntax.parseTerm(text);
+            return parser.parse(text);
         } catch (ParseException | TokenMgrError | RuntimeException e) {
             throw new MalformedTextException(text, firstLine(e));
         }

@@ -420,6 +420,7 @@ class GateTest {
         "tell;q(\n\n", "tell;p(\"", "tell;p(math.sqrt(\"\\n\"))", "tell;p(math.max(1))", "tell;p(A+1)", "tell;p(1/0)",
         "tell;p(-x)", "tell;p(\"a\" + 1)", "tell;p(.count(x))", "tell;p(count(x)+1)", "tell;p(a mod 2)",
         "tell;p(q(1)(2))", "tell;p(\u0000)", "tell;'\n'", "tell;p('\n')", "achieve;p(\"\\n\")", "sing;\n\u001b",
+        "tell;p({ q :- X > math.sqrt(\"\\n\") })", "tell;p(X[math.sqrt(\"\\n\")])", "tell;p({ .foo(\"\\n\") })",
         "untellHow;[x,\"\\n\"]", "tellHow;{ +!e <- .print(\"\\n\" }", "achieve;[a,[b]]"})
     void pass_anyText_writesOneLineAtMostWithoutCommands(String content) {
         String program = """

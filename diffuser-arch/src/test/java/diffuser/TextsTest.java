@@ -104,7 +104,9 @@ class TextsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"p(1+2)", "p(math.sqrt(4))", "p(-(-3))", "[p(1),p(2*3)]", "p(q[r(1+1)])", "p(.date(1,2,3))"})
+    @ValueSource(strings = {"p(1+2)", "p(math.sqrt(4))", "p(-(-3))", "[p(1),p(2*3)]", "p(q[r(1+1)])", "p(.date(1,2,3))",
+        "p(X[math.sqrt(4)])", "p({ q :- X > math.sqrt(4) })", "p({ !q(math.sqrt(4)) })", "p({ +!q <- r(1+1) })",
+        "p({ +q(1+1) })"})
     void readContent_somethingToCompute_isMalformed(String text) {
         assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
     }
