@@ -1,5 +1,6 @@
 package diffuser;
 
+import java.io.StringReader;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -32,7 +33,9 @@ import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.parser.ParseException;
+import jason.asSyntax.parser.SimpleCharStream;
 import jason.asSyntax.parser.TokenMgrError;
+import jason.asSyntax.parser.as2jTokenManager;
 
 import javino.protocol.Content;
 import javino.protocol.Conversation;
@@ -49,6 +52,11 @@ public final class Texts {
 
     /** Controls, and what turns the direction of writing. */
     private static final Pattern COMMANDS = Pattern.compile("[\\p{Cc}\\u2028\\u2029\\u202A-\\u202E\\u2066-\\u2069]");
+
+    /** Jason's parser takes twice as long with each level of braces, or of annotations of variables. */
+    private static final int DEEPEST = 10;
+    private static final Set<String> OPENING = Set.of("{", "[");
+    private static final Set<String> CLOSING = Set.of("}", "]");
 
     private Texts() {
     }
@@ -293,10 +301,23 @@ public final class Texts {
 
     private static <T extends Term> T parsed(String text, Parser<T> parser) throws MalformedTextException {
         try {
+            expect(depth(text) <= DEEPEST, text, "it nests too many braces, lists and annotations");
             return parser.parse(text);
         } catch (ParseException | TokenMgrError | RuntimeException e) {
             throw new MalformedTextException(text, firstLine(e));
         }
+    }
+
+    /** How deep braces, lists and annotations are nested. */
+    private static int depth(String text) {
+        as2jTokenManager tokens = new as2jTokenManager(new SimpleCharStream(new StringReader(text)));
+        int depth = 0;
+        int most = 0;
+        for (String token = tokens.getNextToken().image; !token.isEmpty(); token = tokens.getNextToken().image) {
+            depth += OPENING.contains(token) ? 1 : CLOSING.contains(token) ? -1 : 0;
+            most = Math.max(most, depth);
+        }
+        return most;
     }
 
     private static String firstLine(Throwable thrown) {

@@ -12,6 +12,7 @@ import javino.protocol.Conversation;
 import javino.protocol.Force;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -124,5 +125,23 @@ class TextsTest {
     void readContent_deepPlan_isReadOrMalformed(String opening, String inside, String closing, int depth) {
         String text = "{ +!g <- " + opening.repeat(depth) + inside + (closing == null ? "" : closing).repeat(depth) + " }";
         readOrMalformed(Force.TELL_HOW, text);
+    }
+
+    /** Jason's parser would take twice as long with each level. */
+    @ParameterizedTest
+    @CsvSource({"A[,],150", "_[,],150", "_1[,],110", "p(-A[,]),65", "({,};b),70", "({+a(A[x]),};b),30"})
+    @Timeout(5)
+    void readContent_nestedInAWayThatTakesForEver_isMalformedAtOnce(String opening, String closing, int depth) {
+        String text = opening.repeat(depth) + "x" + closing.repeat(depth);
+        assertMalformed(Force.TELL, "p({" + text + "})");
+        assertMalformed(Force.TELL_HOW, "{ +!g <- " + text + " }");
+        assertMalformed(Force.TELL_HOW, "\"+!g <- " + text + ".\"");
+        assertMalformed(Force.ASK_HOW, "\"+!g(" + text + ")\"");
+    }
+
+    private static void assertMalformed(Force force, String text) {
+        Optional<Conversation> conversation = Optional.of(new Conversation(1)).filter(c -> force.isQuestion());
+        assertThrows(MalformedTextException.class,
+                () -> Texts.readContent(new Content(force, conversation, text)), text);
     }
 }
