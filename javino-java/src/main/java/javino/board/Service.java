@@ -22,12 +22,6 @@ final class Service {
     /** From one poll to the next while the board receives or sends. */
     private static final Duration ACTIVE_INTERVAL = Duration.ofMillis(15);
 
-    /**
-     * How many polls in a row go before requests since messages were taken: after so many one request has its turn, so that
-     * a board that gives a message with each poll does not keep all requests waiting.
-     */
-    private static final int MOST_POLLS_FIRST = 4;
-
     private final Context context;
     private final Exchange exchange;
     private final Inbox inbox;
@@ -91,16 +85,13 @@ final class Service {
     /** Returns when the session was closed. */
     void run(Present present) throws LinkException, LostException {
         pollFirst = inbox.owesTaken();
-        int pollsFirst = 0;
         while (!context.queue().isClosed()) {
-            boolean first = pollFirst && pollsFirst < MOST_POLLS_FIRST;
-            pollsFirst = first ? pollsFirst + 1 : 0;
-            Pending<?> request = first ? null : context.queue().next(pollFirst ? Deadline.in(Duration.ZERO) : nextPoll);
+            Pending<?> request = pollFirst ? null : context.queue().next(nextPoll);
             if (request != null && !request.result().isDone()) {
                 perform(request, present.board());
             }
             // No request: it is time, a wish has changed, or messages were taken.
-            if (request == null || pollFirst || nextPoll.passed()) {
+            if (request == null || nextPoll.passed()) {
                 poll();
             }
         }

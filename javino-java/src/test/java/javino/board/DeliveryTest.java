@@ -256,24 +256,6 @@ class DeliveryTest extends BoardFixture {
         assertTrue(polls().size() <= 3, polls().toString());
     }
 
-    /** A mad board, or a flood on the air: what the agent wants of the board still has its turn. */
-    @Test
-    void messages_oneMoreInEachPoll_letRequestsPass() throws Exception {
-        AtomicInteger ids = new AtomicInteger();
-        fake.setLoses(request -> {
-            if (request.at(0) == 'P') {
-                fake.receive("SUPO", "ROMA", ids.incrementAndGet() & 0xFFFFFF, "tell;more");
-            }
-            return false;
-        });
-        open(listener);
-        for (int i = 0; i < 20; i++) {
-            board.act("stop").get();
-        }
-        fake.setLoses(request -> false);
-        fake.awaitAllTaken();
-    }
-
     @Test
     void message_id_isTold() throws Exception {
         List<ReceivedMessage> received = new ArrayList<>();
