@@ -49,7 +49,7 @@ uint8_t PartialFrame::have() const {
 bool PartialFrame::isWhole() const { return hasFirst() && have() == pieces::all(pieces::count(length())); }
 
 bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
-  if (index * PIECE_LENGTH + pieceLength > MAX_FRAME_LENGTH) return false;
+  if (static_cast<uint16_t>(index * PIECE_LENGTH + pieceLength) > MAX_FRAME_LENGTH) return false;
   if (index == 0 || !hasFirst() || isPieceOf(length(), index, pieceLength)) return true;
   return aside_[0].length != 0 && isPieceOf(lengthIn(aside_[0].bytes), index, pieceLength);
 }
