@@ -85,6 +85,18 @@ final class Attacker implements AutoCloseable {
         return new Frame(piece, from.address(), begun).encode().toArray();
     }
 
+    /**
+     * A last piece of one byte, in the next message of a sender whose messages all go in pieces: it tells a wrong length.
+     *
+     * @param ended how many of its messages have ended: their ids run from 0 (SPEC 7.1), and one is under way.
+     */
+    static byte[] forgedEnd(Field.Post from, long ended, Random random) {
+        String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        char id = digits.charAt((int) ((ended + 1) % digits.length()));
+        return new Frame(Address.parse("+F" + id + digits.charAt(1 + random.nextInt(3))), from.address(), random(1, random))
+            .encode().toArray();
+    }
+
     /** A broadcast of nothing that a host hands on, so that only the way to there is taken up. */
     static byte[] noise(Field.Post from, Random random) {
         return new Frame(Address.BROADCAST, from.address(), random(40, random)).encode().toArray();

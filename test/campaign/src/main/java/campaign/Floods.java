@@ -9,14 +9,15 @@ import java.util.function.Function;
 /** Unicasts of two boards beside a third one that floods the air with forged packets. */
 final class Floods {
 
-    private static final int LENGTH = 16;
+    private static final int SHORT = 16;
+    private static final int LONG = 200;
     private static final long PATIENCE_SECONDS = 600;
     /** Attackers compute bits in loops: more in one emulator would make it fall behind. */
     private static final int AT_ONCE = 2;
 
     /** What is forged. */
     private enum Kind {
-        NONE("nothing"), FRAMES("sealed frames"), PIECES("first pieces"), BROADCASTS("broadcasts");
+        NONE("nothing"), FRAMES("sealed frames"), PIECES("first pieces"), ENDS("ends of the next message"), BROADCASTS("broadcasts");
 
         private final String title;
 
@@ -24,26 +25,39 @@ final class Floods {
             this.title = title;
         }
 
-        Function<Random, byte[]> forger(List<Field.Post> pair, Field.Post attacker) {
-            Field.Post from = pair.get(0);
-            Field.Post to = pair.get(1);
+        Function<Random, byte[]> forger(Pair pair, Field.Post attacker) {
+            Field.Post from = pair.posts().get(0);
+            Field.Post to = pair.posts().get(1);
             return switch (this) {
                 case NONE -> throw new IllegalStateException("nothing is forged");
                 case FRAMES -> random -> Attacker.forgedFrame(from, to, random);
                 case PIECES -> random -> Attacker.forgedPiece(from, to, random);
+                case ENDS -> random -> Attacker.forgedEnd(from, pair.ledger().sum().ended(), random);
                 case BROADCASTS -> random -> Attacker.noise(attacker, random);
             };
         }
     }
 
-    /** @param share of the air that the attacker takes. */
-    private record Case(Kind kind, double share) { }
+    /**
+     * @param share  of the air that the attacker takes.
+     * @param length of each content, in bytes.
+     * @param run    of several of the same kind: each has another seed. Cases of one run stand together.
+     */
+    private record Case(Kind kind, double share, int length, int run) {
+
+        Case(Kind kind, double share) {
+            this(kind, share, SHORT, 0);
+        }
+    }
 
     private static final List<Case> CAMPAIGN = List.of(new Case(Kind.NONE, 0), new Case(Kind.FRAMES, 0.25), new Case(Kind.FRAMES, 0.5),
-        new Case(Kind.PIECES, 0.25), new Case(Kind.PIECES, 0.5), new Case(Kind.BROADCASTS, 0.25), new Case(Kind.BROADCASTS, 0.5));
-    private static final List<Case> TEST = List.of(new Case(Kind.FRAMES, 0.25));
+        new Case(Kind.PIECES, 0.25), new Case(Kind.PIECES, 0.5), new Case(Kind.BROADCASTS, 0.25), new Case(Kind.BROADCASTS, 0.5),
+        new Case(Kind.PIECES, 0.05),
+        new Case(Kind.NONE, 0, LONG, 0), new Case(Kind.ENDS, 0.05, LONG, 0), new Case(Kind.NONE, 0, LONG, 1),
+        new Case(Kind.ENDS, 0.05, LONG, 1), new Case(Kind.NONE, 0, LONG, 2), new Case(Kind.ENDS, 0.05, LONG, 2));
+    private static final List<Case> TEST = List.of(new Case(Kind.FRAMES, 0.25), new Case(Kind.ENDS, 0.05, LONG, 0));
 
-    private final Table table = new Table("flood", "forged", "share of the air", "unicasts", "delivered", "a second");
+    private final Table table = new Table("flood", "forged", "share of the air", "bytes", "unicasts", "delivered", "a second");
     private Ledger.Sum all = Ledger.Sum.ZERO;
     private long stopped;
 
@@ -53,8 +67,9 @@ final class Floods {
         report.text("""
             **Floods**, on emulated boards: a third board in range of a pair sends forged packets, whatever is on the air, for %.0f s, at
             random times that come to a share of it: frames from the sender that the receiver has to check, first pieces from the sender
-            that ask for an answer, and broadcasts that no host can read. The pair goes on with unicasts of %d bytes, two of them
-            waiting. *Share of the air*: of the attacker, as it came out.""".formatted(seconds, LENGTH));
+            that ask for an answer, last pieces of one byte in the next message of the sender, and broadcasts that no host can read. The
+            pair goes on with unicasts, two of them waiting; *bytes* are those of each content. *Share of the air*: of the attacker, as
+            it came out.""".formatted(seconds));
         for (int i = 0; i < cases.size(); i += AT_ONCE) {
             run(cases.subList(i, Math.min(i + AT_ONCE, cases.size())), seconds, settings, report);
         }
@@ -67,7 +82,7 @@ final class Floods {
     private void run(List<Case> cases, double seconds, Settings settings, Report report) throws Exception {
         Air air = new Air();
         Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = timetable.scenario(settings.seed(), air);
+        Emulator.Scenario scenario = timetable.scenario(settings.seed() + cases.get(0).run, air);
         for (int cell = 0; cell < cases.size(); cell++) Attacker.join(scenario, cell);
         try (Closing closing = new Closing()) {
             closing.add(timetable);
@@ -75,7 +90,7 @@ final class Floods {
             List<Pair> pairs = new ArrayList<>();
             List<Attacker> attackers = new ArrayList<>();
             for (int cell = 0; cell < cases.size(); cell++) {
-                pairs.add(closing.add(new Pair(field, cell, LENGTH)));
+                pairs.add(closing.add(new Pair(field, cell, cases.get(cell).length)));
                 attackers.add(closing.add(new Attacker(field, cell)));
             }
             double begun = timetable.now();
@@ -90,13 +105,13 @@ final class Floods {
 
     private static void begin(Case each, Pair pair, Attacker attacker, Timetable timetable, Field field, Settings settings) {
         if (each.kind == Kind.NONE) return;
-        attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed()), each.kind.forger(pair.posts(), attacker.post()));
+        attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed() + each.run), each.kind.forger(pair, attacker.post()));
     }
 
     private void note(Case each, Pair pair, Attacker attacker, Air air, double seconds, Report report) {
         Ledger.Sum sum = pair.ledger().sum();
         Air.Usage forged = air.of(List.of(attacker.post()));
-        table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds), sum.offered(),
+        table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds), each.length, sum.offered(),
             Table.percent(sum.delivered(), sum.offered()), Table.text("%.2f", sum.delivered() / seconds));
         report.progress("flood of %s at %.0f %%: %d of %d unicasts delivered %s", each.kind.title, 100 * each.share, sum.delivered(),
             sum.offered(), attacker.failure());

@@ -38,7 +38,12 @@ final class Ledger {
 
         /** Those whose end is not known yet. */
         long open() {
-            return offered - refused - delivered - undelivered - unknown;
+            return offered - ended();
+        }
+
+        /** Those whose end is known. */
+        long ended() {
+            return refused + delivered + undelivered + unknown;
         }
 
         /** Reports what must never be. */
