@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
-import harness.TraceEvent;
 import harness.Transmitter;
 import java.nio.file.Files;
 import java.nio.file.Path;
