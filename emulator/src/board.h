@@ -15,52 +15,51 @@
 struct avr_t;
 struct avr_irq_t;
 
-#define BOARD_PORTS 12 // 'A'…'L'
+#define BOARD_PORTS 12  // 'A'…'L'
 
 typedef enum { RESET_POWER, RESET_EXTERNAL, RESET_WATCHDOG } reset_cause;
 
 typedef struct {
-    void *context;
-    // The board drives an observed pin to another level.
-    void (*output)(void *context, int pin, bool level, cycles_t at);
-    // The board has been reset, the power-on included.
-    void (*reset)(void *context, reset_cause cause);
-    // The program begins to write an EEPROM byte; board_stop may be called from here.
-    void (*eeprom_written)(void *context);
+  void *context;
+  // The board drives an observed pin to another level.
+  void (*output)(void *context, int pin, bool level, cycles_t at);
+  // The board has been reset, the power-on included.
+  void (*reset)(void *context, reset_cause cause);
+  // The program begins to write an EEPROM byte; board_stop may be called from here.
+  void (*eeprom_written)(void *context);
 } board_listener;
 
 // A level that an input pin will have.
 typedef struct {
-    cycles_t at;
-    int pin;
-    bool level;
+  cycles_t at;
+  int pin;
+  bool level;
 } board_input;
 
 typedef struct {
-    const model *model;
-    struct avr_t *avr;
-    board_listener listener;
-    eeprom memory;
-    cycles_t limit;     // the chip runs up to here, in its own cycles
-    bool powered;
-    bool stopped;       // board_run returns after the instruction under way
-    bool reset_pending; // the chip was reset, its surroundings not yet told
-    reset_cause cause;
-    bool halted;        // sleeps with interrupts off: only a reset wakes it
-    struct {
-        uint8_t direction, latch; // DDRx and PORTx
-        uint8_t observed;         // pins whose output is of interest
-        uint8_t driven, external; // pins driven from outside, and their levels
-        struct board_port_link *link;
-    } ports[BOARD_PORTS];
-    board_input *inputs; // still to come, latest first
-    size_t input_count, input_capacity;
+  const model *model;
+  struct avr_t *avr;
+  board_listener listener;
+  eeprom memory;
+  cycles_t limit;  // the chip runs up to here, in its own cycles
+  bool powered;
+  bool stopped;        // board_run returns after the instruction under way
+  bool reset_pending;  // the chip was reset, its surroundings not yet told
+  reset_cause cause;
+  bool halted;  // sleeps with interrupts off: only a reset wakes it
+  struct {
+    uint8_t direction, latch;  // DDRx and PORTx
+    uint8_t observed;          // pins whose output is of interest
+    uint8_t driven, external;  // pins driven from outside, and their levels
+    struct board_port_link *link;
+  } ports[BOARD_PORTS];
+  board_input *inputs;  // still to come, latest first
+  size_t input_count, input_capacity;
 } board;
 
 // Makes the chip and loads the firmware. The board is not running until board_power_on.
 // Returns 0, or -1 with one line in `error`: no ELF file, or one for another chip.
-int board_init(board *b, const model *m, const char *firmware, board_listener listener, char *error,
-               size_t error_size);
+int board_init(board *b, const model *m, const char *firmware, board_listener listener, char *error, size_t error_size);
 void board_release(board *b);
 
 // Reports changes of this pin's output level from now on.

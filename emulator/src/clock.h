@@ -12,14 +12,8 @@ typedef uint64_t cycles_t;
 #define CYCLES_PER_US (CYCLES_PER_SECOND / 1000000u)
 #define NEVER UINT64_MAX
 
-static inline double cycles_to_seconds(cycles_t cycles)
-{
-    return (double)cycles / CYCLES_PER_SECOND;
-}
+static inline double cycles_to_seconds(cycles_t cycles) { return (double)cycles / CYCLES_PER_SECOND; }
 
-static inline cycles_t seconds_to_cycles(double seconds)
-{
-    return (cycles_t)(seconds * CYCLES_PER_SECOND + 0.5);
-}
+static inline cycles_t seconds_to_cycles(double seconds) { return (cycles_t)(seconds * CYCLES_PER_SECOND + 0.5); }
 
 #endif

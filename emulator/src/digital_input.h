@@ -9,9 +9,9 @@
 #include "sensor_clock.h"
 
 typedef struct {
-    board *owner;
-    sensor_clock clock;
-    cycles_t next_change;
+  board *owner;
+  sensor_clock clock;
+  cycles_t next_change;
 } digital_input;
 
 void digital_input_init(digital_input *sensor, board *owner, const sensor_config *config);

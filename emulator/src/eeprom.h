@@ -17,20 +17,20 @@ struct avr_eeprom_t;
 #define EEPROM_SPLIT_US 1800
 
 typedef struct {
-    void *context;
-    // The program has begun to write a byte.
-    void (*written)(void *context);
+  void *context;
+  // The program has begun to write a byte.
+  void (*written)(void *context);
 } eeprom_listener;
 
 typedef struct {
-    struct avr_t *avr;
-    struct avr_eeprom_t *part; // simavr's, with the bytes
-    eeprom_listener listener;
-    uint64_t done_at; // when the write under way ends, in the chip's cycles; 0 while there is none
-    uint16_t address; // of the write under way
-    uint8_t before;   // what was there
-    uint8_t mode;     // EEPM
-    uint64_t writes;  // bytes that the program has written
+  struct avr_t *avr;
+  struct avr_eeprom_t *part;  // simavr's, with the bytes
+  eeprom_listener listener;
+  uint64_t done_at;  // when the write under way ends, in the chip's cycles; 0 while there is none
+  uint16_t address;  // of the write under way
+  uint8_t before;    // what was there
+  uint8_t mode;      // EEPM
+  uint64_t writes;   // bytes that the program has written
 } eeprom;
 
 // Takes the place of simavr's control register.

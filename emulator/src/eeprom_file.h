@@ -11,17 +11,16 @@ struct avr_t;
 #define MAX_EEPROM_SIZE 4096
 
 typedef struct {
-    const char *path;
-    int size;                       // bytes
-    const uint8_t *live;            // the chip's own; NULL where no file is open
-    int lock;                       // descriptor of the file, which holds its lock
-    uint8_t saved[MAX_EEPROM_SIZE]; // what the file holds
+  const char *path;
+  int size;                        // bytes
+  const uint8_t *live;             // the chip's own; NULL where no file is open
+  int lock;                        // descriptor of the file, which holds its lock
+  uint8_t saved[MAX_EEPROM_SIZE];  // what the file holds
 } eeprom_file;
 
 // Loads the file into the chip, whose EEPROM has `size` bytes; without a file, makes one of what the chip holds.
 // Returns 0, or -1 with one line in `error`: unreadable, of the wrong size, not to be written, or used by another.
-int eeprom_file_open(eeprom_file *file, struct avr_t *avr, int size, const char *path, char *error,
-                     size_t error_size);
+int eeprom_file_open(eeprom_file *file, struct avr_t *avr, int size, const char *path, char *error, size_t error_size);
 
 // Writes the file, in one piece, if the chip's bytes are others than the file's.
 // Returns 0, or -1 with one line in `error`.

@@ -11,412 +11,335 @@
 // Stream numbers of the seed from here on are those of the boards' power.
 #define POWER_STREAM 2000
 
-static void pin_changed(void *context, int pin, bool level, cycles_t at)
-{
-    node *n = context;
-    emulation *e = n->owner;
-    if (pin == n->config->tx_pin) {
-        rf_bus_carrier(&e->air, n->index, level, at);
-        sniffer_tx_edge(&e->listener, n->index, level, at);
-    }
-    fault_plan_output(&e->faults, n->index, pin, level, at);
-    for (size_t i = 0; i < n->config->sensor_count; i++)
-        sensor_output(&n->sensors[i], pin, level, at);
-    for (size_t i = 0; i < n->config->watch_count; i++) {
-        if (n->config->watches[i].pin != pin)
-            continue;
-        trace_begin(e->out, at, n->config->name, "pin");
-        trace_count(e->out, "pin", (uint64_t)pin);
-        trace_text(e->out, "name", n->config->watches[i].name);
-        trace_count(e->out, "level", level);
-        trace_end(e->out);
-    }
-}
-
-static void board_was_reset(void *context, reset_cause cause)
-{
-    static const char *const CAUSES[] = {"power", "external", "watchdog"};
-    node *n = context;
-    uart_reset(&n->serial);
-    serial_sniffer_reset(&n->line);
-    n->resets += cause != RESET_POWER;
-    trace_begin(n->owner->out, board_now(&n->arduino), n->config->name, "reset");
-    trace_text(n->owner->out, "why", n->reset_why ? n->reset_why : CAUSES[cause]);
-    trace_end(n->owner->out);
-    n->reset_why = NULL;
-}
-
-static void eeprom_written(void *context)
-{
-    node *n = context;
-    n->cut = fault_plan_write(&n->owner->faults, n->index, board_now(&n->arduino));
-    if (n->cut)
-        board_stop(&n->arduino);
-}
-
-static void reset_node(node *n, const char *why)
-{
-    if (!n->arduino.powered)
-        return;
-    n->reset_why = why;
-    board_reset(&n->arduino);
-}
-
-static void uart_line(void *context, const uint8_t *bytes, size_t length)
-{
-    node *n = context;
-    trace *out = n->owner->out;
-    trace_begin(out, board_now(&n->arduino), n->config->name, "uart");
-    if (utf8_valid(bytes, length))
-        trace_utf8(out, "line", bytes, length);
-    else
-        trace_hex(out, "hex", bytes, length);
-    trace_end(out);
-}
-
-static void uart_byte(void *context, bool from_host, uint8_t byte)
-{
-    node *n = context;
-    serial_sniffer_byte(&n->line, from_host, byte, board_now(&n->arduino));
-}
-
-static void level_arrives(void *context, size_t receiver, bool level, cycles_t at)
-{
-    emulation *e = context;
-    node *n = &e->nodes[receiver];
-    board_drive_at(&n->arduino, n->config->rx_pin, level, at);
-    sniffer_rx_edge(&e->listener, receiver, level, at);
-}
-
-static void carriers_overlap(void *context, size_t receiver, uint64_t sources, cycles_t at)
-{
-    emulation *e = context;
-    sniffer_collision(&e->listener, receiver, sources, at);
-}
-
-static int plug(emulation *e, node *n)
-{
-    return pty_plug(&n->port, n->config->port, e->error, sizeof e->error);
-}
-
-static void observe_pins(node *n)
-{
-    const scenario *scenario = n->owner->config;
-    board_observe(&n->arduino, n->config->tx_pin);
-    for (size_t i = 0; i < n->config->watch_count; i++)
-        board_observe(&n->arduino, n->config->watches[i].pin);
-    for (size_t i = 0; i < scenario->fault_count; i++)
-        if (scenario->faults[i].after_pin >= 0 && scenario->faults[i].board == n->index)
-            board_observe(&n->arduino, scenario->faults[i].after_pin);
-    board_drive(&n->arduino, n->config->rx_pin, false);
-}
-
-static int out_of_memory(emulation *e)
-{
-    snprintf(e->error, sizeof e->error, "out of memory");
-    return -1;
-}
-
-static int open_node(emulation *e, node *n)
-{
-    char error[400];
-    if (board_init(&n->arduino, n->config->model, n->config->firmware, (board_listener){n, pin_changed, board_was_reset, eeprom_written},
-                   error, sizeof error) != 0 ||
-        (n->config->boot_loader &&
-         firmware_add_boot_loader(n->arduino.avr, n->config->model, n->config->boot_loader, error, sizeof error) != 0)) {
-        snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
-        return -1;
-    }
-    serial_sniffer_init(&n->line, e->out, n->config->name);
-    uart_init(&n->serial, n->arduino.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
-    n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
-    if (!n->sensors)
-        return out_of_memory(e);
-    for (size_t i = 0; i < n->config->sensor_count; i++)
-        sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i]);
-    observe_pins(n);
-    if (n->config->eeprom &&
-        eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size, n->config->eeprom, e->error, sizeof e->error) != 0)
-        return -1;
-    if (n->config->port && plug(e, n) != 0)
-        return -1;
-    board_power_on(&n->arduino, &n->noise);
-    return 0;
-}
-
-int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out)
-{
-    memset(e, 0, sizeof *e);
-    e->config = config;
-    e->out = out;
-    e->next_eeprom_save = EEPROM_INTERVAL;
-    e->nodes = calloc(config->board_count, sizeof *e->nodes);
-    if (!e->nodes)
-        return out_of_memory(e);
-    if (fault_plan_init(&e->faults, config) != 0)
-        return out_of_memory(e);
-    if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
-        sniffer_init(&e->listener, config, &e->air, out) != 0) {
-        snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 64 together");
-        return -1;
-    }
-    for (; e->node_count < config->board_count; e->node_count++) {
-        node *n = &e->nodes[e->node_count];
-        n->owner = e;
-        n->index = e->node_count;
-        n->config = &config->boards[n->index];
-        n->port.master = -1;
-        n->plugged = n->config->port != NULL;
-        n->power_at = NEVER;
-        prng_seed(&n->noise, seed, POWER_STREAM + n->index);
-    }
-    for (size_t i = 0; i < e->node_count; i++)
-        if (open_node(e, &e->nodes[i]) != 0)
-            return -1;
-    return 0;
-}
-
-static void trace_port(const node *n, const char *state)
-{
-    trace_begin(n->owner->out, n->owner->now, n->config->name, "port");
-    trace_text(n->owner->out, "state", state);
-    trace_end(n->owner->out);
-}
-
-static void trace_fault(const emulation *e, const fault_config *fault)
-{
-    trace_begin(e->out, e->now, fault->kind == FAULT_JAM ? NULL : e->nodes[fault->board].config->name, "fault");
-    trace_text(e->out, "do", fault_name(fault->kind));
-    if (fault->kind == FAULT_JAM)
-        trace_time(e->out, "until", e->now + seconds_to_cycles(fault->duration_s));
+static void pin_changed(void *context, int pin, bool level, cycles_t at) {
+  node *n = context;
+  emulation *e = n->owner;
+  if (pin == n->config->tx_pin) {
+    rf_bus_carrier(&e->air, n->index, level, at);
+    sniffer_tx_edge(&e->listener, n->index, level, at);
+  }
+  fault_plan_output(&e->faults, n->index, pin, level, at);
+  for (size_t i = 0; i < n->config->sensor_count; i++) sensor_output(&n->sensors[i], pin, level, at);
+  for (size_t i = 0; i < n->config->watch_count; i++) {
+    if (n->config->watches[i].pin != pin) continue;
+    trace_begin(e->out, at, n->config->name, "pin");
+    trace_count(e->out, "pin", (uint64_t)pin);
+    trace_text(e->out, "name", n->config->watches[i].name);
+    trace_count(e->out, "level", level);
     trace_end(e->out);
+  }
 }
 
-static void trace_cut(const node *n, cycles_t at, int torn)
-{
-    trace *out = n->owner->out;
-    trace_begin(out, at, n->config->name, "fault");
-    trace_text(out, "do", fault_name(FAULT_POWER_CUT));
-    trace_time(out, "until", n->power_at);
-    if (torn >= 0)
-        trace_count(out, "torn", (uint64_t)torn);
-    trace_end(out);
+static void board_was_reset(void *context, reset_cause cause) {
+  static const char *const CAUSES[] = {"power", "external", "watchdog"};
+  node *n = context;
+  uart_reset(&n->serial);
+  serial_sniffer_reset(&n->line);
+  n->resets += cause != RESET_POWER;
+  trace_begin(n->owner->out, board_now(&n->arduino), n->config->name, "reset");
+  trace_text(n->owner->out, "why", n->reset_why ? n->reset_why : CAUSES[cause]);
+  trace_end(n->owner->out);
+  n->reset_why = NULL;
 }
 
-static void unplug(node *n)
-{
-    if (n->port.master < 0)
-        return;
-    pty_unplug(&n->port);
-    trace_port(n, "unplugged");
+static void eeprom_written(void *context) {
+  node *n = context;
+  n->cut = fault_plan_write(&n->owner->faults, n->index, board_now(&n->arduino));
+  if (n->cut) board_stop(&n->arduino);
 }
 
-static int plug_again(emulation *e, node *n)
-{
-    if (!n->plugged || n->port.master >= 0)
-        return 0;
-    trace_port(n, "plugged");
-    return plug(e, n);
+static void reset_node(node *n, const char *why) {
+  if (!n->arduino.powered) return;
+  n->reset_why = why;
+  board_reset(&n->arduino);
+}
+
+static void uart_line(void *context, const uint8_t *bytes, size_t length) {
+  node *n = context;
+  trace *out = n->owner->out;
+  trace_begin(out, board_now(&n->arduino), n->config->name, "uart");
+  if (utf8_valid(bytes, length))
+    trace_utf8(out, "line", bytes, length);
+  else
+    trace_hex(out, "hex", bytes, length);
+  trace_end(out);
+}
+
+static void uart_byte(void *context, bool from_host, uint8_t byte) {
+  node *n = context;
+  serial_sniffer_byte(&n->line, from_host, byte, board_now(&n->arduino));
+}
+
+static void level_arrives(void *context, size_t receiver, bool level, cycles_t at) {
+  emulation *e = context;
+  node *n = &e->nodes[receiver];
+  board_drive_at(&n->arduino, n->config->rx_pin, level, at);
+  sniffer_rx_edge(&e->listener, receiver, level, at);
+}
+
+static void carriers_overlap(void *context, size_t receiver, uint64_t sources, cycles_t at) {
+  emulation *e = context;
+  sniffer_collision(&e->listener, receiver, sources, at);
+}
+
+static int plug(emulation *e, node *n) { return pty_plug(&n->port, n->config->port, e->error, sizeof e->error); }
+
+static void observe_pins(node *n) {
+  const scenario *scenario = n->owner->config;
+  board_observe(&n->arduino, n->config->tx_pin);
+  for (size_t i = 0; i < n->config->watch_count; i++) board_observe(&n->arduino, n->config->watches[i].pin);
+  for (size_t i = 0; i < scenario->fault_count; i++)
+    if (scenario->faults[i].after_pin >= 0 && scenario->faults[i].board == n->index)
+      board_observe(&n->arduino, scenario->faults[i].after_pin);
+  board_drive(&n->arduino, n->config->rx_pin, false);
+}
+
+static int out_of_memory(emulation *e) {
+  snprintf(e->error, sizeof e->error, "out of memory");
+  return -1;
+}
+
+static int open_node(emulation *e, node *n) {
+  char error[400];
+  if (board_init(&n->arduino, n->config->model, n->config->firmware,
+                 (board_listener){n, pin_changed, board_was_reset, eeprom_written}, error, sizeof error) != 0 ||
+      (n->config->boot_loader &&
+       firmware_add_boot_loader(n->arduino.avr, n->config->model, n->config->boot_loader, error, sizeof error) != 0)) {
+    snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
+    return -1;
+  }
+  serial_sniffer_init(&n->line, e->out, n->config->name);
+  uart_init(&n->serial, n->arduino.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
+  n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
+  if (!n->sensors) return out_of_memory(e);
+  for (size_t i = 0; i < n->config->sensor_count; i++) sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i]);
+  observe_pins(n);
+  if (n->config->eeprom && eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size,
+                                            n->config->eeprom, e->error, sizeof e->error) != 0)
+    return -1;
+  if (n->config->port && plug(e, n) != 0) return -1;
+  board_power_on(&n->arduino, &n->noise);
+  return 0;
+}
+
+int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out) {
+  memset(e, 0, sizeof *e);
+  e->config = config;
+  e->out = out;
+  e->next_eeprom_save = EEPROM_INTERVAL;
+  e->nodes = calloc(config->board_count, sizeof *e->nodes);
+  if (!e->nodes) return out_of_memory(e);
+  if (fault_plan_init(&e->faults, config) != 0) return out_of_memory(e);
+  if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
+      sniffer_init(&e->listener, config, &e->air, out) != 0) {
+    snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 64 together");
+    return -1;
+  }
+  for (; e->node_count < config->board_count; e->node_count++) {
+    node *n = &e->nodes[e->node_count];
+    n->owner = e;
+    n->index = e->node_count;
+    n->config = &config->boards[n->index];
+    n->port.master = -1;
+    n->plugged = n->config->port != NULL;
+    n->power_at = NEVER;
+    prng_seed(&n->noise, seed, POWER_STREAM + n->index);
+  }
+  for (size_t i = 0; i < e->node_count; i++)
+    if (open_node(e, &e->nodes[i]) != 0) return -1;
+  return 0;
+}
+
+static void trace_port(const node *n, const char *state) {
+  trace_begin(n->owner->out, n->owner->now, n->config->name, "port");
+  trace_text(n->owner->out, "state", state);
+  trace_end(n->owner->out);
+}
+
+static void trace_fault(const emulation *e, const fault_config *fault) {
+  trace_begin(e->out, e->now, fault->kind == FAULT_JAM ? NULL : e->nodes[fault->board].config->name, "fault");
+  trace_text(e->out, "do", fault_name(fault->kind));
+  if (fault->kind == FAULT_JAM) trace_time(e->out, "until", e->now + seconds_to_cycles(fault->duration_s));
+  trace_end(e->out);
+}
+
+static void trace_cut(const node *n, cycles_t at, int torn) {
+  trace *out = n->owner->out;
+  trace_begin(out, at, n->config->name, "fault");
+  trace_text(out, "do", fault_name(FAULT_POWER_CUT));
+  trace_time(out, "until", n->power_at);
+  if (torn >= 0) trace_count(out, "torn", (uint64_t)torn);
+  trace_end(out);
+}
+
+static void unplug(node *n) {
+  if (n->port.master < 0) return;
+  pty_unplug(&n->port);
+  trace_port(n, "unplugged");
+}
+
+static int plug_again(emulation *e, node *n) {
+  if (!n->plugged || n->port.master >= 0) return 0;
+  trace_port(n, "plugged");
+  return plug(e, n);
 }
 
 // A cut during another one makes it longer, not shorter.
-static void cut_power(node *n, const fault_config *fault)
-{
-    cycles_t now = board_now(&n->arduino);
-    cycles_t back = now + seconds_to_cycles(fault->duration_s);
-    n->power_at = n->power_at == NEVER || back > n->power_at ? back : n->power_at;
-    n->power_cuts++;
-    trace_cut(n, now, board_power_off(&n->arduino, &n->noise));
-    uart_reset(&n->serial);
-    unplug(n);
+static void cut_power(node *n, const fault_config *fault) {
+  cycles_t now = board_now(&n->arduino);
+  cycles_t back = now + seconds_to_cycles(fault->duration_s);
+  n->power_at = n->power_at == NEVER || back > n->power_at ? back : n->power_at;
+  n->power_cuts++;
+  trace_cut(n, now, board_power_off(&n->arduino, &n->noise));
+  uart_reset(&n->serial);
+  unplug(n);
 }
 
-static int restore_power(emulation *e, node *n)
-{
-    if (e->now < n->power_at)
-        return 0;
-    n->power_at = NEVER;
-    board_power_on(&n->arduino, &n->noise);
-    return plug_again(e, n);
+static int restore_power(emulation *e, node *n) {
+  if (e->now < n->power_at) return 0;
+  n->power_at = NEVER;
+  board_power_on(&n->arduino, &n->noise);
+  return plug_again(e, n);
 }
 
-static int perform_fault(emulation *e, const fault_config *fault)
-{
-    node *n = &e->nodes[fault->board];
-    if (fault->kind != FAULT_POWER_CUT)
-        trace_fault(e, fault);
-    switch (fault->kind) {
-    case FAULT_RESET:
-        reset_node(n, "fault");
-        break;
+static int perform_fault(emulation *e, const fault_config *fault) {
+  node *n = &e->nodes[fault->board];
+  if (fault->kind != FAULT_POWER_CUT) trace_fault(e, fault);
+  switch (fault->kind) {
+    case FAULT_RESET: reset_node(n, "fault"); break;
     case FAULT_UNPLUG:
-        n->plugged = false;
-        unplug(n);
-        break;
-    case FAULT_PLUG:
-        n->plugged = true;
-        return n->arduino.powered ? plug_again(e, n) : 0;
-    case FAULT_POWER_CUT:
-        cut_power(n, fault);
-        break;
-    case FAULT_JAM:
-        rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s));
-        break;
-    }
-    return 0;
+      n->plugged = false;
+      unplug(n);
+      break;
+    case FAULT_PLUG: n->plugged = true; return n->arduino.powered ? plug_again(e, n) : 0;
+    case FAULT_POWER_CUT: cut_power(n, fault); break;
+    case FAULT_JAM: rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s)); break;
+  }
+  return 0;
 }
 
-static int perform_faults(emulation *e)
-{
-    const fault_config *fault;
-    while ((fault = fault_plan_take(&e->faults, e->now)) != NULL)
-        if (perform_fault(e, fault) != 0)
-            return -1;
-    for (size_t i = 0; i < e->node_count; i++)
-        if (restore_power(e, &e->nodes[i]) != 0)
-            return -1;
-    return 0;
+static int perform_faults(emulation *e) {
+  const fault_config *fault;
+  while ((fault = fault_plan_take(&e->faults, e->now)) != NULL)
+    if (perform_fault(e, fault) != 0) return -1;
+  for (size_t i = 0; i < e->node_count; i++)
+    if (restore_power(e, &e->nodes[i]) != 0) return -1;
+  return 0;
 }
 
-static int save_eeproms(emulation *e)
-{
-    for (size_t i = 0; i < e->node_count; i++)
-        if (e->nodes[i].eeprom.live && eeprom_file_save(&e->nodes[i].eeprom, e->error, sizeof e->error) != 0)
-            return -1;
-    return 0;
+static int save_eeproms(emulation *e) {
+  for (size_t i = 0; i < e->node_count; i++)
+    if (e->nodes[i].eeprom.live && eeprom_file_save(&e->nodes[i].eeprom, e->error, sizeof e->error) != 0) return -1;
+  return 0;
 }
 
 // Faults and EEPROM files come when their time is reached, at the border of two steps.
-static int do_due(emulation *e)
-{
-    if (perform_faults(e) != 0)
-        return -1;
-    if (e->now < e->next_eeprom_save)
-        return 0;
-    e->next_eeprom_save = e->now + EEPROM_INTERVAL;
-    return save_eeproms(e);
+static int do_due(emulation *e) {
+  if (perform_faults(e) != 0) return -1;
+  if (e->now < e->next_eeprom_save) return 0;
+  e->next_eeprom_save = e->now + EEPROM_INTERVAL;
+  return save_eeproms(e);
 }
 
-static cycles_t earliest(cycles_t a, cycles_t b)
-{
-    return a < b ? a : b;
-}
+static cycles_t earliest(cycles_t a, cycles_t b) { return a < b ? a : b; }
 
-static cycles_t node_next_event(const node *n)
-{
-    cycles_t next = earliest(board_next_event(&n->arduino), n->power_at);
-    for (size_t i = 0; i < n->config->sensor_count; i++)
-        next = earliest(next, sensor_next_event(&n->sensors[i]));
-    return next;
+static cycles_t node_next_event(const node *n) {
+  cycles_t next = earliest(board_next_event(&n->arduino), n->power_at);
+  for (size_t i = 0; i < n->config->sensor_count; i++) next = earliest(next, sensor_next_event(&n->sensors[i]));
+  return next;
 }
 
 // One step; a longer one while all boards sleep, up to where the first thing happens.
-static cycles_t step_end(const emulation *e, cycles_t until)
-{
-    cycles_t end = earliest(e->air.next_event, e->faults.next);
-    for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
-        end = earliest(end, node_next_event(&e->nodes[i]));
-    end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
-    return earliest(end, until);
+static cycles_t step_end(const emulation *e, cycles_t until) {
+  cycles_t end = earliest(e->air.next_event, e->faults.next);
+  for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
+    end = earliest(end, node_next_event(&e->nodes[i]));
+  end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
+  return earliest(end, until);
 }
 
-static int run_board(emulation *e, node *n, cycles_t end)
-{
-    for (size_t i = 0; i < n->config->sensor_count; i++)
-        sensor_advance(&n->sensors[i], end);
-    while (board_run(&n->arduino, end) == 0) {
-        if (!n->cut)
-            return 0;
-        cut_power(n, n->cut);
-        n->cut = NULL;
-    }
-    snprintf(e->error, sizeof e->error, "board %s: its program crashed at pc 0x%05x, after %.6f s",
-             n->config->name, board_pc(&n->arduino), cycles_to_seconds(board_now(&n->arduino)));
-    return -1;
+static int run_board(emulation *e, node *n, cycles_t end) {
+  for (size_t i = 0; i < n->config->sensor_count; i++) sensor_advance(&n->sensors[i], end);
+  while (board_run(&n->arduino, end) == 0) {
+    if (!n->cut) return 0;
+    cut_power(n, n->cut);
+    n->cut = NULL;
+  }
+  snprintf(e->error, sizeof e->error, "board %s: its program crashed at pc 0x%05x, after %.6f s", n->config->name,
+           board_pc(&n->arduino), cycles_to_seconds(board_now(&n->arduino)));
+  return -1;
 }
 
-int emulation_run(emulation *e, cycles_t until)
-{
-    while (e->now < until) {
-        if (do_due(e) != 0)
-            return -1;
-        cycles_t end = step_end(e, until);
-        for (size_t i = 0; i < e->node_count; i++)
-            if (run_board(e, &e->nodes[i], end) != 0)
-                return -1;
-        // In this order a packet is known at its sender before it arrives anywhere.
-        sniffer_advance_tx(&e->listener, end);
-        rf_bus_advance(&e->air, end);
-        sniffer_advance_rx(&e->listener, end);
-        e->now = end;
-    }
-    return 0;
-}
-
-void emulation_exchange(emulation *e)
-{
-    for (size_t i = 0; i < e->node_count; i++) {
-        node *n = &e->nodes[i];
-        pty_change change = pty_exchange(&n->port);
-        if (change != PTY_SAME)
-            trace_port(n, change == PTY_OPENED ? "open" : "closed");
-        if (change == PTY_OPENED && n->config->reset_on_open)
-            reset_node(n, "port opened");
-        uart_pump(&n->serial);
-    }
-}
-
-size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < e->node_count; i++) {
-        int descriptor = pty_poll_descriptor(&e->nodes[i].port);
-        if (descriptor >= 0)
-            descriptors[count++] = (struct pollfd){descriptor, POLLIN, 0};
-    }
-    return count;
-}
-
-static void trace_counters(const emulation *e, const node *n)
-{
-    const sniffer_counters *radio = &e->listener.stations[n->index].counters;
-    trace_begin(e->out, e->now, n->config->name, "counters");
-    trace_count(e->out, "resets", n->resets);
-    trace_count(e->out, "powerCuts", n->power_cuts);
-    trace_count(e->out, "faultsPending", fault_plan_pending(&e->faults, n->index));
-    trace_count(e->out, "eepromWrites", n->arduino.memory.writes);
-    trace_count(e->out, "serialReceived", n->port.received);
-    trace_count(e->out, "serialSent", n->port.sent);
-    trace_count(e->out, "serialDropped", n->port.dropped);
-    trace_count(e->out, "radioSent", radio->sent);
-    trace_count(e->out, "radioUndecodable", radio->undecodable);
-    trace_count(e->out, "radioReceived", radio->received);
-    trace_count(e->out, "radioDamaged", radio->damaged);
-    trace_count(e->out, "radioCollisions", radio->collisions);
-    trace_count(e->out, "radioNotFollowed", radio->not_followed);
-    trace_end(e->out);
-}
-
-static void close_node(emulation *e, node *n)
-{
-    if (n->arduino.avr && n->serial.input) {
-        uart_flush(&n->serial);
-        trace_counters(e, n);
-    }
-    pty_unplug(&n->port);
-    board_release(&n->arduino);
-    free(n->sensors);
-    eeprom_file_close(&n->eeprom);
-}
-
-int emulation_close(emulation *e)
-{
-    int result = save_eeproms(e);
+int emulation_run(emulation *e, cycles_t until) {
+  while (e->now < until) {
+    if (do_due(e) != 0) return -1;
+    cycles_t end = step_end(e, until);
     for (size_t i = 0; i < e->node_count; i++)
-        close_node(e, &e->nodes[i]);
-    sniffer_release(&e->listener);
-    rf_bus_release(&e->air);
-    fault_plan_release(&e->faults);
-    free(e->nodes);
-    return result;
+      if (run_board(e, &e->nodes[i], end) != 0) return -1;
+    // In this order a packet is known at its sender before it arrives anywhere.
+    sniffer_advance_tx(&e->listener, end);
+    rf_bus_advance(&e->air, end);
+    sniffer_advance_rx(&e->listener, end);
+    e->now = end;
+  }
+  return 0;
+}
+
+void emulation_exchange(emulation *e) {
+  for (size_t i = 0; i < e->node_count; i++) {
+    node *n = &e->nodes[i];
+    pty_change change = pty_exchange(&n->port);
+    if (change != PTY_SAME) trace_port(n, change == PTY_OPENED ? "open" : "closed");
+    if (change == PTY_OPENED && n->config->reset_on_open) reset_node(n, "port opened");
+    uart_pump(&n->serial);
+  }
+}
+
+size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors) {
+  size_t count = 0;
+  for (size_t i = 0; i < e->node_count; i++) {
+    int descriptor = pty_poll_descriptor(&e->nodes[i].port);
+    if (descriptor >= 0) descriptors[count++] = (struct pollfd){descriptor, POLLIN, 0};
+  }
+  return count;
+}
+
+static void trace_counters(const emulation *e, const node *n) {
+  const sniffer_counters *radio = &e->listener.stations[n->index].counters;
+  trace_begin(e->out, e->now, n->config->name, "counters");
+  trace_count(e->out, "resets", n->resets);
+  trace_count(e->out, "powerCuts", n->power_cuts);
+  trace_count(e->out, "faultsPending", fault_plan_pending(&e->faults, n->index));
+  trace_count(e->out, "eepromWrites", n->arduino.memory.writes);
+  trace_count(e->out, "serialReceived", n->port.received);
+  trace_count(e->out, "serialSent", n->port.sent);
+  trace_count(e->out, "serialDropped", n->port.dropped);
+  trace_count(e->out, "radioSent", radio->sent);
+  trace_count(e->out, "radioUndecodable", radio->undecodable);
+  trace_count(e->out, "radioReceived", radio->received);
+  trace_count(e->out, "radioDamaged", radio->damaged);
+  trace_count(e->out, "radioCollisions", radio->collisions);
+  trace_count(e->out, "radioNotFollowed", radio->not_followed);
+  trace_end(e->out);
+}
+
+static void close_node(emulation *e, node *n) {
+  if (n->arduino.avr && n->serial.input) {
+    uart_flush(&n->serial);
+    trace_counters(e, n);
+  }
+  pty_unplug(&n->port);
+  board_release(&n->arduino);
+  free(n->sensors);
+  eeprom_file_close(&n->eeprom);
+}
+
+int emulation_close(emulation *e) {
+  int result = save_eeproms(e);
+  for (size_t i = 0; i < e->node_count; i++) close_node(e, &e->nodes[i]);
+  sniffer_release(&e->listener);
+  rf_bus_release(&e->air);
+  fault_plan_release(&e->faults);
+  free(e->nodes);
+  return result;
 }

@@ -26,35 +26,35 @@
 
 // A board and what hangs on it.
 typedef struct {
-    struct emulation *owner;
-    size_t index;
-    const board_config *config;
-    board arduino;
-    pty port;
-    uart serial;
-    serial_sniffer line;
-    eeprom_file eeprom;
-    sensor *sensors;
-    prng noise; // what RAM and torn EEPROM bytes hold after a power cut
-    const fault_config *cut; // the power cut that comes with this EEPROM write
-    cycles_t power_at;       // when the power comes back, NEVER while it is there
-    bool plugged;            // the port is there whenever the power is
-    uint64_t resets, power_cuts;
-    const char *reset_why; // of the reset under way, where the emulation itself asks for it
+  struct emulation *owner;
+  size_t index;
+  const board_config *config;
+  board arduino;
+  pty port;
+  uart serial;
+  serial_sniffer line;
+  eeprom_file eeprom;
+  sensor *sensors;
+  prng noise;               // what RAM and torn EEPROM bytes hold after a power cut
+  const fault_config *cut;  // the power cut that comes with this EEPROM write
+  cycles_t power_at;        // when the power comes back, NEVER while it is there
+  bool plugged;             // the port is there whenever the power is
+  uint64_t resets, power_cuts;
+  const char *reset_why;  // of the reset under way, where the emulation itself asks for it
 } node;
 
 typedef struct emulation {
-    const scenario *config;
-    trace *out;
-    rf_bus air;
-    sniffer listener;
-    node *nodes;
-    size_t node_count;
-    fault_plan faults;
-    size_t next_jam;
-    cycles_t now;
-    cycles_t next_eeprom_save;
-    char error[512]; // why a call returned -1
+  const scenario *config;
+  trace *out;
+  rf_bus air;
+  sniffer listener;
+  node *nodes;
+  size_t node_count;
+  fault_plan faults;
+  size_t next_jam;
+  cycles_t now;
+  cycles_t next_eeprom_save;
+  char error[512];  // why a call returned -1
 } emulation;
 
 // Powers all boards on. `config` and `out` must outlive the emulation; close it either way.

@@ -11,17 +11,17 @@
 #include "scenario.h"
 
 typedef struct {
-    const fault_config *config;
-    cycles_t at; // NEVER while it waits for its pin
-    uint64_t writes_left; // EEPROM writes after `at` until it comes, 0: at `at`
-    bool done;
+  const fault_config *config;
+  cycles_t at;           // NEVER while it waits for its pin
+  uint64_t writes_left;  // EEPROM writes after `at` until it comes, 0: at `at`
+  bool done;
 } planned_fault;
 
 typedef struct {
-    planned_fault *faults;
-    size_t count;
-    size_t waiting; // for a pin
-    cycles_t next; // no fault is due before
+  planned_fault *faults;
+  size_t count;
+  size_t waiting;  // for a pin
+  cycles_t next;   // no fault is due before
 } fault_plan;
 
 // Returns 0, or -1 where the memory does not suffice.

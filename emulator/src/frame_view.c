@@ -14,78 +14,62 @@
 #define PIECE_INDEX 7
 #define PIECE_ASKS 8
 
-static int digit_value(uint8_t digit)
-{
-    static const char ALPHABET[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const char *at = digit ? strchr(ALPHABET, digit) : NULL;
-    return at ? (int)(at - ALPHABET) : -1;
+static int digit_value(uint8_t digit) {
+  static const char ALPHABET[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const char *at = digit ? strchr(ALPHABET, digit) : NULL;
+  return at ? (int)(at - ALPHABET) : -1;
 }
 
-static frame_kind kind_of(const uint8_t *destination)
-{
-    if (memcmp(destination, "////", ADDRESS_LENGTH) == 0)
-        return KIND_BROADCAST;
-    if (memcmp(destination, "//", 2) == 0)
-        return KIND_MULTICAST;
-    if (memcmp(destination, "+F", 2) == 0 && digit_value(destination[3]) <= (PIECE_ASKS | PIECE_INDEX))
-        return KIND_PIECE;
-    if (memcmp(destination, "+K", 2) == 0)
-        return KIND_ACKNOWLEDGEMENT;
-    if (destination[0] == '+' || destination[0] == '/')
-        return KIND_RESERVED;
-    return KIND_UNICAST;
+static frame_kind kind_of(const uint8_t *destination) {
+  if (memcmp(destination, "////", ADDRESS_LENGTH) == 0) return KIND_BROADCAST;
+  if (memcmp(destination, "//", 2) == 0) return KIND_MULTICAST;
+  if (memcmp(destination, "+F", 2) == 0 && digit_value(destination[3]) <= (PIECE_ASKS | PIECE_INDEX)) return KIND_PIECE;
+  if (memcmp(destination, "+K", 2) == 0) return KIND_ACKNOWLEDGEMENT;
+  if (destination[0] == '+' || destination[0] == '/') return KIND_RESERVED;
+  return KIND_UNICAST;
 }
 
-static bool starts_with(const frame_view *view, const char *force)
-{
-    size_t length = strlen(force);
-    return view->message_length > length && memcmp(view->message, force, length) == 0;
+static bool starts_with(const frame_view *view, const char *force) {
+  size_t length = strlen(force);
+  return view->message_length > length && memcmp(view->message, force, length) == 0;
 }
 
 // Whether the message is content in the clear: force;term in UTF-8.
-static bool is_plain_content(const frame_view *view)
-{
-    return (starts_with(view, "tell;") || starts_with(view, "untell;") || starts_with(view, "achieve;") ||
-            starts_with(view, "unachieve;")) &&
-           utf8_valid(view->message, view->message_length);
+static bool is_plain_content(const frame_view *view) {
+  return (starts_with(view, "tell;") || starts_with(view, "untell;") || starts_with(view, "achieve;") ||
+          starts_with(view, "unachieve;")) &&
+         utf8_valid(view->message, view->message_length);
 }
 
-int frame_view_read(frame_view *view, const uint8_t *payload, size_t length)
-{
-    if (length < HEADER_LENGTH)
-        return -1;
-    for (int i = 0; i < HEADER_LENGTH; i++)
-        if (digit_value(payload[i]) < 0)
-            return -1;
-    size_t bits = (size_t)(digit_value(payload[8]) * 64 + digit_value(payload[9]));
-    if (bits != (length - HEADER_LENGTH) * 8)
-        return -1;
-    view->destination = payload;
-    view->origin = payload + ADDRESS_LENGTH;
-    view->message = payload + HEADER_LENGTH;
-    view->message_length = length - HEADER_LENGTH;
-    view->kind = kind_of(view->destination);
-    view->piece_id = digit_value(payload[2]);
-    view->piece_index = digit_value(payload[3]) & PIECE_INDEX;
-    view->asks = (digit_value(payload[3]) & PIECE_ASKS) != 0;
-    view->sealed = (view->kind == KIND_MULTICAST || view->kind == KIND_UNICAST) &&
-                   view->message_length >= NONCE_LENGTH + TAG_LENGTH && !is_plain_content(view);
-    return 0;
+int frame_view_read(frame_view *view, const uint8_t *payload, size_t length) {
+  if (length < HEADER_LENGTH) return -1;
+  for (int i = 0; i < HEADER_LENGTH; i++)
+    if (digit_value(payload[i]) < 0) return -1;
+  size_t bits = (size_t)(digit_value(payload[8]) * 64 + digit_value(payload[9]));
+  if (bits != (length - HEADER_LENGTH) * 8) return -1;
+  view->destination = payload;
+  view->origin = payload + ADDRESS_LENGTH;
+  view->message = payload + HEADER_LENGTH;
+  view->message_length = length - HEADER_LENGTH;
+  view->kind = kind_of(view->destination);
+  view->piece_id = digit_value(payload[2]);
+  view->piece_index = digit_value(payload[3]) & PIECE_INDEX;
+  view->asks = (digit_value(payload[3]) & PIECE_ASKS) != 0;
+  view->sealed = (view->kind == KIND_MULTICAST || view->kind == KIND_UNICAST) &&
+                 view->message_length >= NONCE_LENGTH + TAG_LENGTH && !is_plain_content(view);
+  return 0;
 }
 
-const char *frame_kind_text(frame_kind kind)
-{
-    static const char *const TEXTS[] = {"broadcast", "multicast",       "unicast",
-                                        "piece",     "acknowledgement", "reserved"};
-    return TEXTS[kind];
+const char *frame_kind_text(frame_kind kind) {
+  static const char *const TEXTS[] = {"broadcast", "multicast", "unicast", "piece", "acknowledgement", "reserved"};
+  return TEXTS[kind];
 }
 
-const char *frame_answer_text(const frame_view *view)
-{
-    switch (view->message_length) {
+const char *frame_answer_text(const frame_view *view) {
+  switch (view->message_length) {
     case PROOF_LENGTH: return "delivered";
     case 1 + PROOF_LENGTH: return "pieces";
     case NONCE_LENGTH + 2 + PROOF_LENGTH: return "stale";
     default: return "unknown";
-    }
+  }
 }

@@ -8,24 +8,24 @@
 #include <stdint.h>
 
 typedef enum {
-    KIND_BROADCAST,
-    KIND_MULTICAST,
-    KIND_UNICAST,
-    KIND_PIECE,
-    KIND_ACKNOWLEDGEMENT,
-    KIND_RESERVED
+  KIND_BROADCAST,
+  KIND_MULTICAST,
+  KIND_UNICAST,
+  KIND_PIECE,
+  KIND_ACKNOWLEDGEMENT,
+  KIND_RESERVED
 } frame_kind;
 
 typedef struct {
-    const uint8_t *destination; // four digits
-    const uint8_t *origin;      // four digits
-    const uint8_t *message;
-    size_t message_length;
-    frame_kind kind;
-    bool sealed; // a multicast or unicast with room for nonce and tag that does not read as content
-    int piece_id;    // of a piece, 0…63
-    int piece_index; // of a piece, 0…7
-    bool asks;       // the piece wants an answer
+  const uint8_t *destination;  // four digits
+  const uint8_t *origin;       // four digits
+  const uint8_t *message;
+  size_t message_length;
+  frame_kind kind;
+  bool sealed;      // a multicast or unicast with room for nonce and tag that does not read as content
+  int piece_id;     // of a piece, 0…63
+  int piece_index;  // of a piece, 0…7
+  bool asks;        // the piece wants an answer
 } frame_view;
 
 // Reads a payload as a frame. Returns 0, or -1 where it is none (SPEC section 2).

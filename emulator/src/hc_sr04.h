@@ -10,10 +10,10 @@
 #include "sensor_clock.h"
 
 typedef struct {
-    board *owner;
-    sensor_clock clock;
-    cycles_t trigger_rise;
-    cycles_t busy_until; // triggers before are ignored, as the sensor does
+  board *owner;
+  sensor_clock clock;
+  cycles_t trigger_rise;
+  cycles_t busy_until;  // triggers before are ignored, as the sensor does
 } hc_sr04;
 
 void hc_sr04_init(hc_sr04 *sensor, board *owner, const sensor_config *config);

@@ -9,30 +9,24 @@
 #include <stddef.h>
 
 typedef struct {
-    const char *file;
-    char error[512]; // empty while all is well
+  const char *file;
+  char error[512];  // empty while all is well
 } json_reader;
 
 // A value and the path that leads to it. The value is NULL where the file has none.
 typedef struct {
-    json_reader *reader;
-    json_t *value;
-    char path[128];
+  json_reader *reader;
+  json_t *value;
+  char path[128];
 } json_node;
 
 json_node json_root(json_reader *reader, json_t *value);
 json_node json_member(const json_node *object, const char *key);
 json_node json_element(const json_node *array, size_t index);
 
-static inline bool json_given(const json_node *node)
-{
-    return node->value != NULL;
-}
+static inline bool json_given(const json_node *node) { return node->value != NULL; }
 
-static inline bool json_failed(const json_reader *reader)
-{
-    return reader->error[0] != '\0';
-}
+static inline bool json_failed(const json_reader *reader) { return reader->error[0] != '\0'; }
 
 // Records that `node` is not what was `expected`; later failures do not replace the first.
 void json_expected(const json_node *node, const char *expected);

@@ -9,9 +9,9 @@
 #include "sensor_clock.h"
 
 typedef struct {
-    board *owner;
-    sensor_clock clock;
-    struct avr_irq_t *channel;
+  board *owner;
+  sensor_clock clock;
+  struct avr_irq_t *channel;
 } ldr;
 
 void ldr_init(ldr *sensor, board *owner, const sensor_config *config);

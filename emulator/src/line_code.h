@@ -19,33 +19,33 @@
 typedef enum { LINE_BAD_SYMBOL, LINE_BAD_COUNT, LINE_BAD_CRC } line_error;
 
 typedef struct {
-    const uint8_t *payload;
-    size_t length;
-    cycles_t start; // first carrier of the training
-    cycles_t end;   // end of the last bit
+  const uint8_t *payload;
+  size_t length;
+  cycles_t start;  // first carrier of the training
+  cycles_t end;    // end of the last bit
 } line_packet;
 
 typedef struct {
-    void *context;
-    void (*packet)(void *context, const line_packet *packet);
-    void (*damaged)(void *context, line_error error, cycles_t at);
+  void *context;
+  void (*packet)(void *context, const line_packet *packet);
+  void (*damaged)(void *context, line_error error, cycles_t at);
 } line_listener;
 
 typedef struct {
-    line_listener listener;
-    double bit_cycles;
-    bool level;
-    double next_sample; // cycle at which the level is read next: the middle of a bit
-    // Whether a packet counts though its last symbol was cut short, as when its sender lost its power: boards mend one
-    // symbol, so that they may have it. False unless it is set after line_decoder_init().
-    bool mends_end;
-    unsigned idle_bits; // zeros in a row, up to LINE_IDLE_BITS
-    double start;       // of the packet being received, in cycles
-    uint16_t window;    // the last 12 bits, first one lowest
-    bool receiving;     // the start symbol has been seen
-    unsigned bit_count; // bits of the current byte, 0…11
-    uint8_t bytes[LINE_MAX_COUNT];
-    size_t byte_count;
+  line_listener listener;
+  double bit_cycles;
+  bool level;
+  double next_sample;  // cycle at which the level is read next: the middle of a bit
+  // Whether a packet counts though its last symbol was cut short, as when its sender lost its power: boards mend one
+  // symbol, so that they may have it. False unless it is set after line_decoder_init().
+  bool mends_end;
+  unsigned idle_bits;  // zeros in a row, up to LINE_IDLE_BITS
+  double start;        // of the packet being received, in cycles
+  uint16_t window;     // the last 12 bits, first one lowest
+  bool receiving;      // the start symbol has been seen
+  unsigned bit_count;  // bits of the current byte, 0…11
+  uint8_t bytes[LINE_MAX_COUNT];
+  size_t byte_count;
 } line_decoder;
 
 void line_decoder_init(line_decoder *decoder, double bit_rate, line_listener listener);

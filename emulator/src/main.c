@@ -16,109 +16,94 @@ enum { EXIT_OK = 0, EXIT_RUN = 1, EXIT_USAGE = 2 };
 
 static volatile sig_atomic_t interrupted;
 
-static void interrupt(int signal)
-{
-    (void)signal;
-    interrupted = 1;
+static void interrupt(int signal) {
+  (void)signal;
+  interrupted = 1;
 }
 
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = interrupt};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-    action.sa_handler = SIG_IGN; // a reader of the trace that goes away is a write error
-    sigaction(SIGPIPE, &action, NULL);
+static void catch_signals(void) {
+  struct sigaction action = {.sa_handler = interrupt};
+  sigaction(SIGINT, &action, NULL);
+  sigaction(SIGTERM, &action, NULL);
+  sigaction(SIGHUP, &action, NULL);
+  action.sa_handler = SIG_IGN;  // a reader of the trace that goes away is a write error
+  sigaction(SIGPIPE, &action, NULL);
 }
 
-static int complain(int status, const char *text)
-{
-    fprintf(stderr, "javino-emulator: %s\n", text);
-    return status;
+static int complain(int status, const char *text) {
+  fprintf(stderr, "javino-emulator: %s\n", text);
+  return status;
 }
 
-static void report_debt(const pacing *clock, bool *reported)
-{
-    if (clock->given_up_ns == 0 || *reported)
-        return;
-    *reported = true;
-    fprintf(stderr, "javino-emulator: this machine cannot keep up with the speed asked for; "
-                    "emulated time falls behind the wall clock\n");
+static void report_debt(const pacing *clock, bool *reported) {
+  if (clock->given_up_ns == 0 || *reported) return;
+  *reported = true;
+  fprintf(stderr,
+          "javino-emulator: this machine cannot keep up with the speed asked for; "
+          "emulated time falls behind the wall clock\n");
 }
 
 // Runs to the end. Returns an exit status.
-static int run(emulation *e, const options *o, const trace *out)
-{
-    struct pollfd descriptors[MAX_BOARDS];
-    cycles_t end = o->duration_s > 0 ? seconds_to_cycles(o->duration_s) : NEVER;
-    bool debt_reported = false;
-    pacing clock;
-    pacing_start(&clock, o->speed);
-    while (!interrupted && e->now < end) {
-        cycles_t due = pacing_due(&clock, e->now);
-        bool ahead = due < e->now + PACING_SLICE;
-        if (emulation_run(e, due < end ? due : end) != 0)
-            return complain(EXIT_RUN, e->error);
-        emulation_exchange(e);
-        if (out->failed)
-            return complain(EXIT_RUN, "the trace cannot be written any more");
-        report_debt(&clock, &debt_reported);
-        if (ahead)
-            pacing_wait(descriptors, emulation_descriptors(e, descriptors));
-    }
+static int run(emulation *e, const options *o, const trace *out) {
+  struct pollfd descriptors[MAX_BOARDS];
+  cycles_t end = o->duration_s > 0 ? seconds_to_cycles(o->duration_s) : NEVER;
+  bool debt_reported = false;
+  pacing clock;
+  pacing_start(&clock, o->speed);
+  while (!interrupted && e->now < end) {
+    cycles_t due = pacing_due(&clock, e->now);
+    bool ahead = due < e->now + PACING_SLICE;
+    if (emulation_run(e, due < end ? due : end) != 0) return complain(EXIT_RUN, e->error);
+    emulation_exchange(e);
+    if (out->failed) return complain(EXIT_RUN, "the trace cannot be written any more");
+    report_debt(&clock, &debt_reported);
+    if (ahead) pacing_wait(descriptors, emulation_descriptors(e, descriptors));
+  }
+  return EXIT_OK;
+}
+
+static int emulate(const scenario *config, const options *o, trace *out) {
+  emulation e;
+  int status = EXIT_OK;
+  if (emulation_open(&e, config, o->seed, out) != 0)
+    status = complain(EXIT_USAGE, e.error);
+  else
+    status = run(&e, o, out);
+  if (emulation_close(&e) != 0) status = complain(EXIT_RUN, e.error);
+  if (simulator_log_suppressed() > 0)
+    fprintf(stderr, "javino-emulator: %lu more warnings of simavr\n", simulator_log_suppressed());
+  return status;
+}
+
+static int open_trace(trace *out, const char *path) {
+  *out = (trace){0};
+  if (path) out->file = strcmp(path, "-") == 0 ? stdout : fopen(path, "w");
+  return path && !out->file ? -1 : 0;
+}
+
+int main(int argc, char **argv) {
+  char error[1024];
+  options o;
+  if (options_parse(&o, argc, argv, error, sizeof error) != 0) return complain(EXIT_USAGE, error);
+  if (o.help) {
+    fputs(OPTIONS_USAGE, stdout);
     return EXIT_OK;
-}
-
-static int emulate(const scenario *config, const options *o, trace *out)
-{
-    emulation e;
-    int status = EXIT_OK;
-    if (emulation_open(&e, config, o->seed, out) != 0)
-        status = complain(EXIT_USAGE, e.error);
-    else
-        status = run(&e, o, out);
-    if (emulation_close(&e) != 0)
-        status = complain(EXIT_RUN, e.error);
-    if (simulator_log_suppressed() > 0)
-        fprintf(stderr, "javino-emulator: %lu more warnings of simavr\n", simulator_log_suppressed());
-    return status;
-}
-
-static int open_trace(trace *out, const char *path)
-{
-    *out = (trace){0};
-    if (path)
-        out->file = strcmp(path, "-") == 0 ? stdout : fopen(path, "w");
-    return path && !out->file ? -1 : 0;
-}
-
-int main(int argc, char **argv)
-{
-    char error[1024];
-    options o;
-    if (options_parse(&o, argc, argv, error, sizeof error) != 0)
-        return complain(EXIT_USAGE, error);
-    if (o.help) {
-        fputs(OPTIONS_USAGE, stdout);
-        return EXIT_OK;
-    }
-    catch_signals();
-    simulator_log_install();
-    scenario config;
-    scenario_context context = {o.directory, o.overrides, o.override_count};
-    trace out;
-    int status;
-    if (scenario_load(&config, o.scenario, &context, error, sizeof error) != 0) {
-        status = complain(EXIT_USAGE, error);
-    } else if (open_trace(&out, o.trace_path) != 0) {
-        snprintf(error, sizeof error, "--trace %s: %s", o.trace_path, strerror(errno));
-        status = complain(EXIT_USAGE, error);
-    } else {
-        status = emulate(&config, &o, &out);
-        if (out.file && out.file != stdout)
-            fclose(out.file);
-    }
-    scenario_release(&config);
-    return status;
+  }
+  catch_signals();
+  simulator_log_install();
+  scenario config;
+  scenario_context context = {o.directory, o.overrides, o.override_count};
+  trace out;
+  int status;
+  if (scenario_load(&config, o.scenario, &context, error, sizeof error) != 0) {
+    status = complain(EXIT_USAGE, error);
+  } else if (open_trace(&out, o.trace_path) != 0) {
+    snprintf(error, sizeof error, "--trace %s: %s", o.trace_path, strerror(errno));
+    status = complain(EXIT_USAGE, error);
+  } else {
+    status = emulate(&config, &o, &out);
+    if (out.file && out.file != stdout) fclose(out.file);
+  }
+  scenario_release(&config);
+  return status;
 }

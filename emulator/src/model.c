@@ -7,7 +7,7 @@ const model MEGA = {
     .name = "mega",
     .chip = "ATmega2560",
     .mcu = "atmega2560",
-    .family = 6, // with a program counter of 22 bits
+    .family = 6,  // with a program counter of 22 bits
     .clock_cycles = 1,
     .supply_mv = 5000,
     .eeprom_size = 4096,
@@ -15,27 +15,29 @@ const model MEGA = {
     .pin_count = 70,
     .pin_a0 = 54,
     // Arduino Mega 2560 schematic, revision 3.
-    .locations = "E0E1E4E5G5E3H3H4H5H6" //  0…9
-                 "B4B5B6B7J1J0H1H0D3D2" // 10…19
-                 "D1D0A0A1A2A3A4A5A6A7" // 20…29
-                 "C7C6C5C4C3C2C1C0D7G2" // 30…39
-                 "G1G0L7L6L5L4L3L2L1L0" // 40…49
-                 "B3B2B1B0"             // 50…53
-                 "F0F1F2F3F4F5F6F7"     // A0…A7
-                 "K0K1K2K3K4K5K6K7",    // A8…A15
+    .locations =
+        "E0E1E4E5G5E3H3H4H5H6"  //  0…9
+        "B4B5B6B7J1J0H1H0D3D2"  // 10…19
+        "D1D0A0A1A2A3A4A5A6A7"  // 20…29
+        "C7C6C5C4C3C2C1C0D7G2"  // 30…39
+        "G1G0L7L6L5L4L3L2L1L0"  // 40…49
+        "B3B2B1B0"              // 50…53
+        "F0F1F2F3F4F5F6F7"      // A0…A7
+        "K0K1K2K3K4K5K6K7",     // A8…A15
     .pins = "0…69 or \"A0\"…\"A15\"",
     .adc_pins = "\"A0\"…\"A7\"",
 };
 
 // What all boards with this chip have alike; pins as in the Arduino Uno schematic, revision 3. A Pro Mini's A6 and A7 go to
 // the converter alone, and are left out.
-#define ATMEGA328P                                                                                                     \
-    .chip = "ATmega328P", .mcu = "atmega328p", .family = 5, .eeprom_size = 1024, .boot_size = 4096,                    \
-    .pin_count = 20, .pin_a0 = 14,                                                                                     \
-    .locations = "D0D1D2D3D4D5D6D7" /* 0…7 */                                                                          \
-                 "B0B1B2B3B4B5"     /* 8…13 */                                                                         \
-                 "C0C1C2C3C4C5",    /* A0…A5 */                                                                        \
-    .pins = "0…19 or \"A0\"…\"A5\"", .adc_pins = "\"A0\"…\"A5\""
+#define ATMEGA328P                                                                                                 \
+  .chip = "ATmega328P", .mcu = "atmega328p", .family = 5, .eeprom_size = 1024, .boot_size = 4096, .pin_count = 20, \
+  .pin_a0 = 14,                                                                                                    \
+  .locations =                                                                                                     \
+      "D0D1D2D3D4D5D6D7" /* 0 to 7 */                                                                              \
+      "B0B1B2B3B4B5"     /* 8 to 13 */                                                                             \
+      "C0C1C2C3C4C5",    /* A0 to A5 */                                                                            \
+      .pins = "0…19 or \"A0\"…\"A5\"", .adc_pins = "\"A0\"…\"A5\""
 
 const model UNO = {.name = "uno", .clock_cycles = 1, .supply_mv = 5000, ATMEGA328P};
 
@@ -45,7 +47,4 @@ static const model *const MODELS[] = {&MEGA, &UNO, &PRO_MINI};
 
 const char *const MODEL_NAMES[] = {"mega", "uno", "promini", NULL};
 
-const model *model_at(int index)
-{
-    return MODELS[index];
-}
+const model *model_at(int index) { return MODELS[index]; }

@@ -4,19 +4,19 @@
 #define JAVINO_MODEL_H
 
 typedef struct {
-    const char *name;      // in a scenario
-    const char *chip;      // as its data sheet writes it
-    const char *mcu;       // the same, as compiler and simavr write it
-    unsigned family;       // the low bits of its ELF files' flags (binutils, include/elf/avr.h)
-    unsigned clock_cycles; // of 16 MHz that a cycle of the board takes
-    double supply_mv;      // of the chip, and the converter's reference
-    int eeprom_size;       // bytes
-    unsigned boot_size;    // bytes at the end of the flash where a boot loader may lie
-    int pin_count;         // digital pins, the analog ones among them
-    int pin_a0;            // they begin with this one
-    const char *locations; // two characters a pin: port and bit
-    const char *pins;      // all of them, in words
-    const char *adc_pins;  // those of the first eight channels, which are all that simavr takes values for
+  const char *name;       // in a scenario
+  const char *chip;       // as its data sheet writes it
+  const char *mcu;        // the same, as compiler and simavr write it
+  unsigned family;        // the low bits of its ELF files' flags (binutils, include/elf/avr.h)
+  unsigned clock_cycles;  // of 16 MHz that a cycle of the board takes
+  double supply_mv;       // of the chip, and the converter's reference
+  int eeprom_size;        // bytes
+  unsigned boot_size;     // bytes at the end of the flash where a boot loader may lie
+  int pin_count;          // digital pins, the analog ones among them
+  int pin_a0;             // they begin with this one
+  const char *locations;  // two characters a pin: port and bit
+  const char *pins;       // all of them, in words
+  const char *adc_pins;   // those of the first eight channels, which are all that simavr takes values for
 } model;
 
 extern const model MEGA, UNO, PRO_MINI;

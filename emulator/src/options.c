@@ -22,112 +22,87 @@ static const char *const NAMES[] = {"--duration",  "--speed", "--seed", "--trace
                                     "--directory", "--set",   "--help", NULL};
 
 typedef struct {
-    char *error;
-    size_t size;
+  char *error;
+  size_t size;
 } complaint;
 
-static int complain(const complaint *c, const char *option, const char *expected, const char *found)
-{
-    snprintf(c->error, c->size, "%s: expected %s, found \"%.60s\"", option, expected, found);
-    return -1;
+static int complain(const complaint *c, const char *option, const char *expected, const char *found) {
+  snprintf(c->error, c->size, "%s: expected %s, found \"%.60s\"", option, expected, found);
+  return -1;
 }
 
-static int parse_positive(double *number, const char *option, const char *text, const complaint *c)
-{
-    char *end;
-    *number = strtod(text, &end);
-    if (end == text || *end || !isfinite(*number) || *number <= 0)
-        return complain(c, option, "a number above 0", text);
-    return 0;
+static int parse_positive(double *number, const char *option, const char *text, const complaint *c) {
+  char *end;
+  *number = strtod(text, &end);
+  if (end == text || *end || !isfinite(*number) || *number <= 0) return complain(c, option, "a number above 0", text);
+  return 0;
 }
 
-static int parse_speed(double *speed, const char *text, const complaint *c)
-{
-    *speed = 0;
-    if (strcmp(text, "max") == 0)
-        return 0;
-    if (parse_positive(speed, "--speed", text, c) != 0)
-        return complain(c, "--speed", "a number above 0, or max", text);
-    return 0;
+static int parse_speed(double *speed, const char *text, const complaint *c) {
+  *speed = 0;
+  if (strcmp(text, "max") == 0) return 0;
+  if (parse_positive(speed, "--speed", text, c) != 0) return complain(c, "--speed", "a number above 0, or max", text);
+  return 0;
 }
 
-static int parse_seed(uint64_t *seed, const char *text, const complaint *c)
-{
-    char *end;
-    errno = 0;
-    *seed = strtoull(text, &end, 10);
-    if (end == text || *end || errno || text[0] == '-')
-        return complain(c, "--seed", "a whole number, 0 or more", text);
-    return 0;
+static int parse_seed(uint64_t *seed, const char *text, const complaint *c) {
+  char *end;
+  errno = 0;
+  *seed = strtoull(text, &end, 10);
+  if (end == text || *end || errno || text[0] == '-') return complain(c, "--seed", "a whole number, 0 or more", text);
+  return 0;
 }
 
-static int add_override(options *o, const char *text, const complaint *c)
-{
-    if (o->override_count == MAX_OVERRIDES)
-        return complain(c, "--set", "at most 16 of them", text);
-    o->overrides[o->override_count++] = text;
-    return 0;
+static int add_override(options *o, const char *text, const complaint *c) {
+  if (o->override_count == MAX_OVERRIDES) return complain(c, "--set", "at most 16 of them", text);
+  o->overrides[o->override_count++] = text;
+  return 0;
 }
 
-static int parse_option(options *o, const char *name, const char *value, const complaint *c)
-{
-    if (strcmp(name, "--duration") == 0)
-        return parse_positive(&o->duration_s, name, value, c);
-    if (strcmp(name, "--speed") == 0)
-        return parse_speed(&o->speed, value, c);
-    if (strcmp(name, "--seed") == 0)
-        return parse_seed(&o->seed, value, c);
-    if (strcmp(name, "--set") == 0)
-        return add_override(o, value, c);
-    if (strcmp(name, "--trace") == 0)
-        o->trace_path = value;
-    else
-        o->directory = value;
-    return 0;
+static int parse_option(options *o, const char *name, const char *value, const complaint *c) {
+  if (strcmp(name, "--duration") == 0) return parse_positive(&o->duration_s, name, value, c);
+  if (strcmp(name, "--speed") == 0) return parse_speed(&o->speed, value, c);
+  if (strcmp(name, "--seed") == 0) return parse_seed(&o->seed, value, c);
+  if (strcmp(name, "--set") == 0) return add_override(o, value, c);
+  if (strcmp(name, "--trace") == 0)
+    o->trace_path = value;
+  else
+    o->directory = value;
+  return 0;
 }
 
-static int check_name(const char *name, const complaint *c)
-{
-    for (int i = 0; NAMES[i]; i++)
-        if (strcmp(name, NAMES[i]) == 0)
-            return 0;
-    const char *near = suggest(name, NAMES);
-    snprintf(c->error, c->size, "unknown option %.60s%s%s; try --help", name,
-             near ? "; did you mean " : "", near ? near : "");
-    return -1;
+static int check_name(const char *name, const complaint *c) {
+  for (int i = 0; NAMES[i]; i++)
+    if (strcmp(name, NAMES[i]) == 0) return 0;
+  const char *near = suggest(name, NAMES);
+  snprintf(c->error, c->size, "unknown option %.60s%s%s; try --help", name, near ? "; did you mean " : "",
+           near ? near : "");
+  return -1;
 }
 
-static int take_scenario(options *o, const char *path, const complaint *c)
-{
-    if (o->scenario)
-        return complain(c, "scenario", "one file", path);
-    o->scenario = path;
-    return 0;
+static int take_scenario(options *o, const char *path, const complaint *c) {
+  if (o->scenario) return complain(c, "scenario", "one file", path);
+  o->scenario = path;
+  return 0;
 }
 
-int options_parse(options *o, int argc, char **argv, char *error, size_t error_size)
-{
-    complaint c = {error, error_size};
-    *o = (options){.directory = ".", .speed = 1, .seed = 1};
-    for (int i = 1; i < argc; i++) {
-        const char *argument = argv[i];
-        if (argument[0] != '-') {
-            if (take_scenario(o, argument, &c) != 0)
-                return -1;
-            continue;
-        }
-        if (check_name(argument, &c) != 0)
-            return -1;
-        if (strcmp(argument, "--help") == 0) {
-            o->help = true;
-            return 0;
-        }
-        if (i + 1 == argc)
-            return complain(&c, argument, "a value after it", "nothing");
-        if (parse_option(o, argument, argv[++i], &c) != 0)
-            return -1;
+int options_parse(options *o, int argc, char **argv, char *error, size_t error_size) {
+  complaint c = {error, error_size};
+  *o = (options){.directory = ".", .speed = 1, .seed = 1};
+  for (int i = 1; i < argc; i++) {
+    const char *argument = argv[i];
+    if (argument[0] != '-') {
+      if (take_scenario(o, argument, &c) != 0) return -1;
+      continue;
     }
-    if (!o->scenario)
-        return complain(&c, "scenario", "a file; try --help", "nothing");
-    return 0;
+    if (check_name(argument, &c) != 0) return -1;
+    if (strcmp(argument, "--help") == 0) {
+      o->help = true;
+      return 0;
+    }
+    if (i + 1 == argc) return complain(&c, argument, "a value after it", "nothing");
+    if (parse_option(o, argument, argv[++i], &c) != 0) return -1;
+  }
+  if (!o->scenario) return complain(&c, "scenario", "a file; try --help", "nothing");
+  return 0;
 }

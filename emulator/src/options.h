@@ -10,15 +10,15 @@
 #define MAX_OVERRIDES 16
 
 typedef struct {
-    const char *scenario;
-    const char *directory;  // "." by default
-    const char *trace_path; // NULL: none; "-": standard output
-    double duration_s;      // 0: without end
-    double speed;           // 0: as fast as possible
-    uint64_t seed;
-    const char *overrides[MAX_OVERRIDES];
-    size_t override_count;
-    bool help;
+  const char *scenario;
+  const char *directory;   // "." by default
+  const char *trace_path;  // NULL: none; "-": standard output
+  double duration_s;       // 0: without end
+  double speed;            // 0: as fast as possible
+  uint64_t seed;
+  const char *overrides[MAX_OVERRIDES];
+  size_t override_count;
+  bool help;
 } options;
 
 extern const char OPTIONS_USAGE[];

@@ -3,38 +3,30 @@
 
 #include <time.h>
 
-static int64_t wall_ns(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (int64_t)time.tv_sec * 1000000000 + time.tv_nsec;
+static int64_t wall_ns(void) {
+  struct timespec time;
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return (int64_t)time.tv_sec * 1000000000 + time.tv_nsec;
 }
 
-void pacing_start(pacing *p, double speed)
-{
-    *p = (pacing){.speed = speed, .origin_ns = wall_ns()};
+void pacing_start(pacing *p, double speed) { *p = (pacing){.speed = speed, .origin_ns = wall_ns()}; }
+
+cycles_t pacing_due(pacing *p, cycles_t now) {
+  if (p->speed <= 0) return now + PACING_SLICE;
+  double cycles_per_ns = p->speed * CYCLES_PER_SECOND / 1e9;
+  int64_t elapsed_ns = wall_ns() - p->origin_ns;
+  int64_t debt_ns = elapsed_ns - (int64_t)((double)now / cycles_per_ns);
+  if (debt_ns > PACING_MAX_DEBT_NS) {
+    p->origin_ns += debt_ns;
+    p->given_up_ns += debt_ns;
+    elapsed_ns -= debt_ns;
+  }
+  cycles_t due = (cycles_t)((double)elapsed_ns * cycles_per_ns);
+  if (due < now) return now;
+  return due < now + PACING_SLICE ? due : now + PACING_SLICE;
 }
 
-cycles_t pacing_due(pacing *p, cycles_t now)
-{
-    if (p->speed <= 0)
-        return now + PACING_SLICE;
-    double cycles_per_ns = p->speed * CYCLES_PER_SECOND / 1e9;
-    int64_t elapsed_ns = wall_ns() - p->origin_ns;
-    int64_t debt_ns = elapsed_ns - (int64_t)((double)now / cycles_per_ns);
-    if (debt_ns > PACING_MAX_DEBT_NS) {
-        p->origin_ns += debt_ns;
-        p->given_up_ns += debt_ns;
-        elapsed_ns -= debt_ns;
-    }
-    cycles_t due = (cycles_t)((double)elapsed_ns * cycles_per_ns);
-    if (due < now)
-        return now;
-    return due < now + PACING_SLICE ? due : now + PACING_SLICE;
-}
-
-void pacing_wait(struct pollfd *descriptors, size_t count)
-{
-    struct timespec tick = {0, PACING_TICK_NS};
-    ppoll(descriptors, count, &tick, NULL);
+void pacing_wait(struct pollfd *descriptors, size_t count) {
+  struct timespec tick = {0, PACING_TICK_NS};
+  ppoll(descriptors, count, &tick, NULL);
 }

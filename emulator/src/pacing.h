@@ -18,9 +18,9 @@
 #define PACING_MAX_DEBT_NS 100000000
 
 typedef struct {
-    double speed;          // emulated seconds a second; 0: as fast as possible
-    int64_t origin_ns;     // wall clock at emulated time 0, moved when a debt is given up
-    int64_t given_up_ns;   // sum of all debts given up
+  double speed;         // emulated seconds a second; 0: as fast as possible
+  int64_t origin_ns;    // wall clock at emulated time 0, moved when a debt is given up
+  int64_t given_up_ns;  // sum of all debts given up
 } pacing;
 
 // Starts at emulated time 0.

@@ -8,8 +8,8 @@
 #include "model.h"
 
 typedef struct {
-    char port; // 'A'…'L' without 'I'
-    int bit;   // 0…7
+  char port;  // 'A'…'L' without 'I'
+  int bit;    // 0…7
 } pin_location;
 
 // Where `pin`, one of the model's, is on the chip.

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 typedef struct {
-    uint64_t state[4];
+  uint64_t state[4];
 } prng;
 
 // Starts stream number `stream` of `seed`; streams of one seed are independent of each other.

@@ -13,164 +13,135 @@
 
 #include "paths.h"
 
-static int fail(char *error, size_t error_size, const char *what, const char *path)
-{
-    snprintf(error, error_size, "port %s: %s: %s", path, what, strerror(errno));
-    return -1;
+static int fail(char *error, size_t error_size, const char *what, const char *path) {
+  snprintf(error, error_size, "port %s: %s: %s", path, what, strerror(errno));
+  return -1;
 }
 
-static int open_master(pty *p)
-{
-    p->master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (p->master < 0)
-        return -1;
-    struct termios settings;
-    if (grantpt(p->master) != 0 || unlockpt(p->master) != 0 ||
-        ptsname_r(p->master, p->slave, sizeof p->slave) != 0 || tcgetattr(p->master, &settings) != 0)
-        return -1;
-    cfmakeraw(&settings);
-    return tcsetattr(p->master, TCSANOW, &settings);
+static int open_master(pty *p) {
+  p->master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (p->master < 0) return -1;
+  struct termios settings;
+  if (grantpt(p->master) != 0 || unlockpt(p->master) != 0 || ptsname_r(p->master, p->slave, sizeof p->slave) != 0 ||
+      tcgetattr(p->master, &settings) != 0)
+    return -1;
+  cfmakeraw(&settings);
+  return tcsetattr(p->master, TCSANOW, &settings);
 }
 
 // Opening the slave once makes the kernel report from now on when no host has it open; what a
 // host has left unread goes, as it does in a real serial driver.
-static void flush_slave(const pty *p)
-{
-    int slave = open(p->slave, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (slave < 0)
-        return; // then there is nothing to flush either
-    tcflush(slave, TCIOFLUSH);
-    close(slave);
+static void flush_slave(const pty *p) {
+  int slave = open(p->slave, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (slave < 0) return;  // then there is nothing to flush either
+  tcflush(slave, TCIOFLUSH);
+  close(slave);
 }
 
-static int make_link(const pty *p, char *error, size_t error_size)
-{
-    struct stat status;
-    char temporary[4096];
-    if (lstat(p->link, &status) == 0 && !S_ISLNK(status.st_mode)) {
-        snprintf(error, error_size, "port %s: there is something that is no symlink; "
-                                    "remove it or choose another path", p->link);
-        return -1;
-    }
-    if (make_folders_for(p->link) != 0)
-        return fail(error, error_size, "cannot make its folder", p->link);
-    snprintf(temporary, sizeof temporary, "%s.%ld.new", p->link, (long)getpid());
-    if (symlink(p->slave, temporary) != 0)
-        return fail(error, error_size, "cannot make the symlink", p->link);
-    if (rename(temporary, p->link) != 0) {
-        fail(error, error_size, "cannot put the symlink in place", p->link);
-        unlink(temporary);
-        return -1;
-    }
-    return 0;
+static int make_link(const pty *p, char *error, size_t error_size) {
+  struct stat status;
+  char temporary[4096];
+  if (lstat(p->link, &status) == 0 && !S_ISLNK(status.st_mode)) {
+    snprintf(error, error_size,
+             "port %s: there is something that is no symlink; "
+             "remove it or choose another path",
+             p->link);
+    return -1;
+  }
+  if (make_folders_for(p->link) != 0) return fail(error, error_size, "cannot make its folder", p->link);
+  snprintf(temporary, sizeof temporary, "%s.%ld.new", p->link, (long)getpid());
+  if (symlink(p->slave, temporary) != 0) return fail(error, error_size, "cannot make the symlink", p->link);
+  if (rename(temporary, p->link) != 0) {
+    fail(error, error_size, "cannot put the symlink in place", p->link);
+    unlink(temporary);
+    return -1;
+  }
+  return 0;
 }
 
-int pty_plug(pty *p, const char *link, char *error, size_t error_size)
-{
-    p->link = link;
-    p->open = false;
-    p->in_start = p->in_end = p->out_length = 0;
-    int result = open_master(p);
-    if (result != 0)
-        fail(error, error_size, "cannot make a pseudo-terminal", link);
-    if (result == 0) {
-        flush_slave(p);
-        result = make_link(p, error, error_size);
-    }
-    if (result != 0 && p->master >= 0) {
-        close(p->master);
-        p->master = -1;
-    }
-    return result;
-}
-
-void pty_unplug(pty *p)
-{
-    char target[sizeof p->slave];
-    if (p->master < 0)
-        return;
-    // The path may by now be another process's.
-    ssize_t length = readlink(p->link, target, sizeof target);
-    if (length == (ssize_t)strlen(p->slave) && memcmp(target, p->slave, (size_t)length) == 0)
-        unlink(p->link);
+int pty_plug(pty *p, const char *link, char *error, size_t error_size) {
+  p->link = link;
+  p->open = false;
+  p->in_start = p->in_end = p->out_length = 0;
+  int result = open_master(p);
+  if (result != 0) fail(error, error_size, "cannot make a pseudo-terminal", link);
+  if (result == 0) {
+    flush_slave(p);
+    result = make_link(p, error, error_size);
+  }
+  if (result != 0 && p->master >= 0) {
     close(p->master);
     p->master = -1;
-    p->open = false;
-    p->dropped += p->out_length;
-    p->in_start = p->in_end = p->out_length = 0;
+  }
+  return result;
 }
 
-static void write_out(pty *p)
-{
-    if (p->out_length == 0)
-        return;
-    ssize_t written = write(p->master, p->out, p->out_length);
-    if (written <= 0)
-        return; // the host does not read now; what does not fit the buffer is counted by pty_put
-    p->sent += (uint64_t)written;
-    p->out_length -= (size_t)written;
-    memmove(p->out, p->out + written, p->out_length);
+void pty_unplug(pty *p) {
+  char target[sizeof p->slave];
+  if (p->master < 0) return;
+  // The path may by now be another process's.
+  ssize_t length = readlink(p->link, target, sizeof target);
+  if (length == (ssize_t)strlen(p->slave) && memcmp(target, p->slave, (size_t)length) == 0) unlink(p->link);
+  close(p->master);
+  p->master = -1;
+  p->open = false;
+  p->dropped += p->out_length;
+  p->in_start = p->in_end = p->out_length = 0;
 }
 
-static void read_in(pty *p)
-{
-    if (p->in_start == p->in_end)
-        p->in_start = p->in_end = 0;
-    if (p->in_end == PTY_BUFFER)
-        return; // the rest waits in the kernel
-    ssize_t length = read(p->master, p->in + p->in_end, PTY_BUFFER - p->in_end);
-    if (length <= 0)
-        return; // nothing there, or no host, which pty_exchange sees by itself
-    p->received += (uint64_t)length;
-    p->in_end += (size_t)length;
+static void write_out(pty *p) {
+  if (p->out_length == 0) return;
+  ssize_t written = write(p->master, p->out, p->out_length);
+  if (written <= 0) return;  // the host does not read now; what does not fit the buffer is counted by pty_put
+  p->sent += (uint64_t)written;
+  p->out_length -= (size_t)written;
+  memmove(p->out, p->out + written, p->out_length);
 }
 
-static void host_gone(pty *p)
-{
-    p->open = false;
-    p->dropped += p->out_length;
-    p->in_start = p->in_end = p->out_length = 0;
-    flush_slave(p);
+static void read_in(pty *p) {
+  if (p->in_start == p->in_end) p->in_start = p->in_end = 0;
+  if (p->in_end == PTY_BUFFER) return;  // the rest waits in the kernel
+  ssize_t length = read(p->master, p->in + p->in_end, PTY_BUFFER - p->in_end);
+  if (length <= 0) return;  // nothing there, or no host, which pty_exchange sees by itself
+  p->received += (uint64_t)length;
+  p->in_end += (size_t)length;
 }
 
-pty_change pty_exchange(pty *p)
-{
-    if (p->master < 0)
-        return PTY_SAME;
-    struct pollfd state = {p->master, POLLIN, 0};
-    poll(&state, 1, 0);
-    bool open = !(state.revents & POLLHUP);
-    bool was_open = p->open;
-    if (was_open && !open) {
-        host_gone(p);
-        return PTY_CLOSED;
-    }
-    p->open = open;
-    if (open && (state.revents & POLLIN))
-        read_in(p);
-    if (open)
-        write_out(p);
-    return open && !was_open ? PTY_OPENED : PTY_SAME;
+static void host_gone(pty *p) {
+  p->open = false;
+  p->dropped += p->out_length;
+  p->in_start = p->in_end = p->out_length = 0;
+  flush_slave(p);
 }
 
-bool pty_take(pty *p, uint8_t *byte)
-{
-    if (p->in_start == p->in_end)
-        return false;
-    *byte = p->in[p->in_start++];
-    return true;
+pty_change pty_exchange(pty *p) {
+  if (p->master < 0) return PTY_SAME;
+  struct pollfd state = {p->master, POLLIN, 0};
+  poll(&state, 1, 0);
+  bool open = !(state.revents & POLLHUP);
+  bool was_open = p->open;
+  if (was_open && !open) {
+    host_gone(p);
+    return PTY_CLOSED;
+  }
+  p->open = open;
+  if (open && (state.revents & POLLIN)) read_in(p);
+  if (open) write_out(p);
+  return open && !was_open ? PTY_OPENED : PTY_SAME;
 }
 
-void pty_put(pty *p, uint8_t byte)
-{
-    if (!p->open || p->out_length == PTY_BUFFER) {
-        p->dropped++;
-        return;
-    }
-    p->out[p->out_length++] = byte;
+bool pty_take(pty *p, uint8_t *byte) {
+  if (p->in_start == p->in_end) return false;
+  *byte = p->in[p->in_start++];
+  return true;
 }
 
-int pty_poll_descriptor(const pty *p)
-{
-    return p->open && p->in_end < PTY_BUFFER ? p->master : -1;
+void pty_put(pty *p, uint8_t byte) {
+  if (!p->open || p->out_length == PTY_BUFFER) {
+    p->dropped++;
+    return;
+  }
+  p->out[p->out_length++] = byte;
 }
+
+int pty_poll_descriptor(const pty *p) { return p->open && p->in_end < PTY_BUFFER ? p->master : -1; }

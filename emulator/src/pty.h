@@ -10,16 +10,16 @@
 #define PTY_BUFFER 4096
 
 typedef struct {
-    const char *link; // the symlink's path
-    char slave[64];   // what it points to
-    int master;       // -1: unplugged
-    bool open;        // a host has the slave open
-    uint8_t in[PTY_BUFFER]; // from the host, not yet taken
-    size_t in_start, in_end;
-    uint8_t out[PTY_BUFFER]; // for the host, not yet written
-    size_t out_length;
-    uint64_t received, sent; // bytes
-    uint64_t dropped;        // bytes from the board that no host read
+  const char *link;        // the symlink's path
+  char slave[64];          // what it points to
+  int master;              // -1: unplugged
+  bool open;               // a host has the slave open
+  uint8_t in[PTY_BUFFER];  // from the host, not yet taken
+  size_t in_start, in_end;
+  uint8_t out[PTY_BUFFER];  // for the host, not yet written
+  size_t out_length;
+  uint64_t received, sent;  // bytes
+  uint64_t dropped;         // bytes from the board that no host read
 } pty;
 
 typedef enum { PTY_SAME, PTY_OPENED, PTY_CLOSED } pty_change;

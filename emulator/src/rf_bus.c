@@ -9,245 +9,200 @@
 // Stream numbers of the seed: receivers from 0, jammers from here.
 #define JAM_STREAM 1000
 
-static uint64_t bit_of(size_t source)
-{
-    return (uint64_t)1 << source;
+static uint64_t bit_of(size_t source) { return (uint64_t)1 << source; }
+
+static bool near(const rf_bus *bus, const board_config *board, double x_m, double y_m) {
+  return hypot(board->x_m - x_m, board->y_m - y_m) <= bus->range_m;
 }
 
-static bool near(const rf_bus *bus, const board_config *board, double x_m, double y_m)
-{
-    return hypot(board->x_m - x_m, board->y_m - y_m) <= bus->range_m;
-}
-
-static uint64_t heard_by(const rf_bus *bus, const scenario *config, const fault_config *jam)
-{
-    uint64_t receivers = 0;
-    for (size_t r = 0; r < bus->board_count; r++)
-        if (!jam->has_position || near(bus, &config->boards[r], jam->x_m, jam->y_m))
-            receivers |= bit_of(r);
-    return receivers;
+static uint64_t heard_by(const rf_bus *bus, const scenario *config, const fault_config *jam) {
+  uint64_t receivers = 0;
+  for (size_t r = 0; r < bus->board_count; r++)
+    if (!jam->has_position || near(bus, &config->boards[r], jam->x_m, jam->y_m)) receivers |= bit_of(r);
+  return receivers;
 }
 
 // Gives each jam the first jammer that is silent by then. Returns 0, or -1 when there are too many.
-static int init_jams(rf_bus *bus, const scenario *config)
-{
-    cycles_t silent_at[MAX_SOURCES];
-    const cycles_t pause = RF_QUIET_BITS * bus->bit_cycles + 2 * RF_STEP;
-    size_t jams = 0;
-    for (size_t i = 0; i < config->fault_count; i++) {
-        const fault_config *fault = &config->faults[i];
-        if (fault->kind != FAULT_JAM)
-            continue;
-        cycles_t begin = seconds_to_cycles(fault->t_s);
-        size_t source = bus->board_count;
-        while (source < bus->source_count && silent_at[source] > begin)
-            source++;
-        if (source == MAX_SOURCES)
-            return -1;
-        bus->source_count += source == bus->source_count;
-        silent_at[source] = begin + seconds_to_cycles(fault->duration_s) + pause;
-        bus->jams[jams++] = (rf_jam){source, heard_by(bus, config, fault)};
-    }
-    return 0;
+static int init_jams(rf_bus *bus, const scenario *config) {
+  cycles_t silent_at[MAX_SOURCES];
+  const cycles_t pause = RF_QUIET_BITS * bus->bit_cycles + 2 * RF_STEP;
+  size_t jams = 0;
+  for (size_t i = 0; i < config->fault_count; i++) {
+    const fault_config *fault = &config->faults[i];
+    if (fault->kind != FAULT_JAM) continue;
+    cycles_t begin = seconds_to_cycles(fault->t_s);
+    size_t source = bus->board_count;
+    while (source < bus->source_count && silent_at[source] > begin) source++;
+    if (source == MAX_SOURCES) return -1;
+    bus->source_count += source == bus->source_count;
+    silent_at[source] = begin + seconds_to_cycles(fault->duration_s) + pause;
+    bus->jams[jams++] = (rf_jam){source, heard_by(bus, config, fault)};
+  }
+  return 0;
 }
 
-static void init_receiver(rf_bus *bus, const scenario *config, size_t index, uint64_t seed)
-{
-    rf_receiver *receiver = &bus->receivers[index];
-    receiver->next_slot = NEVER;
-    prng_seed(&receiver->errors, seed, index);
-    for (size_t i = 0; i < bus->board_count; i++)
-        if (i != index && near(bus, &config->boards[index], config->boards[i].x_m, config->boards[i].y_m))
-            receiver->hears |= bit_of(i);
+static void init_receiver(rf_bus *bus, const scenario *config, size_t index, uint64_t seed) {
+  rf_receiver *receiver = &bus->receivers[index];
+  receiver->next_slot = NEVER;
+  prng_seed(&receiver->errors, seed, index);
+  for (size_t i = 0; i < bus->board_count; i++)
+    if (i != index && near(bus, &config->boards[index], config->boards[i].x_m, config->boards[i].y_m))
+      receiver->hears |= bit_of(i);
 }
 
-static void init_source(rf_bus *bus, size_t index, uint64_t seed)
-{
-    rf_source *source = &bus->sources[index];
-    source->quiet_at = NEVER;
+static void init_source(rf_bus *bus, size_t index, uint64_t seed) {
+  rf_source *source = &bus->sources[index];
+  source->quiet_at = NEVER;
+  source->next_toggle = NEVER;
+  if (index >= bus->board_count) prng_seed(&source->noise, seed, JAM_STREAM + index - bus->board_count);
+}
+
+int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener) {
+  memset(bus, 0, sizeof *bus);
+  bus->listener = listener;
+  bus->bit_cycles = (cycles_t)(CYCLES_PER_SECOND / config->radio.bit_rate + 0.5);
+  bus->bit_error_rate = config->radio.bit_error_rate;
+  bus->board_count = config->board_count;
+  bus->source_count = config->board_count;
+  bus->range_m = config->radio.range_m;
+  bus->next_event = NEVER;
+  bus->jams = calloc(config->fault_count + 1, sizeof *bus->jams);
+  if (!bus->jams || init_jams(bus, config) != 0) return -1;
+  bus->sources = calloc(bus->source_count, sizeof *bus->sources);
+  bus->receivers = calloc(bus->board_count, sizeof *bus->receivers);
+  if (!bus->sources || !bus->receivers) return -1;
+  for (size_t i = 0; i < bus->source_count; i++) init_source(bus, i, seed);
+  for (size_t i = 0; i < bus->board_count; i++) init_receiver(bus, config, i, seed);
+  return 0;
+}
+
+void rf_bus_release(rf_bus *bus) {
+  free(bus->sources);
+  free(bus->receivers);
+  free(bus->jams);
+  free(bus->edges);
+}
+
+bool rf_bus_hears(const rf_bus *bus, size_t receiver, size_t source) {
+  return (bus->receivers[receiver].hears & bit_of(source)) != 0;
+}
+
+void rf_bus_carrier(rf_bus *bus, size_t source, bool carrier, cycles_t at) {
+  if (bus->edge_count == bus->edge_capacity) {
+    size_t capacity = bus->edge_capacity ? 2 * bus->edge_capacity : 64;
+    rf_edge *edges = realloc(bus->edges, capacity * sizeof *edges);
+    if (!edges) abort();  // out of memory: nothing sensible is left to do
+    bus->edges = edges;
+    bus->edge_capacity = capacity;
+  }
+  size_t place = bus->edge_count++;
+  for (; place > 0 && bus->edges[place - 1].at > at; place--) bus->edges[place] = bus->edges[place - 1];
+  bus->edges[place] = (rf_edge){source, carrier, at};
+}
+
+void rf_bus_jam(rf_bus *bus, size_t jam, cycles_t at, cycles_t end) {
+  size_t index = bus->jams[jam].source;
+  rf_source *source = &bus->sources[index];
+  for (size_t r = 0; r < bus->board_count; r++) {
+    bool heard = bus->jams[jam].heard_by >> r & 1;
+    uint64_t *hears = &bus->receivers[r].hears;
+    *hears = heard ? *hears | bit_of(index) : *hears & ~bit_of(index);
+  }
+  source->jam_end = end;
+  source->next_toggle = at;
+  bus->next_event = at < bus->next_event ? at : bus->next_event;
+}
+
+static uint64_t active_sources(const rf_bus *bus) {
+  uint64_t active = 0;
+  for (size_t i = 0; i < bus->source_count; i++)
+    if (bus->sources[i].active) active |= bit_of(i);
+  return active;
+}
+
+static void begin_transmission(rf_bus *bus, size_t index, cycles_t at) {
+  uint64_t others = active_sources(bus);
+  bus->sources[index].active = true;
+  for (size_t r = 0; r < bus->board_count; r++) {
+    uint64_t heard = bus->receivers[r].hears & (others | bit_of(index));
+    if (rf_bus_hears(bus, r, index) && heard != bit_of(index))
+      bus->listener.collision(bus->listener.context, r, heard, at + RF_DELAY);
+  }
+}
+
+static void set_carrier(rf_bus *bus, size_t index, bool carrier, cycles_t at) {
+  rf_source *source = &bus->sources[index];
+  if (source->carrier == carrier) return;
+  source->carrier = carrier;
+  source->quiet_at = carrier ? NEVER : at + RF_QUIET_BITS * bus->bit_cycles;
+  if (carrier && !source->active) begin_transmission(bus, index, at);
+}
+
+static void run_source(rf_bus *bus, size_t index, cycles_t now) {
+  rf_source *source = &bus->sources[index];
+  if (source->next_toggle <= now && now >= source->jam_end) {
     source->next_toggle = NEVER;
-    if (index >= bus->board_count)
-        prng_seed(&source->noise, seed, JAM_STREAM + index - bus->board_count);
-}
-
-int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener)
-{
-    memset(bus, 0, sizeof *bus);
-    bus->listener = listener;
-    bus->bit_cycles = (cycles_t)(CYCLES_PER_SECOND / config->radio.bit_rate + 0.5);
-    bus->bit_error_rate = config->radio.bit_error_rate;
-    bus->board_count = config->board_count;
-    bus->source_count = config->board_count;
-    bus->range_m = config->radio.range_m;
-    bus->next_event = NEVER;
-    bus->jams = calloc(config->fault_count + 1, sizeof *bus->jams);
-    if (!bus->jams || init_jams(bus, config) != 0)
-        return -1;
-    bus->sources = calloc(bus->source_count, sizeof *bus->sources);
-    bus->receivers = calloc(bus->board_count, sizeof *bus->receivers);
-    if (!bus->sources || !bus->receivers)
-        return -1;
-    for (size_t i = 0; i < bus->source_count; i++)
-        init_source(bus, i, seed);
-    for (size_t i = 0; i < bus->board_count; i++)
-        init_receiver(bus, config, i, seed);
-    return 0;
-}
-
-void rf_bus_release(rf_bus *bus)
-{
-    free(bus->sources);
-    free(bus->receivers);
-    free(bus->jams);
-    free(bus->edges);
-}
-
-bool rf_bus_hears(const rf_bus *bus, size_t receiver, size_t source)
-{
-    return (bus->receivers[receiver].hears & bit_of(source)) != 0;
-}
-
-void rf_bus_carrier(rf_bus *bus, size_t source, bool carrier, cycles_t at)
-{
-    if (bus->edge_count == bus->edge_capacity) {
-        size_t capacity = bus->edge_capacity ? 2 * bus->edge_capacity : 64;
-        rf_edge *edges = realloc(bus->edges, capacity * sizeof *edges);
-        if (!edges)
-            abort(); // out of memory: nothing sensible is left to do
-        bus->edges = edges;
-        bus->edge_capacity = capacity;
-    }
-    size_t place = bus->edge_count++;
-    for (; place > 0 && bus->edges[place - 1].at > at; place--)
-        bus->edges[place] = bus->edges[place - 1];
-    bus->edges[place] = (rf_edge){source, carrier, at};
-}
-
-void rf_bus_jam(rf_bus *bus, size_t jam, cycles_t at, cycles_t end)
-{
-    size_t index = bus->jams[jam].source;
-    rf_source *source = &bus->sources[index];
-    for (size_t r = 0; r < bus->board_count; r++) {
-        bool heard = bus->jams[jam].heard_by >> r & 1;
-        uint64_t *hears = &bus->receivers[r].hears;
-        *hears = heard ? *hears | bit_of(index) : *hears & ~bit_of(index);
-    }
-    source->jam_end = end;
-    source->next_toggle = at;
-    bus->next_event = at < bus->next_event ? at : bus->next_event;
-}
-
-static uint64_t active_sources(const rf_bus *bus)
-{
-    uint64_t active = 0;
-    for (size_t i = 0; i < bus->source_count; i++)
-        if (bus->sources[i].active)
-            active |= bit_of(i);
-    return active;
-}
-
-static void begin_transmission(rf_bus *bus, size_t index, cycles_t at)
-{
-    uint64_t others = active_sources(bus);
-    bus->sources[index].active = true;
-    for (size_t r = 0; r < bus->board_count; r++) {
-        uint64_t heard = bus->receivers[r].hears & (others | bit_of(index));
-        if (rf_bus_hears(bus, r, index) && heard != bit_of(index))
-            bus->listener.collision(bus->listener.context, r, heard, at + RF_DELAY);
-    }
-}
-
-static void set_carrier(rf_bus *bus, size_t index, bool carrier, cycles_t at)
-{
-    rf_source *source = &bus->sources[index];
-    if (source->carrier == carrier)
-        return;
-    source->carrier = carrier;
-    source->quiet_at = carrier ? NEVER : at + RF_QUIET_BITS * bus->bit_cycles;
-    if (carrier && !source->active)
-        begin_transmission(bus, index, at);
-}
-
-static void run_source(rf_bus *bus, size_t index, cycles_t now)
-{
-    rf_source *source = &bus->sources[index];
-    if (source->next_toggle <= now && now >= source->jam_end) {
-        source->next_toggle = NEVER;
-        set_carrier(bus, index, false, now);
-    } else if (source->next_toggle <= now) {
-        set_carrier(bus, index, prng_chance(&source->noise, 0.5), now);
-        source->next_toggle = now + bus->bit_cycles;
-    }
-    if (source->quiet_at <= now) {
-        source->quiet_at = NEVER;
-        source->active = false;
-    }
+    set_carrier(bus, index, false, now);
+  } else if (source->next_toggle <= now) {
+    set_carrier(bus, index, prng_chance(&source->noise, 0.5), now);
+    source->next_toggle = now + bus->bit_cycles;
+  }
+  if (source->quiet_at <= now) {
+    source->quiet_at = NEVER;
+    source->active = false;
+  }
 }
 
 // Bit errors fall into slots of one bit, from the first carrier heard until the last is gone.
-static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t active, cycles_t now)
-{
-    if (bus->bit_error_rate <= 0)
-        return;
-    if (!(receiver->hears & active)) {
-        receiver->flip = false;
-        receiver->next_slot = NEVER;
-    } else if (receiver->next_slot == NEVER || receiver->next_slot <= now) {
-        receiver->flip = prng_chance(&receiver->errors, bus->bit_error_rate);
-        receiver->next_slot = now + bus->bit_cycles;
+static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t active, cycles_t now) {
+  if (bus->bit_error_rate <= 0) return;
+  if (!(receiver->hears & active)) {
+    receiver->flip = false;
+    receiver->next_slot = NEVER;
+  } else if (receiver->next_slot == NEVER || receiver->next_slot <= now) {
+    receiver->flip = prng_chance(&receiver->errors, bus->bit_error_rate);
+    receiver->next_slot = now + bus->bit_cycles;
+  }
+}
+
+static void update_receivers(rf_bus *bus, cycles_t now) {
+  uint64_t active = active_sources(bus);
+  uint64_t carriers = 0;
+  for (size_t i = 0; i < bus->source_count; i++)
+    if (bus->sources[i].carrier) carriers |= bit_of(i);
+  for (size_t r = 0; r < bus->board_count; r++) {
+    rf_receiver *receiver = &bus->receivers[r];
+    run_slots(bus, receiver, active, now);
+    bool level = ((receiver->hears & carriers) != 0) != receiver->flip;
+    if (level != receiver->level) {
+      receiver->level = level;
+      bus->listener.level(bus->listener.context, r, level, now + RF_DELAY);
     }
+  }
 }
 
-static void update_receivers(rf_bus *bus, cycles_t now)
-{
-    uint64_t active = active_sources(bus);
-    uint64_t carriers = 0;
-    for (size_t i = 0; i < bus->source_count; i++)
-        if (bus->sources[i].carrier)
-            carriers |= bit_of(i);
-    for (size_t r = 0; r < bus->board_count; r++) {
-        rf_receiver *receiver = &bus->receivers[r];
-        run_slots(bus, receiver, active, now);
-        bool level = ((receiver->hears & carriers) != 0) != receiver->flip;
-        if (level != receiver->level) {
-            receiver->level = level;
-            bus->listener.level(bus->listener.context, r, level, now + RF_DELAY);
-        }
-    }
+static cycles_t earliest(cycles_t a, cycles_t b) { return a < b ? a : b; }
+
+static cycles_t next_own_event(const rf_bus *bus) {
+  cycles_t next = NEVER;
+  for (size_t i = 0; i < bus->source_count; i++)
+    next = earliest(next, earliest(bus->sources[i].quiet_at, bus->sources[i].next_toggle));
+  for (size_t i = 0; i < bus->board_count; i++) next = earliest(next, bus->receivers[i].next_slot);
+  return next;
 }
 
-static cycles_t earliest(cycles_t a, cycles_t b)
-{
-    return a < b ? a : b;
-}
-
-static cycles_t next_own_event(const rf_bus *bus)
-{
-    cycles_t next = NEVER;
-    for (size_t i = 0; i < bus->source_count; i++)
-        next = earliest(next, earliest(bus->sources[i].quiet_at, bus->sources[i].next_toggle));
-    for (size_t i = 0; i < bus->board_count; i++)
-        next = earliest(next, bus->receivers[i].next_slot);
-    return next;
-}
-
-void rf_bus_advance(rf_bus *bus, cycles_t until)
-{
-    size_t done = 0;
-    for (;;) {
-        cycles_t now = bus->next_event;
-        if (done < bus->edge_count)
-            now = earliest(now, bus->edges[done].at);
-        if (now >= until)
-            break;
-        for (; done < bus->edge_count && bus->edges[done].at <= now; done++)
-            set_carrier(bus, bus->edges[done].source, bus->edges[done].carrier, now);
-        for (size_t i = 0; i < bus->source_count; i++)
-            run_source(bus, i, now);
-        update_receivers(bus, now);
-        bus->next_event = next_own_event(bus);
-    }
-    if (done > 0)
-        memmove(bus->edges, bus->edges + done, (bus->edge_count - done) * sizeof *bus->edges);
-    bus->edge_count -= done;
+void rf_bus_advance(rf_bus *bus, cycles_t until) {
+  size_t done = 0;
+  for (;;) {
+    cycles_t now = bus->next_event;
+    if (done < bus->edge_count) now = earliest(now, bus->edges[done].at);
+    if (now >= until) break;
+    for (; done < bus->edge_count && bus->edges[done].at <= now; done++)
+      set_carrier(bus, bus->edges[done].source, bus->edges[done].carrier, now);
+    for (size_t i = 0; i < bus->source_count; i++) run_source(bus, i, now);
+    update_receivers(bus, now);
+    bus->next_event = next_own_event(bus);
+  }
+  if (done > 0) memmove(bus->edges, bus->edges + done, (bus->edge_count - done) * sizeof *bus->edges);
+  bus->edge_count -= done;
 }

@@ -22,56 +22,56 @@
 #define RF_QUIET_BITS 8
 
 typedef struct {
-    void *context;
-    // The level at a receiver's RX pin changes at `at`.
-    void (*level)(void *context, size_t receiver, bool level, cycles_t at);
-    // A transmission begins to overlap others at a receiver; bit n of `sources` is source n.
-    void (*collision)(void *context, size_t receiver, uint64_t sources, cycles_t at);
+  void *context;
+  // The level at a receiver's RX pin changes at `at`.
+  void (*level)(void *context, size_t receiver, bool level, cycles_t at);
+  // A transmission begins to overlap others at a receiver; bit n of `sources` is source n.
+  void (*collision)(void *context, size_t receiver, uint64_t sources, cycles_t at);
 } rf_listener;
 
 typedef struct {
-    size_t source;
-    bool carrier;
-    cycles_t at;
+  size_t source;
+  bool carrier;
+  cycles_t at;
 } rf_edge;
 
 // A board's transmitter, or a jammer.
 typedef struct {
-    bool carrier;
-    bool active;       // in the middle of a transmission
-    cycles_t quiet_at; // when the transmission is over unless the carrier comes back
-    cycles_t jam_end;
-    cycles_t next_toggle;
-    prng noise;
+  bool carrier;
+  bool active;        // in the middle of a transmission
+  cycles_t quiet_at;  // when the transmission is over unless the carrier comes back
+  cycles_t jam_end;
+  cycles_t next_toggle;
+  prng noise;
 } rf_source;
 
 // A jam fault of the scenario. Jams that do not overlap share a jammer.
 typedef struct {
-    size_t source;
-    uint64_t heard_by; // bit n: by receiver n
+  size_t source;
+  uint64_t heard_by;  // bit n: by receiver n
 } rf_jam;
 
 typedef struct {
-    uint64_t hears; // bit n: source n is in range
-    bool level;
-    bool flip;          // the current bit slot is an error
-    cycles_t next_slot; // NEVER while nothing is heard
-    prng errors;
+  uint64_t hears;  // bit n: source n is in range
+  bool level;
+  bool flip;           // the current bit slot is an error
+  cycles_t next_slot;  // NEVER while nothing is heard
+  prng errors;
 } rf_receiver;
 
 typedef struct {
-    rf_listener listener;
-    cycles_t bit_cycles;
-    double bit_error_rate;
-    double range_m;
-    size_t board_count;
-    size_t source_count; // boards first, then jammers
-    rf_source *sources;
-    rf_receiver *receivers;
-    rf_jam *jams;
-    rf_edge *edges; // not yet on the air, in rising order of time
-    size_t edge_count, edge_capacity;
-    cycles_t next_event; // no source or receiver has anything to do before
+  rf_listener listener;
+  cycles_t bit_cycles;
+  double bit_error_rate;
+  double range_m;
+  size_t board_count;
+  size_t source_count;  // boards first, then jammers
+  rf_source *sources;
+  rf_receiver *receivers;
+  rf_jam *jams;
+  rf_edge *edges;  // not yet on the air, in rising order of time
+  size_t edge_count, edge_capacity;
+  cycles_t next_event;  // no source or receiver has anything to do before
 } rf_bus;
 
 // Sets up boards and jam faults of the scenario: source n is board n, then come the jammers.

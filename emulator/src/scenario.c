@@ -17,228 +17,191 @@
 
 static const char *const FAULT_NAMES[] = {"reset", "unplug", "plug", "power-cut", "jam", NULL};
 
-const char *fault_name(fault_kind kind)
-{
-    return FAULT_NAMES[kind];
+const char *fault_name(fault_kind kind) { return FAULT_NAMES[kind]; }
+
+static void read_radio(radio_config *radio, const json_node *node) {
+  static const char *const KEYS[] = {"bitRate", "range", "bitErrorRate", NULL};
+  json_node bit_rate = json_member(node, "bitRate");
+  json_node range = json_member(node, "range");
+  json_node bit_error_rate = json_member(node, "bitErrorRate");
+  if (json_given(node)) json_check_object(node, KEYS);
+  radio->bit_rate = json_number(&bit_rate, 100, 10000, DEFAULT_BIT_RATE);
+  radio->range_m = json_number(&range, 0, 1e6, DEFAULT_RANGE_M);
+  radio->bit_error_rate = json_number(&bit_error_rate, 0, 1, 0);
 }
 
-static void read_radio(radio_config *radio, const json_node *node)
-{
-    static const char *const KEYS[] = {"bitRate", "range", "bitErrorRate", NULL};
-    json_node bit_rate = json_member(node, "bitRate");
-    json_node range = json_member(node, "range");
-    json_node bit_error_rate = json_member(node, "bitErrorRate");
-    if (json_given(node))
-        json_check_object(node, KEYS);
-    radio->bit_rate = json_number(&bit_rate, 100, 10000, DEFAULT_BIT_RATE);
-    radio->range_m = json_number(&range, 0, 1e6, DEFAULT_RANGE_M);
-    radio->bit_error_rate = json_number(&bit_error_rate, 0, 1, 0);
+static int board_index(const scenario *s, const char *name) {
+  for (size_t i = 0; i < s->board_count; i++)
+    if (s->boards[i].name && strcmp(s->boards[i].name, name) == 0) return (int)i;
+  return -1;
 }
 
-static int board_index(const scenario *s, const char *name)
-{
-    for (size_t i = 0; i < s->board_count; i++)
-        if (s->boards[i].name && strcmp(s->boards[i].name, name) == 0)
-            return (int)i;
-    return -1;
-}
-
-static bool same_text(const char *a, const char *b)
-{
-    return a && b && strcmp(a, b) == 0;
-}
+static bool same_text(const char *a, const char *b) { return a && b && strcmp(a, b) == 0; }
 
 // No two boards share a name, a port or an EEPROM file; each firmware and boot loader is readable.
-static void check_board(const scenario *s, size_t index, const json_node *node)
-{
-    const board_config *board = &s->boards[index];
-    json_node firmware = json_member(node, "firmware");
-    json_node boot_loader = json_member(node, "bootLoader");
-    for (size_t i = 0; i < index; i++) {
-        const char *shared = same_text(board->name, s->boards[i].name)       ? "name"
-                             : same_text(board->port, s->boards[i].port)     ? "port"
-                             : same_text(board->eeprom, s->boards[i].eeprom) ? "eeprom"
-                                                                             : NULL;
-        if (shared) {
-            json_node value = json_member(node, shared);
-            json_fail(&value, "is the same as that of boards[%zu]; expected one of its own", i);
-        }
+static void check_board(const scenario *s, size_t index, const json_node *node) {
+  const board_config *board = &s->boards[index];
+  json_node firmware = json_member(node, "firmware");
+  json_node boot_loader = json_member(node, "bootLoader");
+  for (size_t i = 0; i < index; i++) {
+    const char *shared = same_text(board->name, s->boards[i].name)       ? "name"
+                         : same_text(board->port, s->boards[i].port)     ? "port"
+                         : same_text(board->eeprom, s->boards[i].eeprom) ? "eeprom"
+                                                                         : NULL;
+    if (shared) {
+      json_node value = json_member(node, shared);
+      json_fail(&value, "is the same as that of boards[%zu]; expected one of its own", i);
     }
-    if (board->firmware && access(board->firmware, R_OK) != 0)
-        json_fail(&firmware, "cannot read %s (%s); build the firmware or mend the path",
-                  board->firmware, strerror(errno));
-    if (board->boot_loader && access(board->boot_loader, R_OK) != 0)
-        json_fail(&boot_loader, "cannot read %s (%s); install arduino-core-avr or mend the path",
-                  board->boot_loader, strerror(errno));
+  }
+  if (board->firmware && access(board->firmware, R_OK) != 0)
+    json_fail(&firmware, "cannot read %s (%s); build the firmware or mend the path", board->firmware, strerror(errno));
+  if (board->boot_loader && access(board->boot_loader, R_OK) != 0)
+    json_fail(&boot_loader, "cannot read %s (%s); install arduino-core-avr or mend the path", board->boot_loader,
+              strerror(errno));
 }
 
-static void read_boards(scenario *s, const json_node *node, const char *scenario_directory,
-                        const char *directory)
-{
-    size_t count = json_array_length(node);
-    if (count == 0 || count > MAX_BOARDS) {
-        json_expected(node, "a list of 1 to 32 boards");
-        return;
-    }
-    s->boards = calloc(count, sizeof *s->boards);
-    for (; s->board_count < count && !json_failed(node->reader); s->board_count++) {
-        json_node board = json_element(node, s->board_count);
-        board_config_read(&s->boards[s->board_count], &board, scenario_directory, directory);
-        check_board(s, s->board_count, &board);
-    }
+static void read_boards(scenario *s, const json_node *node, const char *scenario_directory, const char *directory) {
+  size_t count = json_array_length(node);
+  if (count == 0 || count > MAX_BOARDS) {
+    json_expected(node, "a list of 1 to 32 boards");
+    return;
+  }
+  s->boards = calloc(count, sizeof *s->boards);
+  for (; s->board_count < count && !json_failed(node->reader); s->board_count++) {
+    json_node board = json_element(node, s->board_count);
+    board_config_read(&s->boards[s->board_count], &board, scenario_directory, directory);
+    check_board(s, s->board_count, &board);
+  }
 }
 
-static void read_fault_board(fault_config *fault, const scenario *s, const json_node *node)
-{
-    json_node board = json_member(node, "board");
-    char *name = json_text(&board);
-    int index = name ? board_index(s, name) : -1;
-    if (index < 0)
-        json_expected(&board, "the name of one of the boards");
-    else if ((fault->kind == FAULT_UNPLUG || fault->kind == FAULT_PLUG) && !s->boards[index].port)
-        json_fail(&board, "\"%s\" has no \"port\" to %s", name, FAULT_NAMES[fault->kind]);
-    fault->board = index < 0 ? 0 : (size_t)index;
-    free(name);
+static void read_fault_board(fault_config *fault, const scenario *s, const json_node *node) {
+  json_node board = json_member(node, "board");
+  char *name = json_text(&board);
+  int index = name ? board_index(s, name) : -1;
+  if (index < 0)
+    json_expected(&board, "the name of one of the boards");
+  else if ((fault->kind == FAULT_UNPLUG || fault->kind == FAULT_PLUG) && !s->boards[index].port)
+    json_fail(&board, "\"%s\" has no \"port\" to %s", name, FAULT_NAMES[fault->kind]);
+  fault->board = index < 0 ? 0 : (size_t)index;
+  free(name);
 }
 
-static double required_seconds(const json_node *object, const char *key)
-{
-    json_node node = json_member(object, key);
-    if (!json_given(&node))
-        json_expected(&node, "a number of seconds");
-    return json_number(&node, 0, 1e9, 0);
+static double required_seconds(const json_node *object, const char *key) {
+  json_node node = json_member(object, key);
+  if (!json_given(&node)) json_expected(&node, "a number of seconds");
+  return json_number(&node, 0, 1e9, 0);
 }
 
-static void read_eeprom_writes(fault_config *fault, const json_node *node)
-{
-    json_node writes = json_member(node, "eepromWrites");
-    if (!json_given(&writes))
-        return;
-    json_int_t count = json_integer_value(writes.value);
-    if (count < 1 || count > 1000000000)
-        json_expected(&writes, "a whole number from 1 to 1000000000");
-    fault->eeprom_writes = (unsigned)count;
+static void read_eeprom_writes(fault_config *fault, const json_node *node) {
+  json_node writes = json_member(node, "eepromWrites");
+  if (!json_given(&writes)) return;
+  json_int_t count = json_integer_value(writes.value);
+  if (count < 1 || count > 1000000000) json_expected(&writes, "a whole number from 1 to 1000000000");
+  fault->eeprom_writes = (unsigned)count;
 }
 
-static void read_jam(fault_config *fault, const json_node *node)
-{
-    json_node position = json_member(node, "position");
-    fault->has_position = json_given(&position);
-    position_read(&position, &fault->x_m, &fault->y_m);
+static void read_jam(fault_config *fault, const json_node *node) {
+  json_node position = json_member(node, "position");
+  fault->has_position = json_given(&position);
+  position_read(&position, &fault->x_m, &fault->y_m);
 }
 
-static void read_fault(fault_config *fault, const scenario *s, const json_node *node)
-{
-    static const char *const BOARD_KEYS[] = {"t", "do", "board", "after", NULL};
-    static const char *const CUT_KEYS[] = {"t", "do", "board", "after", "duration", "eepromWrites", NULL};
-    static const char *const JAM_KEYS[] = {"t", "do", "duration", "position", NULL};
-    json_node kind = json_member(node, "do");
-    int choice = json_choice(&kind, FAULT_NAMES);
-    if (!json_given(&kind))
-        json_expected(&kind, "\"reset\", \"unplug\", \"plug\", \"power-cut\" or \"jam\"");
-    if (choice < 0)
-        return;
-    fault->kind = (fault_kind)choice;
-    if (!json_check_object(node, fault->kind == FAULT_JAM         ? JAM_KEYS
-                                 : fault->kind == FAULT_POWER_CUT ? CUT_KEYS
-                                                                  : BOARD_KEYS))
-        return;
-    json_node after = json_member(node, "after");
-    fault->t_s = required_seconds(node, "t");
-    if (fault->kind == FAULT_JAM || fault->kind == FAULT_POWER_CUT)
-        fault->duration_s = required_seconds(node, "duration");
-    if (fault->kind == FAULT_JAM)
-        read_jam(fault, node);
-    else
-        read_fault_board(fault, s, node);
-    after_read(&after, s->boards[fault->board].model, &fault->after_pin, &fault->after_level);
-    if (fault->kind == FAULT_POWER_CUT)
-        read_eeprom_writes(fault, node);
+static void read_fault(fault_config *fault, const scenario *s, const json_node *node) {
+  static const char *const BOARD_KEYS[] = {"t", "do", "board", "after", NULL};
+  static const char *const CUT_KEYS[] = {"t", "do", "board", "after", "duration", "eepromWrites", NULL};
+  static const char *const JAM_KEYS[] = {"t", "do", "duration", "position", NULL};
+  json_node kind = json_member(node, "do");
+  int choice = json_choice(&kind, FAULT_NAMES);
+  if (!json_given(&kind)) json_expected(&kind, "\"reset\", \"unplug\", \"plug\", \"power-cut\" or \"jam\"");
+  if (choice < 0) return;
+  fault->kind = (fault_kind)choice;
+  if (!json_check_object(node, fault->kind == FAULT_JAM         ? JAM_KEYS
+                               : fault->kind == FAULT_POWER_CUT ? CUT_KEYS
+                                                                : BOARD_KEYS))
+    return;
+  json_node after = json_member(node, "after");
+  fault->t_s = required_seconds(node, "t");
+  if (fault->kind == FAULT_JAM || fault->kind == FAULT_POWER_CUT)
+    fault->duration_s = required_seconds(node, "duration");
+  if (fault->kind == FAULT_JAM)
+    read_jam(fault, node);
+  else
+    read_fault_board(fault, s, node);
+  after_read(&after, s->boards[fault->board].model, &fault->after_pin, &fault->after_level);
+  if (fault->kind == FAULT_POWER_CUT) read_eeprom_writes(fault, node);
 }
 
-static int by_time(const void *a, const void *b)
-{
-    double first = ((const fault_config *)a)->t_s;
-    double second = ((const fault_config *)b)->t_s;
-    return (first > second) - (first < second);
+static int by_time(const void *a, const void *b) {
+  double first = ((const fault_config *)a)->t_s;
+  double second = ((const fault_config *)b)->t_s;
+  return (first > second) - (first < second);
 }
 
-static void read_faults(scenario *s, const json_node *node)
-{
-    size_t count = json_array_length(node);
-    s->faults = calloc(count + 1, sizeof *s->faults);
-    for (; s->fault_count < count && !json_failed(node->reader); s->fault_count++) {
-        json_node fault = json_element(node, s->fault_count);
-        read_fault(&s->faults[s->fault_count], s, &fault);
-    }
-    qsort(s->faults, s->fault_count, sizeof *s->faults, by_time);
+static void read_faults(scenario *s, const json_node *node) {
+  size_t count = json_array_length(node);
+  s->faults = calloc(count + 1, sizeof *s->faults);
+  for (; s->fault_count < count && !json_failed(node->reader); s->fault_count++) {
+    json_node fault = json_element(node, s->fault_count);
+    read_fault(&s->faults[s->fault_count], s, &fault);
+  }
+  qsort(s->faults, s->fault_count, sizeof *s->faults, by_time);
 }
 
 // Puts "radio.key=value" into the JSON as if the file had said it, to be checked with the rest.
-static void apply_override(json_reader *reader, json_t *root, const char *override)
-{
-    static const char PREFIX[] = "radio.";
-    const char *equals = strchr(override, '=');
-    json_t *value = equals ? json_loads(equals + 1, JSON_DECODE_ANY, NULL) : NULL;
-    if (!value || strncmp(override, PREFIX, sizeof PREFIX - 1) != 0) {
-        snprintf(reader->error, sizeof reader->error,
-                 "--set %.100s: expected radio.key=number, e.g. radio.bitErrorRate=0.001", override);
-        json_decref(value);
-        return;
-    }
-    char key[64];
-    const char *start = override + sizeof PREFIX - 1;
-    snprintf(key, sizeof key, "%.*s", (int)(equals - start), start);
-    if (!json_object_get(root, "radio"))
-        json_object_set_new(root, "radio", json_object());
-    json_object_set_new(json_object_get(root, "radio"), key, value);
+static void apply_override(json_reader *reader, json_t *root, const char *override) {
+  static const char PREFIX[] = "radio.";
+  const char *equals = strchr(override, '=');
+  json_t *value = equals ? json_loads(equals + 1, JSON_DECODE_ANY, NULL) : NULL;
+  if (!value || strncmp(override, PREFIX, sizeof PREFIX - 1) != 0) {
+    snprintf(reader->error, sizeof reader->error,
+             "--set %.100s: expected radio.key=number, e.g. radio.bitErrorRate=0.001", override);
+    json_decref(value);
+    return;
+  }
+  char key[64];
+  const char *start = override + sizeof PREFIX - 1;
+  snprintf(key, sizeof key, "%.*s", (int)(equals - start), start);
+  if (!json_object_get(root, "radio")) json_object_set_new(root, "radio", json_object());
+  json_object_set_new(json_object_get(root, "radio"), key, value);
 }
 
-static void read_root(scenario *s, const json_node *root, const scenario_context *context)
-{
-    static const char *const KEYS[] = {"radio", "boards", "faults", NULL};
-    if (!json_check_object(root, KEYS))
-        return;
-    for (size_t i = 0; i < context->override_count; i++)
-        apply_override(root->reader, root->value, context->overrides[i]);
-    json_node radio = json_member(root, "radio");
-    json_node boards = json_member(root, "boards");
-    json_node faults = json_member(root, "faults");
-    char *file = strdup(root->reader->file);
-    read_radio(&s->radio, &radio);
-    read_boards(s, &boards, dirname(file), context->directory);
-    if (!json_failed(root->reader))
-        read_faults(s, &faults);
-    free(file);
+static void read_root(scenario *s, const json_node *root, const scenario_context *context) {
+  static const char *const KEYS[] = {"radio", "boards", "faults", NULL};
+  if (!json_check_object(root, KEYS)) return;
+  for (size_t i = 0; i < context->override_count; i++) apply_override(root->reader, root->value, context->overrides[i]);
+  json_node radio = json_member(root, "radio");
+  json_node boards = json_member(root, "boards");
+  json_node faults = json_member(root, "faults");
+  char *file = strdup(root->reader->file);
+  read_radio(&s->radio, &radio);
+  read_boards(s, &boards, dirname(file), context->directory);
+  if (!json_failed(root->reader)) read_faults(s, &faults);
+  free(file);
 }
 
-int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error,
-                  size_t error_size)
-{
-    memset(result, 0, sizeof *result);
-    json_reader reader = {path, ""};
-    json_error_t mistake;
-    json_t *value = json_load_file(path, JSON_REJECT_DUPLICATES, &mistake);
-    if (!value && mistake.line > 0)
-        snprintf(reader.error, sizeof reader.error, "%s: line %d, column %d: %s", path, mistake.line,
-                 mistake.column, mistake.text);
-    else if (!value)
-        snprintf(reader.error, sizeof reader.error, "%s: cannot read the scenario: %s", path,
-                 errno ? strerror(errno) : mistake.text);
-    if (value) {
-        json_node root = json_root(&reader, value);
-        read_root(result, &root, context);
-        json_decref(value);
-    }
-    snprintf(error, error_size, "%s", reader.error);
-    return json_failed(&reader) ? -1 : 0;
+int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error, size_t error_size) {
+  memset(result, 0, sizeof *result);
+  json_reader reader = {path, ""};
+  json_error_t mistake;
+  json_t *value = json_load_file(path, JSON_REJECT_DUPLICATES, &mistake);
+  if (!value && mistake.line > 0)
+    snprintf(reader.error, sizeof reader.error, "%s: line %d, column %d: %s", path, mistake.line, mistake.column,
+             mistake.text);
+  else if (!value)
+    snprintf(reader.error, sizeof reader.error, "%s: cannot read the scenario: %s", path,
+             errno ? strerror(errno) : mistake.text);
+  if (value) {
+    json_node root = json_root(&reader, value);
+    read_root(result, &root, context);
+    json_decref(value);
+  }
+  snprintf(error, error_size, "%s", reader.error);
+  return json_failed(&reader) ? -1 : 0;
 }
 
-void scenario_release(scenario *result)
-{
-    for (size_t i = 0; i < result->board_count; i++)
-        board_config_release(&result->boards[i]);
-    free(result->boards);
-    free(result->faults);
-    memset(result, 0, sizeof *result);
+void scenario_release(scenario *result) {
+  for (size_t i = 0; i < result->board_count; i++) board_config_release(&result->boards[i]);
+  free(result->boards);
+  free(result->faults);
+  memset(result, 0, sizeof *result);
 }

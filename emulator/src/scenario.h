@@ -12,75 +12,74 @@
 #define MAX_BOARDS 32
 
 typedef struct {
-    double bit_rate;       // bit/s, 100…10000
-    double range_m;        // metres, 0 or more
-    double bit_error_rate; // probability 0…1 for each bit slot and receiver
+  double bit_rate;        // bit/s, 100…10000
+  double range_m;         // metres, 0 or more
+  double bit_error_rate;  // probability 0…1 for each bit slot and receiver
 } radio_config;
 
 typedef enum { SENSOR_HC_SR04, SENSOR_LDR, SENSOR_DIGITAL } sensor_kind;
 
 typedef struct {
-    sensor_kind kind;
-    int pin;       // LDR: analog pin; digital: pin; HC-SR04: echo
-    int trigger;   // HC-SR04 only
-    series values; // HC-SR04: cm; LDR: 0…1023 as analogRead() gives; digital: 0 or 1
-    int after_pin; // the series' clock starts when this pin first has after_level; -1: at once
-    int after_level;
+  sensor_kind kind;
+  int pin;        // LDR: analog pin; digital: pin; HC-SR04: echo
+  int trigger;    // HC-SR04 only
+  series values;  // HC-SR04: cm; LDR: 0…1023 as analogRead() gives; digital: 0 or 1
+  int after_pin;  // the series' clock starts when this pin first has after_level; -1: at once
+  int after_level;
 } sensor_config;
 
 typedef struct {
-    int pin;
-    char *name;
+  int pin;
+  char *name;
 } watch_config;
 
 typedef struct {
-    char *name;
-    const model *model;
-    char *firmware; // path of an ELF file, as the process sees it
-    char *boot_loader; // path of a HEX file; NULL: none
-    char *port;     // path of the pty's symlink, NULL: UART lines go to the trace
-    char *eeprom;   // path of the EEPROM file, NULL: forgotten at exit
-    double x_m, y_m;
-    bool reset_on_open;
-    int tx_pin, rx_pin;
-    sensor_config *sensors;
-    size_t sensor_count;
-    watch_config *watches;
-    size_t watch_count;
+  char *name;
+  const model *model;
+  char *firmware;     // path of an ELF file, as the process sees it
+  char *boot_loader;  // path of a HEX file; NULL: none
+  char *port;         // path of the pty's symlink, NULL: UART lines go to the trace
+  char *eeprom;       // path of the EEPROM file, NULL: forgotten at exit
+  double x_m, y_m;
+  bool reset_on_open;
+  int tx_pin, rx_pin;
+  sensor_config *sensors;
+  size_t sensor_count;
+  watch_config *watches;
+  size_t watch_count;
 } board_config;
 
 typedef enum { FAULT_RESET, FAULT_UNPLUG, FAULT_PLUG, FAULT_POWER_CUT, FAULT_JAM } fault_kind;
 
 typedef struct {
-    double t_s;
-    fault_kind kind;
-    size_t board;      // index; not for jam
-    int after_pin;     // t counts from when this pin of the board first has after_level; -1: from the start
-    int after_level;
-    double duration_s; // power cut and jam only
-    unsigned eeprom_writes; // power cut only: comes with this write after t, 0: at t
-    bool has_position; // jam only; without one it is heard everywhere
-    double x_m, y_m;
+  double t_s;
+  fault_kind kind;
+  size_t board;   // index; not for jam
+  int after_pin;  // t counts from when this pin of the board first has after_level; -1: from the start
+  int after_level;
+  double duration_s;       // power cut and jam only
+  unsigned eeprom_writes;  // power cut only: comes with this write after t, 0: at t
+  bool has_position;       // jam only; without one it is heard everywhere
+  double x_m, y_m;
 } fault_config;
 
 typedef struct {
-    radio_config radio;
-    board_config *boards;
-    size_t board_count;
-    fault_config *faults; // in rising order of t
-    size_t fault_count;
+  radio_config radio;
+  board_config *boards;
+  size_t board_count;
+  fault_config *faults;  // in rising order of t
+  size_t fault_count;
 } scenario;
 
 // What the command line adds to the file.
 typedef struct {
-    const char *directory;  // ports and EEPROM files are relative to it
-    const char **overrides; // "radio.key=value"
-    size_t override_count;
+  const char *directory;   // ports and EEPROM files are relative to it
+  const char **overrides;  // "radio.key=value"
+  size_t override_count;
 } scenario_context;
 
 // Reads `path` into `result`. Returns 0, or -1 with one line in `error`; release it either way.
-int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error,
-                  size_t error_size);
+int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error, size_t error_size);
 
 void scenario_release(scenario *result);
 

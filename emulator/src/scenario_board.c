@@ -14,252 +14,216 @@
 #define MAX_ADC_READING 1023
 
 // A pin, or `otherwise` where the value is absent; -1 as `otherwise` makes it necessary.
-static int read_pin(const json_node *node, const model *m, int otherwise)
-{
-    int pin = -1;
-    if (!json_given(node) && otherwise >= 0)
-        return otherwise;
-    if (json_is_integer(node->value)) {
-        json_int_t number = json_integer_value(node->value);
-        pin = number >= 0 && number < m->pin_count ? (int)number : -1;
-    } else if (json_is_string(node->value)) {
-        pin = pin_parse(m, json_string_value(node->value));
-    }
-    if (pin < 0) {
-        char expected[64];
-        snprintf(expected, sizeof expected, "a pin: %s", m->pins);
-        json_expected(node, expected);
-    }
-    return pin;
+static int read_pin(const json_node *node, const model *m, int otherwise) {
+  int pin = -1;
+  if (!json_given(node) && otherwise >= 0) return otherwise;
+  if (json_is_integer(node->value)) {
+    json_int_t number = json_integer_value(node->value);
+    pin = number >= 0 && number < m->pin_count ? (int)number : -1;
+  } else if (json_is_string(node->value)) {
+    pin = pin_parse(m, json_string_value(node->value));
+  }
+  if (pin < 0) {
+    char expected[64];
+    snprintf(expected, sizeof expected, "a pin: %s", m->pins);
+    json_expected(node, expected);
+  }
+  return pin;
 }
 
-static int read_analog_pin(const json_node *node, const model *m)
-{
-    int pin = read_pin(node, m, -1);
-    if (!json_failed(node->reader) && !pin_is_analog(m, pin)) {
-        char expected[64];
-        snprintf(expected, sizeof expected, "an analog pin, %s", m->adc_pins);
-        json_expected(node, expected);
-    }
-    return pin;
+static int read_analog_pin(const json_node *node, const model *m) {
+  int pin = read_pin(node, m, -1);
+  if (!json_failed(node->reader) && !pin_is_analog(m, pin)) {
+    char expected[64];
+    snprintf(expected, sizeof expected, "an analog pin, %s", m->adc_pins);
+    json_expected(node, expected);
+  }
+  return pin;
 }
 
-static char *join_path(const char *directory, char *path)
-{
-    if (!path || path[0] == '/' || strcmp(directory, ".") == 0)
-        return path;
-    size_t size = strlen(directory) + strlen(path) + 2;
-    char *joined = malloc(size);
-    if (joined)
-        snprintf(joined, size, "%s/%s", directory, path);
-    free(path);
-    return joined;
+static char *join_path(const char *directory, char *path) {
+  if (!path || path[0] == '/' || strcmp(directory, ".") == 0) return path;
+  size_t size = strlen(directory) + strlen(path) + 2;
+  char *joined = malloc(size);
+  if (joined) snprintf(joined, size, "%s/%s", directory, path);
+  free(path);
+  return joined;
 }
 
-void position_read(const json_node *node, double *x_m, double *y_m)
-{
-    if (!json_given(node))
-        return;
-    if (json_array_length(node) != 2) {
-        json_expected(node, "a position [x, y] in metres");
-        return;
-    }
-    json_node x = json_element(node, 0);
-    json_node y = json_element(node, 1);
-    *x_m = json_number(&x, -MAX_COORDINATE_M, MAX_COORDINATE_M, 0);
-    *y_m = json_number(&y, -MAX_COORDINATE_M, MAX_COORDINATE_M, 0);
+void position_read(const json_node *node, double *x_m, double *y_m) {
+  if (!json_given(node)) return;
+  if (json_array_length(node) != 2) {
+    json_expected(node, "a position [x, y] in metres");
+    return;
+  }
+  json_node x = json_element(node, 0);
+  json_node y = json_element(node, 1);
+  *x_m = json_number(&x, -MAX_COORDINATE_M, MAX_COORDINATE_M, 0);
+  *y_m = json_number(&y, -MAX_COORDINATE_M, MAX_COORDINATE_M, 0);
 }
 
-static void read_point(series_point *point, const json_node *node, double max)
-{
-    if (!json_is_array(node->value) || json_array_length(node) != 2) {
-        json_expected(node, "a point [seconds, value]");
-        return;
-    }
-    json_node time = json_element(node, 0);
-    json_node value = json_element(node, 1);
-    point->t_s = json_number(&time, 0, 1e9, 0);
-    point->value = json_number(&value, 0, max, 0);
+static void read_point(series_point *point, const json_node *node, double max) {
+  if (!json_is_array(node->value) || json_array_length(node) != 2) {
+    json_expected(node, "a point [seconds, value]");
+    return;
+  }
+  json_node time = json_element(node, 0);
+  json_node value = json_element(node, 1);
+  point->t_s = json_number(&time, 0, 1e9, 0);
+  point->value = json_number(&value, 0, max, 0);
 }
 
-static void read_series(series *values, const json_node *node, double max)
-{
-    size_t count = json_array_length(node);
-    if (count == 0) {
-        json_expected(node, "a list of points [[seconds, value], …]");
-        return;
-    }
-    values->points = calloc(count, sizeof *values->points);
-    for (; values->count < count; values->count++) {
-        json_node point = json_element(node, values->count);
-        series_point *points = values->points;
-        read_point(&points[values->count], &point, max);
-        if (values->count > 0 && points[values->count].t_s <= points[values->count - 1].t_s)
-            json_expected(&point, "a later time than that of the point before");
-    }
+static void read_series(series *values, const json_node *node, double max) {
+  size_t count = json_array_length(node);
+  if (count == 0) {
+    json_expected(node, "a list of points [[seconds, value], …]");
+    return;
+  }
+  values->points = calloc(count, sizeof *values->points);
+  for (; values->count < count; values->count++) {
+    json_node point = json_element(node, values->count);
+    series_point *points = values->points;
+    read_point(&points[values->count], &point, max);
+    if (values->count > 0 && points[values->count].t_s <= points[values->count - 1].t_s)
+      json_expected(&point, "a later time than that of the point before");
+  }
 }
 
-void after_read(const json_node *node, const model *m, int *pin, int *level)
-{
-    static const char *const KEYS[] = {"pin", "level", NULL};
-    *pin = -1;
-    if (!json_given(node) || !json_check_object(node, KEYS))
-        return;
-    json_node pin_node = json_member(node, "pin");
-    json_node level_node = json_member(node, "level");
-    *pin = read_pin(&pin_node, m, -1);
-    *level = json_number(&level_node, 0, 1, 1) != 0;
+void after_read(const json_node *node, const model *m, int *pin, int *level) {
+  static const char *const KEYS[] = {"pin", "level", NULL};
+  *pin = -1;
+  if (!json_given(node) || !json_check_object(node, KEYS)) return;
+  json_node pin_node = json_member(node, "pin");
+  json_node level_node = json_member(node, "level");
+  *pin = read_pin(&pin_node, m, -1);
+  *level = json_number(&level_node, 0, 1, 1) != 0;
 }
 
-static void read_hc_sr04(sensor_config *sensor, const model *m, const json_node *node)
-{
-    static const char *const KEYS[] = {"type", "trigger", "echo", "distance", "after", NULL};
-    if (!json_check_object(node, KEYS))
-        return;
-    json_node trigger = json_member(node, "trigger");
-    json_node echo = json_member(node, "echo");
-    json_node distance = json_member(node, "distance");
-    sensor->trigger = read_pin(&trigger, m, -1);
-    sensor->pin = read_pin(&echo, m, -1);
-    read_series(&sensor->values, &distance, MAX_DISTANCE_CM);
+static void read_hc_sr04(sensor_config *sensor, const model *m, const json_node *node) {
+  static const char *const KEYS[] = {"type", "trigger", "echo", "distance", "after", NULL};
+  if (!json_check_object(node, KEYS)) return;
+  json_node trigger = json_member(node, "trigger");
+  json_node echo = json_member(node, "echo");
+  json_node distance = json_member(node, "distance");
+  sensor->trigger = read_pin(&trigger, m, -1);
+  sensor->pin = read_pin(&echo, m, -1);
+  read_series(&sensor->values, &distance, MAX_DISTANCE_CM);
 }
 
-static void read_ldr(sensor_config *sensor, const model *m, const json_node *node)
-{
-    static const char *const KEYS[] = {"type", "pin", "light", "after", NULL};
-    if (!json_check_object(node, KEYS))
-        return;
-    json_node pin = json_member(node, "pin");
-    json_node light = json_member(node, "light");
-    sensor->pin = read_analog_pin(&pin, m);
-    read_series(&sensor->values, &light, MAX_ADC_READING);
+static void read_ldr(sensor_config *sensor, const model *m, const json_node *node) {
+  static const char *const KEYS[] = {"type", "pin", "light", "after", NULL};
+  if (!json_check_object(node, KEYS)) return;
+  json_node pin = json_member(node, "pin");
+  json_node light = json_member(node, "light");
+  sensor->pin = read_analog_pin(&pin, m);
+  read_series(&sensor->values, &light, MAX_ADC_READING);
 }
 
-static void read_digital(sensor_config *sensor, const model *m, const json_node *node)
-{
-    static const char *const KEYS[] = {"type", "pin", "level", "after", NULL};
-    if (!json_check_object(node, KEYS))
-        return;
-    json_node pin = json_member(node, "pin");
-    json_node level = json_member(node, "level");
-    sensor->pin = read_pin(&pin, m, -1);
-    read_series(&sensor->values, &level, 1);
+static void read_digital(sensor_config *sensor, const model *m, const json_node *node) {
+  static const char *const KEYS[] = {"type", "pin", "level", "after", NULL};
+  if (!json_check_object(node, KEYS)) return;
+  json_node pin = json_member(node, "pin");
+  json_node level = json_member(node, "level");
+  sensor->pin = read_pin(&pin, m, -1);
+  read_series(&sensor->values, &level, 1);
 }
 
-static void read_sensor(sensor_config *sensor, const model *m, const json_node *node)
-{
-    static const char *const TYPES[] = {"hc-sr04", "ldr", "digital", NULL};
-    json_node type = json_member(node, "type");
-    int kind = json_choice(&type, TYPES);
-    if (!json_given(&type))
-        json_expected(&type, "\"hc-sr04\", \"ldr\" or \"digital\"");
-    if (kind < 0)
-        return;
-    sensor->kind = (sensor_kind)kind;
-    switch (sensor->kind) {
+static void read_sensor(sensor_config *sensor, const model *m, const json_node *node) {
+  static const char *const TYPES[] = {"hc-sr04", "ldr", "digital", NULL};
+  json_node type = json_member(node, "type");
+  int kind = json_choice(&type, TYPES);
+  if (!json_given(&type)) json_expected(&type, "\"hc-sr04\", \"ldr\" or \"digital\"");
+  if (kind < 0) return;
+  sensor->kind = (sensor_kind)kind;
+  switch (sensor->kind) {
     case SENSOR_HC_SR04: read_hc_sr04(sensor, m, node); break;
     case SENSOR_LDR: read_ldr(sensor, m, node); break;
     case SENSOR_DIGITAL: read_digital(sensor, m, node); break;
-    }
-    json_node after = json_member(node, "after");
-    after_read(&after, m, &sensor->after_pin, &sensor->after_level);
+  }
+  json_node after = json_member(node, "after");
+  after_read(&after, m, &sensor->after_pin, &sensor->after_level);
 }
 
-static void read_sensors(board_config *board, const json_node *node)
-{
-    size_t count = json_array_length(node);
-    board->sensors = calloc(count + 1, sizeof *board->sensors);
-    for (; board->sensor_count < count && !json_failed(node->reader); board->sensor_count++) {
-        json_node sensor = json_element(node, board->sensor_count);
-        read_sensor(&board->sensors[board->sensor_count], board->model, &sensor);
-    }
+static void read_sensors(board_config *board, const json_node *node) {
+  size_t count = json_array_length(node);
+  board->sensors = calloc(count + 1, sizeof *board->sensors);
+  for (; board->sensor_count < count && !json_failed(node->reader); board->sensor_count++) {
+    json_node sensor = json_element(node, board->sensor_count);
+    read_sensor(&board->sensors[board->sensor_count], board->model, &sensor);
+  }
 }
 
-static void read_watch(watch_config *watch, const model *m, const json_node *node)
-{
-    static const char *const KEYS[] = {"pin", "name", NULL};
-    if (!json_check_object(node, KEYS))
-        return;
-    json_node pin = json_member(node, "pin");
-    json_node name = json_member(node, "name");
-    watch->pin = read_pin(&pin, m, -1);
-    watch->name = json_text(&name);
-    if (!watch->name)
-        json_expected(&name, "a text in quotes");
+static void read_watch(watch_config *watch, const model *m, const json_node *node) {
+  static const char *const KEYS[] = {"pin", "name", NULL};
+  if (!json_check_object(node, KEYS)) return;
+  json_node pin = json_member(node, "pin");
+  json_node name = json_member(node, "name");
+  watch->pin = read_pin(&pin, m, -1);
+  watch->name = json_text(&name);
+  if (!watch->name) json_expected(&name, "a text in quotes");
 }
 
-static void read_watches(board_config *board, const json_node *node)
-{
-    size_t count = json_array_length(node);
-    board->watches = calloc(count + 1, sizeof *board->watches);
-    for (; board->watch_count < count && !json_failed(node->reader); board->watch_count++) {
-        json_node watch = json_element(node, board->watch_count);
-        read_watch(&board->watches[board->watch_count], board->model, &watch);
-    }
+static void read_watches(board_config *board, const json_node *node) {
+  size_t count = json_array_length(node);
+  board->watches = calloc(count + 1, sizeof *board->watches);
+  for (; board->watch_count < count && !json_failed(node->reader); board->watch_count++) {
+    json_node watch = json_element(node, board->watch_count);
+    read_watch(&board->watches[board->watch_count], board->model, &watch);
+  }
 }
 
-static char *required_text(const json_node *board, const char *key)
-{
-    json_node node = json_member(board, key);
-    char *text = json_text(&node);
-    if (!text)
-        json_expected(&node, "a text in quotes");
-    return text;
+static char *required_text(const json_node *board, const char *key) {
+  json_node node = json_member(board, key);
+  char *text = json_text(&node);
+  if (!text) json_expected(&node, "a text in quotes");
+  return text;
 }
 
-static char *optional_text(const json_node *board, const char *key)
-{
-    json_node node = json_member(board, key);
-    return json_text(&node);
+static char *optional_text(const json_node *board, const char *key) {
+  json_node node = json_member(board, key);
+  return json_text(&node);
 }
 
-static void read_wiring(board_config *board, const json_node *node)
-{
-    json_node reset_on_open = json_member(node, "resetOnOpen");
-    json_node tx = json_member(node, "txPin");
-    json_node rx = json_member(node, "rxPin");
-    json_node position = json_member(node, "position");
-    board->reset_on_open = json_flag(&reset_on_open, true);
-    board->tx_pin = read_pin(&tx, board->model, DEFAULT_TX_PIN);
-    board->rx_pin = read_pin(&rx, board->model, DEFAULT_RX_PIN);
-    if (board->rx_pin == board->tx_pin)
-        json_expected(&rx, "another pin than txPin");
-    position_read(&position, &board->x_m, &board->y_m);
+static void read_wiring(board_config *board, const json_node *node) {
+  json_node reset_on_open = json_member(node, "resetOnOpen");
+  json_node tx = json_member(node, "txPin");
+  json_node rx = json_member(node, "rxPin");
+  json_node position = json_member(node, "position");
+  board->reset_on_open = json_flag(&reset_on_open, true);
+  board->tx_pin = read_pin(&tx, board->model, DEFAULT_TX_PIN);
+  board->rx_pin = read_pin(&rx, board->model, DEFAULT_RX_PIN);
+  if (board->rx_pin == board->tx_pin) json_expected(&rx, "another pin than txPin");
+  position_read(&position, &board->x_m, &board->y_m);
 }
 
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
-                       const char *directory)
-{
-    static const char *const KEYS[] = {"name",        "model", "firmware", "bootLoader", "port",    "eeprom",
-                                       "position",    "resetOnOpen", "txPin", "rxPin", "sensors", "watch", NULL};
-    if (!json_check_object(node, KEYS))
-        return;
-    json_node chosen = json_member(node, "model");
-    int index = json_choice(&chosen, MODEL_NAMES);
-    board->model = model_at(index < 0 ? 0 : index);
-    board->name = required_text(node, "name");
-    board->firmware = join_path(scenario_directory, required_text(node, "firmware"));
-    board->boot_loader = join_path(scenario_directory, optional_text(node, "bootLoader"));
-    board->port = join_path(directory, optional_text(node, "port"));
-    board->eeprom = join_path(directory, optional_text(node, "eeprom"));
-    read_wiring(board, node);
-    json_node sensors = json_member(node, "sensors");
-    json_node watches = json_member(node, "watch");
-    read_sensors(board, &sensors);
-    read_watches(board, &watches);
+                       const char *directory) {
+  static const char *const KEYS[] = {"name",        "model", "firmware", "bootLoader", "port",  "eeprom", "position",
+                                     "resetOnOpen", "txPin", "rxPin",    "sensors",    "watch", NULL};
+  if (!json_check_object(node, KEYS)) return;
+  json_node chosen = json_member(node, "model");
+  int index = json_choice(&chosen, MODEL_NAMES);
+  board->model = model_at(index < 0 ? 0 : index);
+  board->name = required_text(node, "name");
+  board->firmware = join_path(scenario_directory, required_text(node, "firmware"));
+  board->boot_loader = join_path(scenario_directory, optional_text(node, "bootLoader"));
+  board->port = join_path(directory, optional_text(node, "port"));
+  board->eeprom = join_path(directory, optional_text(node, "eeprom"));
+  read_wiring(board, node);
+  json_node sensors = json_member(node, "sensors");
+  json_node watches = json_member(node, "watch");
+  read_sensors(board, &sensors);
+  read_watches(board, &watches);
 }
 
-void board_config_release(board_config *board)
-{
-    free(board->name);
-    free(board->firmware);
-    free(board->boot_loader);
-    free(board->port);
-    free(board->eeprom);
-    for (size_t i = 0; i < board->sensor_count; i++)
-        free(board->sensors[i].values.points);
-    for (size_t i = 0; i < board->watch_count; i++)
-        free(board->watches[i].name);
-    free(board->sensors);
-    free(board->watches);
+void board_config_release(board_config *board) {
+  free(board->name);
+  free(board->firmware);
+  free(board->boot_loader);
+  free(board->port);
+  free(board->eeprom);
+  for (size_t i = 0; i < board->sensor_count; i++) free(board->sensors[i].values.points);
+  for (size_t i = 0; i < board->watch_count; i++) free(board->watches[i].name);
+  free(board->sensors);
+  free(board->watches);
 }

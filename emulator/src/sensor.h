@@ -8,12 +8,12 @@
 #include "ldr.h"
 
 typedef struct {
-    sensor_kind kind;
-    union {
-        hc_sr04 ultrasonic;
-        ldr light;
-        digital_input digital;
-    } part;
+  sensor_kind kind;
+  union {
+    hc_sr04 ultrasonic;
+    ldr light;
+    digital_input digital;
+  } part;
 } sensor;
 
 // The sensor must stay where it is from now on.

@@ -9,8 +9,8 @@
 #include "scenario.h"
 
 typedef struct {
-    const sensor_config *config;
-    cycles_t start; // NEVER: not yet
+  const sensor_config *config;
+  cycles_t start;  // NEVER: not yet
 } sensor_clock;
 
 void sensor_clock_init(sensor_clock *clock, const sensor_config *config);

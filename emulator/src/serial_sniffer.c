@@ -24,218 +24,180 @@
 
 // A frame and what stands before and after it in its packet.
 typedef struct {
-    uint8_t sequence;
-    uint16_t crc;
-    const uint8_t *destination, *origin;
-    const uint8_t *message;
-    size_t length; // of the message
+  uint8_t sequence;
+  uint16_t crc;
+  const uint8_t *destination, *origin;
+  const uint8_t *message;
+  size_t length;  // of the message
 } serial_packet;
 
-void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board)
-{
-    memset(s, 0, sizeof *s);
-    s->out = out;
-    s->board = board;
-    s->taken = -1;
+void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board) {
+  memset(s, 0, sizeof *s);
+  s->out = out;
+  s->board = board;
+  s->taken = -1;
 }
 
-void serial_sniffer_reset(serial_sniffer *s)
-{
-    s->from_host.length = s->from_board.length = 0;
-    s->waiting = s->remembered = s->greeted = false;
-    s->taken = -1;
+void serial_sniffer_reset(serial_sniffer *s) {
+  s->from_host.length = s->from_board.length = 0;
+  s->waiting = s->remembered = s->greeted = false;
+  s->taken = -1;
 }
 
 // Undoes COBS in place. Returns the length, or -1 where it is wrong.
-static int unstuff(uint8_t *bytes, size_t length)
-{
-    size_t read = 0, written = 0;
-    while (read < length) {
-        size_t run = bytes[read++];
-        if (run - 1 > length - read)
-            return -1;
-        memmove(bytes + written, bytes + read, run - 1);
-        read += run - 1;
-        written += run - 1;
-        if (run < 0xFF && read < length)
-            bytes[written++] = 0;
-    }
-    return (int)written;
+static int unstuff(uint8_t *bytes, size_t length) {
+  size_t read = 0, written = 0;
+  while (read < length) {
+    size_t run = bytes[read++];
+    if (run - 1 > length - read) return -1;
+    memmove(bytes + written, bytes + read, run - 1);
+    read += run - 1;
+    written += run - 1;
+    if (run < 0xFF && read < length) bytes[written++] = 0;
+  }
+  return (int)written;
 }
 
 // Returns 0, or -1 where the bytes are no packet.
-static int read_packet(serial_line *line, serial_packet *packet)
-{
-    if (line->length > SERIAL_MAX_PACKET)
-        return -1;
-    int length = unstuff(line->bytes, line->length);
-    if (length < SEQUENCE_LENGTH + HEADER_LENGTH + CRC_LENGTH)
-        return -1;
-    size_t checked = (size_t)length - CRC_LENGTH;
-    packet->crc = (uint16_t)(line->bytes[checked] | line->bytes[checked + 1] << 8);
-    packet->sequence = line->bytes[0];
-    packet->destination = line->bytes + SEQUENCE_LENGTH;
-    packet->origin = packet->destination + ADDRESS_LENGTH;
-    packet->message = packet->destination + HEADER_LENGTH;
-    packet->length = checked - SEQUENCE_LENGTH - HEADER_LENGTH;
-    return packet->crc == crc_x25(line->bytes, checked) ? 0 : -1;
+static int read_packet(serial_line *line, serial_packet *packet) {
+  if (line->length > SERIAL_MAX_PACKET) return -1;
+  int length = unstuff(line->bytes, line->length);
+  if (length < SEQUENCE_LENGTH + HEADER_LENGTH + CRC_LENGTH) return -1;
+  size_t checked = (size_t)length - CRC_LENGTH;
+  packet->crc = (uint16_t)(line->bytes[checked] | line->bytes[checked + 1] << 8);
+  packet->sequence = line->bytes[0];
+  packet->destination = line->bytes + SEQUENCE_LENGTH;
+  packet->origin = packet->destination + ADDRESS_LENGTH;
+  packet->message = packet->destination + HEADER_LENGTH;
+  packet->length = checked - SEQUENCE_LENGTH - HEADER_LENGTH;
+  return packet->crc == crc_x25(line->bytes, checked) ? 0 : -1;
 }
 
-static bool is_for_board(const serial_packet *packet)
-{
-    return memcmp(packet->destination, SERIAL_ADDRESS, ADDRESS_LENGTH) == 0;
+static bool is_for_board(const serial_packet *packet) {
+  return memcmp(packet->destination, SERIAL_ADDRESS, ADDRESS_LENGTH) == 0;
 }
 
-static void begin(serial_sniffer *s, cycles_t at, const char *event)
-{
-    trace_begin(s->out, at, s->board, event);
+static void begin(serial_sniffer *s, cycles_t at, const char *event) { trace_begin(s->out, at, s->board, event); }
+
+static void write_number(serial_sniffer *s, cycles_t at, const char *event, int number) {
+  begin(s, at, event);
+  trace_count(s->out, "number", (uint64_t)number);
+  trace_end(s->out);
 }
 
-static void write_number(serial_sniffer *s, cycles_t at, const char *event, int number)
-{
-    begin(s, at, event);
-    trace_count(s->out, "number", (uint64_t)number);
-    trace_end(s->out);
+static void write_id(serial_sniffer *s, const uint8_t *address, cycles_t at) {
+  begin(s, at, "host-id");
+  trace_utf8(s->out, "id", address, ADDRESS_LENGTH);
+  trace_end(s->out);
 }
 
-static void write_id(serial_sniffer *s, const uint8_t *address, cycles_t at)
-{
-    begin(s, at, "host-id");
-    trace_utf8(s->out, "id", address, ADDRESS_LENGTH);
-    trace_end(s->out);
+static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t at) {
+  bool for_board = is_for_board(packet);
+  if (for_board && packet->length == 0) return;
+  char command = for_board ? (char)packet->message[0] : 0;
+  bool repeated = packet->sequence == s->request.sequence && packet->crc == s->request.crc && command != 'H';
+  if (repeated && (s->waiting || s->remembered)) return;  // it is answered from memory
+  s->request =
+      (serial_request){.sequence = packet->sequence, .crc = packet->crc, .command = command, .taken = -1, .at = at};
+  s->waiting = true;
+  if (!for_board) memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
+  if (command == 'I' && packet->length == 1 + ADDRESS_LENGTH)
+    memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
+  if (command == 'P' && packet->length == 3) {
+    s->request.taken = packet->message[2];
+    if (s->request.taken == s->taken)
+      s->request.taken = -1;  // the board knows
+    else if (s->greeted)
+      write_number(s, at, "host-taking", s->request.taken);
+  }
 }
 
-static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t at)
-{
-    bool for_board = is_for_board(packet);
-    if (for_board && packet->length == 0)
-        return;
-    char command = for_board ? (char)packet->message[0] : 0;
-    bool repeated = packet->sequence == s->request.sequence && packet->crc == s->request.crc && command != 'H';
-    if (repeated && (s->waiting || s->remembered))
-        return; // it is answered from memory
-    s->request = (serial_request){.sequence = packet->sequence, .crc = packet->crc, .command = command, .taken = -1, .at = at};
-    s->waiting = true;
-    if (!for_board)
-        memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
-    if (command == 'I' && packet->length == 1 + ADDRESS_LENGTH)
-        memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
-    if (command == 'P' && packet->length == 3) {
-        s->request.taken = packet->message[2];
-        if (s->request.taken == s->taken)
-            s->request.taken = -1; // the board knows
-        else if (s->greeted)
-            write_number(s, at, "host-taking", s->request.taken);
-    }
+static void write_message(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at) {
+  if (length < CONTENT_AT) return;
+  begin(s, at, "host-handed");
+  trace_count(s->out, "number", value[0]);
+  trace_utf8(s->out, "destination", value + DESTINATION_AT, ADDRESS_LENGTH);
+  trace_utf8(s->out, "origin", value + ORIGIN_AT, ADDRESS_LENGTH);
+  trace_hex(s->out, "id", value + ID_AT, ID_LENGTH);
+  // What was sealed stays so in the trace.
+  if (memcmp(value + DESTINATION_AT, BROADCAST_ADDRESS, ADDRESS_LENGTH) == 0 &&
+      utf8_valid(value + CONTENT_AT, length - CONTENT_AT))
+    trace_utf8(s->out, "content", value + CONTENT_AT, length - CONTENT_AT);
+  trace_end(s->out);
 }
 
-static void write_message(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at)
-{
-    if (length < CONTENT_AT)
-        return;
-    begin(s, at, "host-handed");
-    trace_count(s->out, "number", value[0]);
-    trace_utf8(s->out, "destination", value + DESTINATION_AT, ADDRESS_LENGTH);
-    trace_utf8(s->out, "origin", value + ORIGIN_AT, ADDRESS_LENGTH);
-    trace_hex(s->out, "id", value + ID_AT, ID_LENGTH);
-    // What was sealed stays so in the trace.
-    if (memcmp(value + DESTINATION_AT, BROADCAST_ADDRESS, ADDRESS_LENGTH) == 0 && utf8_valid(value + CONTENT_AT, length - CONTENT_AT))
-        trace_utf8(s->out, "content", value + CONTENT_AT, length - CONTENT_AT);
-    trace_end(s->out);
+static void write_outcome(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at) {
+  static const char *const OUTCOMES[] = {"sent", "delivered", "undelivered"};
+  if (length != 2 || value[1] >= sizeof OUTCOMES / sizeof *OUTCOMES) return;
+  begin(s, at, "host-outcome");
+  trace_count(s->out, "number", value[0]);
+  trace_text(s->out, "outcome", OUTCOMES[value[1]]);
+  trace_end(s->out);
 }
 
-static void write_outcome(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at)
-{
-    static const char *const OUTCOMES[] = {"sent", "delivered", "undelivered"};
-    if (length != 2 || value[1] >= sizeof OUTCOMES / sizeof *OUTCOMES)
-        return;
-    begin(s, at, "host-outcome");
-    trace_count(s->out, "number", value[0]);
-    trace_text(s->out, "outcome", OUTCOMES[value[1]]);
-    trace_end(s->out);
+static void write_records(serial_sniffer *s, const uint8_t *records, size_t length, cycles_t at) {
+  while (length >= RECORD_HEADER_LENGTH) {
+    size_t size = (size_t)(records[1] << 8 | records[2]);
+    const uint8_t *value = records + RECORD_HEADER_LENGTH;
+    if (size > length - RECORD_HEADER_LENGTH) return;
+    if (records[0] == 'M') write_message(s, value, size, at);
+    if (records[0] == 'T') write_outcome(s, value, size, at);
+    records = value + size;
+    length -= RECORD_HEADER_LENGTH + size;
+  }
 }
 
-static void write_records(serial_sniffer *s, const uint8_t *records, size_t length, cycles_t at)
-{
-    while (length >= RECORD_HEADER_LENGTH) {
-        size_t size = (size_t)(records[1] << 8 | records[2]);
-        const uint8_t *value = records + RECORD_HEADER_LENGTH;
-        if (size > length - RECORD_HEADER_LENGTH)
-            return;
-        if (records[0] == 'M')
-            write_message(s, value, size, at);
-        if (records[0] == 'T')
-            write_outcome(s, value, size, at);
-        records = value + size;
-        length -= RECORD_HEADER_LENGTH + size;
-    }
-}
-
-static void write_transmission(serial_sniffer *s, int number, cycles_t at)
-{
-    begin(s, at, "host-transmit");
-    trace_count(s->out, "number", (uint64_t)number);
-    trace_utf8(s->out, "destination", s->request.address, ADDRESS_LENGTH);
-    trace_time(s->out, "asked", s->request.at);
-    trace_end(s->out);
+static void write_transmission(serial_sniffer *s, int number, cycles_t at) {
+  begin(s, at, "host-transmit");
+  trace_count(s->out, "number", (uint64_t)number);
+  trace_utf8(s->out, "destination", s->request.address, ADDRESS_LENGTH);
+  trace_time(s->out, "asked", s->request.at);
+  trace_end(s->out);
 }
 
 // What the board has performed; `body` is the reply's, behind its status.
-static void performed(serial_sniffer *s, const uint8_t *body, size_t length, cycles_t at)
-{
-    switch (s->request.command) {
+static void performed(serial_sniffer *s, const uint8_t *body, size_t length, cycles_t at) {
+  switch (s->request.command) {
     case 'H':
-        s->greeted = true;
-        if (length > ADDRESS_LENGTH && memcmp(body + 1, SERIAL_ADDRESS, ADDRESS_LENGTH) != 0)
-            write_id(s, body + 1, at);
-        break;
-    case 'I':
-        write_id(s, s->request.address, at);
-        break;
+      s->greeted = true;
+      if (length > ADDRESS_LENGTH && memcmp(body + 1, SERIAL_ADDRESS, ADDRESS_LENGTH) != 0) write_id(s, body + 1, at);
+      break;
+    case 'I': write_id(s, s->request.address, at); break;
     case 'P':
-        if (s->request.taken >= 0) {
-            s->taken = s->request.taken;
-            write_number(s, at, "host-taken", s->request.taken);
-        }
-        if (length > 0)
-            write_records(s, body + 1, length - 1, at);
-        break;
+      if (s->request.taken >= 0) {
+        s->taken = s->request.taken;
+        write_number(s, at, "host-taken", s->request.taken);
+      }
+      if (length > 0) write_records(s, body + 1, length - 1, at);
+      break;
     case 0:
-        if (length == 1)
-            write_transmission(s, body[0], at);
-        break;
-    default:
-        break;
-    }
+      if (length == 1) write_transmission(s, body[0], at);
+      break;
+    default: break;
+  }
 }
 
-static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_t at)
-{
-    if (!s->waiting || packet->sequence != s->request.sequence || !is_for_board(packet) || packet->length == 0)
-        return;
-    uint8_t status = packet->message[0];
-    s->waiting = false;
-    s->remembered = status != STATUS_NOT_GREETED;
-    if (status == STATUS_OK)
-        performed(s, packet->message + 1, packet->length - 1, at);
+static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_t at) {
+  if (!s->waiting || packet->sequence != s->request.sequence || !is_for_board(packet) || packet->length == 0) return;
+  uint8_t status = packet->message[0];
+  s->waiting = false;
+  s->remembered = status != STATUS_NOT_GREETED;
+  if (status == STATUS_OK) performed(s, packet->message + 1, packet->length - 1, at);
 }
 
-void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at)
-{
-    serial_line *line = from_host ? &s->from_host : &s->from_board;
-    serial_packet packet;
-    if (byte != 0) {
-        if (line->length < SERIAL_MAX_PACKET)
-            line->bytes[line->length] = byte;
-        if (line->length <= SERIAL_MAX_PACKET)
-            line->length++;
-        return;
-    }
-    if (read_packet(line, &packet) == 0) {
-        if (from_host)
-            host_packet(s, &packet, at);
-        else
-            board_packet(s, &packet, at);
-    }
-    line->length = 0;
+void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at) {
+  serial_line *line = from_host ? &s->from_host : &s->from_board;
+  serial_packet packet;
+  if (byte != 0) {
+    if (line->length < SERIAL_MAX_PACKET) line->bytes[line->length] = byte;
+    if (line->length <= SERIAL_MAX_PACKET) line->length++;
+    return;
+  }
+  if (read_packet(line, &packet) == 0) {
+    if (from_host)
+      host_packet(s, &packet, at);
+    else
+      board_packet(s, &packet, at);
+  }
+  line->length = 0;
 }

@@ -16,28 +16,28 @@
 
 // The bytes of a packet, as they come.
 typedef struct {
-    uint8_t bytes[SERIAL_MAX_PACKET];
-    size_t length; // more than SERIAL_MAX_PACKET: too long
+  uint8_t bytes[SERIAL_MAX_PACKET];
+  size_t length;  // more than SERIAL_MAX_PACKET: too long
 } serial_line;
 
 typedef struct {
-    uint8_t sequence;
-    uint16_t crc;
-    char command; // 0: a frame to be transmitted
-    int taken;    // of a poll that says something new, or -1
-    uint8_t address[4]; // that becomes the RF id, or that is to be sent to
-    cycles_t at;
+  uint8_t sequence;
+  uint16_t crc;
+  char command;        // 0: a frame to be transmitted
+  int taken;           // of a poll that says something new, or -1
+  uint8_t address[4];  // that becomes the RF id, or that is to be sent to
+  cycles_t at;
 } serial_request;
 
 typedef struct {
-    trace *out;
-    const char *board;
-    serial_line from_host, from_board;
-    serial_request request; // the last one
-    bool waiting;    // it has no reply yet
-    bool remembered; // the board answers its repeats from memory
-    bool greeted;    // the board performs requests
-    int taken;       // the last message that the board knows to be taken, or -1
+  trace *out;
+  const char *board;
+  serial_line from_host, from_board;
+  serial_request request;  // the last one
+  bool waiting;            // it has no reply yet
+  bool remembered;         // the board answers its repeats from memory
+  bool greeted;            // the board performs requests
+  int taken;               // the last message that the board knows to be taken, or -1
 } serial_sniffer;
 
 // `out` and `board` must outlive the sniffer.

@@ -6,14 +6,14 @@
 #include <stddef.h>
 
 typedef struct {
-    double t_s;
-    double value;
+  double t_s;
+  double value;
 } series_point;
 
 // Points in rising order of time, at least one.
 typedef struct {
-    series_point *points;
-    size_t count;
+  series_point *points;
+  size_t count;
 } series;
 
 // The value at `t_s` on the line between the points around it; before the first point and after

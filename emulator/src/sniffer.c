@@ -13,218 +13,182 @@
 #define FRAMING_BITS 84
 #define BITS_PER_BYTE 12
 
-static const char *board_name(const sniffer *s, size_t board)
-{
-    return s->config->boards[board].name;
+static const char *board_name(const sniffer *s, size_t board) { return s->config->boards[board].name; }
+
+static void write_message(trace *t, const frame_view *view) {
+  trace_flag(t, "sealed", view->sealed);
+  if (!view->sealed && utf8_valid(view->message, view->message_length))
+    trace_utf8(t, "content", view->message, view->message_length);
 }
 
-static void write_message(trace *t, const frame_view *view)
-{
-    trace_flag(t, "sealed", view->sealed);
-    if (!view->sealed && utf8_valid(view->message, view->message_length))
-        trace_utf8(t, "content", view->message, view->message_length);
+static void write_piece(trace *t, const frame_view *view) {
+  trace_count(t, "id", (uint64_t)view->piece_id);
+  trace_count(t, "index", (uint64_t)view->piece_index);
+  trace_flag(t, "asks", view->asks);
 }
 
-static void write_piece(trace *t, const frame_view *view)
-{
-    trace_count(t, "id", (uint64_t)view->piece_id);
-    trace_count(t, "index", (uint64_t)view->piece_index);
-    trace_flag(t, "asks", view->asks);
-}
-
-static void write_frame(trace *t, const frame_view *view)
-{
-    trace_utf8(t, "destination", view->destination, 4);
-    trace_utf8(t, "origin", view->origin, 4);
-    trace_text(t, "kind", frame_kind_text(view->kind));
-    switch (view->kind) {
+static void write_frame(trace *t, const frame_view *view) {
+  trace_utf8(t, "destination", view->destination, 4);
+  trace_utf8(t, "origin", view->origin, 4);
+  trace_text(t, "kind", frame_kind_text(view->kind));
+  switch (view->kind) {
     case KIND_PIECE: write_piece(t, view); break;
     case KIND_ACKNOWLEDGEMENT: trace_text(t, "answers", frame_answer_text(view)); break;
     default: write_message(t, view); break;
+  }
+}
+static void write_packet(trace *t, const line_packet *packet) {
+  frame_view view;
+  trace_hex(t, "payload", packet->payload, packet->length);
+  if (frame_view_read(&view, packet->payload, packet->length) == 0)
+    write_frame(t, &view);
+  else
+    trace_text(t, "kind", "no frame");
+  trace_count(t, "bits", FRAMING_BITS + BITS_PER_BYTE * packet->length);
+  trace_time(t, "start", packet->start);
+  trace_time(t, "end", packet->end);
+}
+
+static void expect(sniffer_station *station, size_t source, const line_packet *packet) {
+  sniffer *s = station->owner;
+  if (station->expected_count == SNIFFER_MAX_EXPECTED) {
+    station->counters.not_followed++;
+    return;
+  }
+  sniffer_expected *expected = &station->expected[station->expected_count++];
+  expected->source = source;
+  expected->start = packet->start;
+  expected->deadline = packet->end + RF_DELAY + (cycles_t)(ARRIVAL_BITS * s->bit_cycles);
+  expected->length = packet->length;
+  memcpy(expected->payload, packet->payload, packet->length);
+  if (expected->deadline < s->next_deadline) s->next_deadline = expected->deadline;
+}
+
+static void tx_packet(void *context, const line_packet *packet) {
+  sniffer_station *station = context;
+  sniffer *s = station->owner;
+  station->counters.sent++;
+  trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
+  write_packet(s->out, packet);
+  trace_end(s->out);
+  for (size_t r = 0; r < s->config->board_count; r++)
+    if (rf_bus_hears(s->bus, r, station->board)) expect(&s->stations[r], station->board, packet);
+}
+
+static void tx_damaged(void *context, line_error error, cycles_t at) {
+  sniffer_station *station = context;
+  (void)error;
+  (void)at;
+  station->counters.undecodable++;
+}
+
+static void forget(sniffer_station *station, size_t index) {
+  station->expected_count--;
+  memmove(&station->expected[index], &station->expected[index + 1],
+          (station->expected_count - index) * sizeof station->expected[0]);
+}
+
+static int find_expected(const sniffer_station *station, const line_packet *packet) {
+  for (size_t i = 0; i < station->expected_count; i++)
+    if (station->expected[i].length == packet->length &&
+        memcmp(station->expected[i].payload, packet->payload, packet->length) == 0)
+      return (int)i;
+  return -1;
+}
+
+static void rx_packet(void *context, const line_packet *packet) {
+  sniffer_station *station = context;
+  sniffer *s = station->owner;
+  int index = find_expected(station, packet);
+  station->counters.received++;
+  trace_begin(s->out, packet->end, board_name(s, station->board), "rf-rx");
+  if (index >= 0) {
+    trace_text(s->out, "from", board_name(s, station->expected[index].source));
+    forget(station, (size_t)index);
+  }
+  write_packet(s->out, packet);
+  trace_end(s->out);
+}
+
+static void rx_damaged(void *context, line_error error, cycles_t at) {
+  sniffer_station *station = context;
+  station->last_error = error;
+  station->last_error_at = at;
+}
+
+int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *out) {
+  *s = (sniffer){.config = config, .bus = bus, .out = out, .next_deadline = NEVER};
+  s->bit_cycles = CYCLES_PER_SECOND / config->radio.bit_rate;
+  s->stations = calloc(config->board_count, sizeof *s->stations);
+  if (!s->stations) return -1;
+  for (size_t i = 0; i < config->board_count; i++) {
+    sniffer_station *station = &s->stations[i];
+    station->owner = s;
+    station->board = i;
+    line_decoder_init(&station->tx, config->radio.bit_rate, (line_listener){station, tx_packet, tx_damaged});
+    station->tx.mends_end = true;
+    line_decoder_init(&station->rx, config->radio.bit_rate, (line_listener){station, rx_packet, rx_damaged});
+  }
+  return 0;
+}
+
+void sniffer_release(sniffer *s) { free(s->stations); }
+
+void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at) {
+  line_decoder_edge(&s->stations[board].tx, level, at);
+}
+
+void sniffer_rx_edge(sniffer *s, size_t board, bool level, cycles_t at) {
+  line_decoder_edge(&s->stations[board].rx, level, at);
+}
+
+void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t at) {
+  bool first = true;
+  s->stations[receiver].counters.collisions++;
+  trace_begin(s->out, at, board_name(s, receiver), "rf-collision");
+  trace_list_begin(s->out, "boards");
+  for (size_t source = 0; source < s->bus->source_count; source++) {
+    if (!(sources >> source & 1)) continue;
+    trace_list_text(s->out, source < s->bus->board_count ? board_name(s, source) : "jam", first);
+    first = false;
+  }
+  trace_list_end(s->out);
+  trace_end(s->out);
+}
+
+static void report_damaged(sniffer_station *station, const sniffer_expected *lost) {
+  sniffer *s = station->owner;
+  const char *why = station->last_error_at > lost->start ? line_error_text(station->last_error) : "no start symbol";
+  station->counters.damaged++;
+  trace_begin(s->out, lost->deadline, board_name(s, station->board), "rf-damaged");
+  trace_text(s->out, "from", board_name(s, lost->source));
+  trace_text(s->out, "why", why);
+  trace_time(s->out, "start", lost->start);
+  trace_end(s->out);
+}
+
+static void check_deadlines(sniffer *s, cycles_t now) {
+  s->next_deadline = NEVER;
+  for (size_t r = 0; r < s->config->board_count; r++) {
+    sniffer_station *station = &s->stations[r];
+    for (size_t i = 0; i < station->expected_count;) {
+      cycles_t deadline = station->expected[i].deadline;
+      if (deadline < now) {
+        report_damaged(station, &station->expected[i]);
+        forget(station, i);
+        continue;
+      }
+      if (deadline < s->next_deadline) s->next_deadline = deadline;
+      i++;
     }
-}
-static void write_packet(trace *t, const line_packet *packet)
-{
-    frame_view view;
-    trace_hex(t, "payload", packet->payload, packet->length);
-    if (frame_view_read(&view, packet->payload, packet->length) == 0)
-        write_frame(t, &view);
-    else
-        trace_text(t, "kind", "no frame");
-    trace_count(t, "bits", FRAMING_BITS + BITS_PER_BYTE * packet->length);
-    trace_time(t, "start", packet->start);
-    trace_time(t, "end", packet->end);
+  }
 }
 
-static void expect(sniffer_station *station, size_t source, const line_packet *packet)
-{
-    sniffer *s = station->owner;
-    if (station->expected_count == SNIFFER_MAX_EXPECTED) {
-        station->counters.not_followed++;
-        return;
-    }
-    sniffer_expected *expected = &station->expected[station->expected_count++];
-    expected->source = source;
-    expected->start = packet->start;
-    expected->deadline = packet->end + RF_DELAY + (cycles_t)(ARRIVAL_BITS * s->bit_cycles);
-    expected->length = packet->length;
-    memcpy(expected->payload, packet->payload, packet->length);
-    if (expected->deadline < s->next_deadline)
-        s->next_deadline = expected->deadline;
+void sniffer_advance_tx(sniffer *s, cycles_t now) {
+  for (size_t i = 0; i < s->config->board_count; i++) line_decoder_advance(&s->stations[i].tx, now);
 }
 
-static void tx_packet(void *context, const line_packet *packet)
-{
-    sniffer_station *station = context;
-    sniffer *s = station->owner;
-    station->counters.sent++;
-    trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
-    write_packet(s->out, packet);
-    trace_end(s->out);
-    for (size_t r = 0; r < s->config->board_count; r++)
-        if (rf_bus_hears(s->bus, r, station->board))
-            expect(&s->stations[r], station->board, packet);
-}
-
-static void tx_damaged(void *context, line_error error, cycles_t at)
-{
-    sniffer_station *station = context;
-    (void)error;
-    (void)at;
-    station->counters.undecodable++;
-}
-
-static void forget(sniffer_station *station, size_t index)
-{
-    station->expected_count--;
-    memmove(&station->expected[index], &station->expected[index + 1],
-            (station->expected_count - index) * sizeof station->expected[0]);
-}
-
-static int find_expected(const sniffer_station *station, const line_packet *packet)
-{
-    for (size_t i = 0; i < station->expected_count; i++)
-        if (station->expected[i].length == packet->length &&
-            memcmp(station->expected[i].payload, packet->payload, packet->length) == 0)
-            return (int)i;
-    return -1;
-}
-
-static void rx_packet(void *context, const line_packet *packet)
-{
-    sniffer_station *station = context;
-    sniffer *s = station->owner;
-    int index = find_expected(station, packet);
-    station->counters.received++;
-    trace_begin(s->out, packet->end, board_name(s, station->board), "rf-rx");
-    if (index >= 0) {
-        trace_text(s->out, "from", board_name(s, station->expected[index].source));
-        forget(station, (size_t)index);
-    }
-    write_packet(s->out, packet);
-    trace_end(s->out);
-}
-
-static void rx_damaged(void *context, line_error error, cycles_t at)
-{
-    sniffer_station *station = context;
-    station->last_error = error;
-    station->last_error_at = at;
-}
-
-int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *out)
-{
-    *s = (sniffer){.config = config, .bus = bus, .out = out, .next_deadline = NEVER};
-    s->bit_cycles = CYCLES_PER_SECOND / config->radio.bit_rate;
-    s->stations = calloc(config->board_count, sizeof *s->stations);
-    if (!s->stations)
-        return -1;
-    for (size_t i = 0; i < config->board_count; i++) {
-        sniffer_station *station = &s->stations[i];
-        station->owner = s;
-        station->board = i;
-        line_decoder_init(&station->tx, config->radio.bit_rate,
-                          (line_listener){station, tx_packet, tx_damaged});
-        station->tx.mends_end = true;
-        line_decoder_init(&station->rx, config->radio.bit_rate,
-                          (line_listener){station, rx_packet, rx_damaged});
-    }
-    return 0;
-}
-
-void sniffer_release(sniffer *s)
-{
-    free(s->stations);
-}
-
-void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at)
-{
-    line_decoder_edge(&s->stations[board].tx, level, at);
-}
-
-void sniffer_rx_edge(sniffer *s, size_t board, bool level, cycles_t at)
-{
-    line_decoder_edge(&s->stations[board].rx, level, at);
-}
-
-void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t at)
-{
-    bool first = true;
-    s->stations[receiver].counters.collisions++;
-    trace_begin(s->out, at, board_name(s, receiver), "rf-collision");
-    trace_list_begin(s->out, "boards");
-    for (size_t source = 0; source < s->bus->source_count; source++) {
-        if (!(sources >> source & 1))
-            continue;
-        trace_list_text(s->out, source < s->bus->board_count ? board_name(s, source) : "jam", first);
-        first = false;
-    }
-    trace_list_end(s->out);
-    trace_end(s->out);
-}
-
-static void report_damaged(sniffer_station *station, const sniffer_expected *lost)
-{
-    sniffer *s = station->owner;
-    const char *why = station->last_error_at > lost->start ? line_error_text(station->last_error)
-                                                           : "no start symbol";
-    station->counters.damaged++;
-    trace_begin(s->out, lost->deadline, board_name(s, station->board), "rf-damaged");
-    trace_text(s->out, "from", board_name(s, lost->source));
-    trace_text(s->out, "why", why);
-    trace_time(s->out, "start", lost->start);
-    trace_end(s->out);
-}
-
-static void check_deadlines(sniffer *s, cycles_t now)
-{
-    s->next_deadline = NEVER;
-    for (size_t r = 0; r < s->config->board_count; r++) {
-        sniffer_station *station = &s->stations[r];
-        for (size_t i = 0; i < station->expected_count;) {
-            cycles_t deadline = station->expected[i].deadline;
-            if (deadline < now) {
-                report_damaged(station, &station->expected[i]);
-                forget(station, i);
-                continue;
-            }
-            if (deadline < s->next_deadline)
-                s->next_deadline = deadline;
-            i++;
-        }
-    }
-}
-
-void sniffer_advance_tx(sniffer *s, cycles_t now)
-{
-    for (size_t i = 0; i < s->config->board_count; i++)
-        line_decoder_advance(&s->stations[i].tx, now);
-}
-
-void sniffer_advance_rx(sniffer *s, cycles_t now)
-{
-    for (size_t i = 0; i < s->config->board_count; i++)
-        line_decoder_advance(&s->stations[i].rx, now);
-    if (s->next_deadline < now)
-        check_deadlines(s, now);
+void sniffer_advance_rx(sniffer *s, cycles_t now) {
+  for (size_t i = 0; i < s->config->board_count; i++) line_decoder_advance(&s->stations[i].rx, now);
+  if (s->next_deadline < now) check_deadlines(s, now);
 }

@@ -18,40 +18,40 @@
 
 // A packet that was sent in a receiver's range and has not arrived yet.
 typedef struct {
-    size_t source;
-    cycles_t start;
-    cycles_t deadline;
-    uint8_t payload[LINE_MAX_PAYLOAD];
-    size_t length;
+  size_t source;
+  cycles_t start;
+  cycles_t deadline;
+  uint8_t payload[LINE_MAX_PAYLOAD];
+  size_t length;
 } sniffer_expected;
 
 typedef struct {
-    uint64_t sent;           // packets that left the TX pin whole
-    uint64_t undecodable;    // started on the TX pin, but not by the line code
-    uint64_t received;       // packets that reached the RX pin whole
-    uint64_t damaged;        // packets that were in range and did not
-    uint64_t collisions;     // overlaps at the RX pin
-    uint64_t not_followed;   // packets in range beyond what can be followed at once
+  uint64_t sent;          // packets that left the TX pin whole
+  uint64_t undecodable;   // started on the TX pin, but not by the line code
+  uint64_t received;      // packets that reached the RX pin whole
+  uint64_t damaged;       // packets that were in range and did not
+  uint64_t collisions;    // overlaps at the RX pin
+  uint64_t not_followed;  // packets in range beyond what can be followed at once
 } sniffer_counters;
 
 typedef struct {
-    struct sniffer *owner;
-    size_t board;
-    line_decoder tx, rx;
-    sniffer_expected expected[SNIFFER_MAX_EXPECTED];
-    size_t expected_count;
-    line_error last_error; // of the RX pin
-    cycles_t last_error_at;
-    sniffer_counters counters;
+  struct sniffer *owner;
+  size_t board;
+  line_decoder tx, rx;
+  sniffer_expected expected[SNIFFER_MAX_EXPECTED];
+  size_t expected_count;
+  line_error last_error;  // of the RX pin
+  cycles_t last_error_at;
+  sniffer_counters counters;
 } sniffer_station;
 
 typedef struct sniffer {
-    const scenario *config;
-    const rf_bus *bus;
-    trace *out;
-    sniffer_station *stations;
-    cycles_t next_deadline;
-    double bit_cycles;
+  const scenario *config;
+  const rf_bus *bus;
+  trace *out;
+  sniffer_station *stations;
+  cycles_t next_deadline;
+  double bit_cycles;
 } sniffer;
 
 // Returns 0, or -1 where the memory does not suffice.

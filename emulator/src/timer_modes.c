@@ -13,17 +13,15 @@
 #define LAST_MODE 3
 #define FIRST_WIDTH 8
 
-static void complete(avr_timer_t *timer)
-{
-    for (int mode = FIRST_MODE; mode <= LAST_MODE; mode++)
-        if (timer->wgm_op[mode].kind == avr_timer_wgm_none)
-            timer->wgm_op[mode] = (avr_timer_wgm_t){.kind = avr_timer_wgm_fast_pwm,
-                                                    .size = (uint32_t)(FIRST_WIDTH + mode - FIRST_MODE) & 0xF};
+static void complete(avr_timer_t *timer) {
+  for (int mode = FIRST_MODE; mode <= LAST_MODE; mode++)
+    if (timer->wgm_op[mode].kind == avr_timer_wgm_none)
+      timer->wgm_op[mode] =
+          (avr_timer_wgm_t){.kind = avr_timer_wgm_fast_pwm, .size = (uint32_t)(FIRST_WIDTH + mode - FIRST_MODE) & 0xF};
 }
 
-void timer_modes_complete(struct avr_t *avr)
-{
-    for (avr_io_t *part = avr->io_port; part; part = part->next)
-        if (part->kind && strcmp(part->kind, "timer") == 0)
-            complete((avr_timer_t *)part); // each part begins with its avr_io_t
+void timer_modes_complete(struct avr_t *avr) {
+  for (avr_io_t *part = avr->io_port; part; part = part->next)
+    if (part->kind && strcmp(part->kind, "timer") == 0)
+      complete((avr_timer_t *)part);  // each part begins with its avr_io_t
 }

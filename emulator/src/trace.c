@@ -3,116 +3,85 @@
 
 #include <string.h>
 
-static bool writing(const trace *t)
-{
-    return t->file && !t->failed;
+static bool writing(const trace *t) { return t->file && !t->failed; }
+
+static void write_quoted(FILE *file, const uint8_t *bytes, size_t length) {
+  fputc('"', file);
+  for (size_t i = 0; i < length; i++) {
+    if (bytes[i] == '"' || bytes[i] == '\\')
+      fprintf(file, "\\%c", bytes[i]);
+    else if (bytes[i] < 0x20 || bytes[i] == 0x7F)
+      fprintf(file, "\\u%04x", bytes[i]);
+    else
+      fputc(bytes[i], file);
+  }
+  fputc('"', file);
 }
 
-static void write_quoted(FILE *file, const uint8_t *bytes, size_t length)
-{
-    fputc('"', file);
-    for (size_t i = 0; i < length; i++) {
-        if (bytes[i] == '"' || bytes[i] == '\\')
-            fprintf(file, "\\%c", bytes[i]);
-        else if (bytes[i] < 0x20 || bytes[i] == 0x7F)
-            fprintf(file, "\\u%04x", bytes[i]);
-        else
-            fputc(bytes[i], file);
-    }
-    fputc('"', file);
+static void write_key(FILE *file, const char *key) { fprintf(file, ",\"%s\":", key); }
+
+void trace_begin(trace *t, cycles_t at, const char *board, const char *event) {
+  if (!writing(t)) return;
+  fprintf(t->file, "{\"t\":%.6f", cycles_to_seconds(at));
+  if (board) trace_text(t, "board", board);
+  trace_text(t, "event", event);
 }
 
-static void write_key(FILE *file, const char *key)
-{
-    fprintf(file, ",\"%s\":", key);
+void trace_end(trace *t) {
+  if (!writing(t)) return;
+  fputs("}\n", t->file);
+  fflush(t->file);
+  t->failed = ferror(t->file) != 0;
 }
 
-void trace_begin(trace *t, cycles_t at, const char *board, const char *event)
-{
-    if (!writing(t))
-        return;
-    fprintf(t->file, "{\"t\":%.6f", cycles_to_seconds(at));
-    if (board)
-        trace_text(t, "board", board);
-    trace_text(t, "event", event);
+void trace_text(trace *t, const char *key, const char *value) {
+  trace_utf8(t, key, (const uint8_t *)value, strlen(value));
 }
 
-void trace_end(trace *t)
-{
-    if (!writing(t))
-        return;
-    fputs("}\n", t->file);
-    fflush(t->file);
-    t->failed = ferror(t->file) != 0;
+void trace_utf8(trace *t, const char *key, const uint8_t *bytes, size_t length) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  write_quoted(t->file, bytes, length);
 }
 
-void trace_text(trace *t, const char *key, const char *value)
-{
-    trace_utf8(t, key, (const uint8_t *)value, strlen(value));
+void trace_hex(trace *t, const char *key, const uint8_t *bytes, size_t length) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  fputc('"', t->file);
+  for (size_t i = 0; i < length; i++) fprintf(t->file, "%02x", bytes[i]);
+  fputc('"', t->file);
 }
 
-void trace_utf8(trace *t, const char *key, const uint8_t *bytes, size_t length)
-{
-    if (!writing(t))
-        return;
-    write_key(t->file, key);
-    write_quoted(t->file, bytes, length);
+void trace_count(trace *t, const char *key, uint64_t value) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  fprintf(t->file, "%llu", (unsigned long long)value);
 }
 
-void trace_hex(trace *t, const char *key, const uint8_t *bytes, size_t length)
-{
-    if (!writing(t))
-        return;
-    write_key(t->file, key);
-    fputc('"', t->file);
-    for (size_t i = 0; i < length; i++)
-        fprintf(t->file, "%02x", bytes[i]);
-    fputc('"', t->file);
+void trace_flag(trace *t, const char *key, bool value) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  fputs(value ? "true" : "false", t->file);
 }
 
-void trace_count(trace *t, const char *key, uint64_t value)
-{
-    if (!writing(t))
-        return;
-    write_key(t->file, key);
-    fprintf(t->file, "%llu", (unsigned long long)value);
+void trace_time(trace *t, const char *key, cycles_t at) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  fprintf(t->file, "%.6f", cycles_to_seconds(at));
 }
 
-void trace_flag(trace *t, const char *key, bool value)
-{
-    if (!writing(t))
-        return;
-    write_key(t->file, key);
-    fputs(value ? "true" : "false", t->file);
+void trace_list_begin(trace *t, const char *key) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  fputc('[', t->file);
 }
 
-void trace_time(trace *t, const char *key, cycles_t at)
-{
-    if (!writing(t))
-        return;
-    write_key(t->file, key);
-    fprintf(t->file, "%.6f", cycles_to_seconds(at));
+void trace_list_text(trace *t, const char *value, bool first) {
+  if (!writing(t)) return;
+  if (!first) fputc(',', t->file);
+  write_quoted(t->file, (const uint8_t *)value, strlen(value));
 }
 
-void trace_list_begin(trace *t, const char *key)
-{
-    if (!writing(t))
-        return;
-    write_key(t->file, key);
-    fputc('[', t->file);
-}
-
-void trace_list_text(trace *t, const char *value, bool first)
-{
-    if (!writing(t))
-        return;
-    if (!first)
-        fputc(',', t->file);
-    write_quoted(t->file, (const uint8_t *)value, strlen(value));
-}
-
-void trace_list_end(trace *t)
-{
-    if (writing(t))
-        fputc(']', t->file);
+void trace_list_end(trace *t) {
+  if (writing(t)) fputc(']', t->file);
 }

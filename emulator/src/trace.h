@@ -11,8 +11,8 @@
 #include "clock.h"
 
 typedef struct {
-    FILE *file;  // NULL: events are not written
-    bool failed; // a line could not be written; nothing is written after it
+  FILE *file;   // NULL: events are not written
+  bool failed;  // a line could not be written; nothing is written after it
 } trace;
 
 // An event is written as trace_begin, any number of fields, trace_end.

@@ -15,20 +15,20 @@ struct avr_irq_t;
 #define UART_MAX_LINE 256
 
 typedef struct {
-    void *context;
-    // A line without its end, or UART_MAX_LINE bytes of a longer one. NULL where there is a pty.
-    void (*line)(void *context, const uint8_t *bytes, size_t length);
-    // A byte has come from the host, or is on its way to it. NULL where there is no pty.
-    void (*byte)(void *context, bool from_host, uint8_t byte);
+  void *context;
+  // A line without its end, or UART_MAX_LINE bytes of a longer one. NULL where there is a pty.
+  void (*line)(void *context, const uint8_t *bytes, size_t length);
+  // A byte has come from the host, or is on its way to it. NULL where there is no pty.
+  void (*byte)(void *context, bool from_host, uint8_t byte);
 } uart_listener;
 
 typedef struct {
-    struct avr_irq_t *input;
-    pty *port; // NULL: lines go to the listener
-    uart_listener listener;
-    bool stopped; // the UART takes no byte now
-    uint8_t line[UART_MAX_LINE];
-    size_t line_length;
+  struct avr_irq_t *input;
+  pty *port;  // NULL: lines go to the listener
+  uart_listener listener;
+  bool stopped;  // the UART takes no byte now
+  uint8_t line[UART_MAX_LINE];
+  size_t line_length;
 } uart;
 
 // Joins UART 0 of the chip to `port`, or where that is NULL to the listener.

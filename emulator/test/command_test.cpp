@@ -12,166 +12,150 @@
 namespace {
 
 struct Outcome {
-    int status;
-    std::string out, err;
+  int status;
+  std::string out, err;
 };
 
-pid_t start(const Scratch &scratch, std::vector<std::string> arguments)
-{
-    pid_t child = fork();
-    if (child != 0)
-        return child;
-    std::vector<char *> argv = {const_cast<char *>(EMULATOR)};
-    for (std::string &argument : arguments)
-        argv.push_back(&argument[0]);
-    argv.push_back(nullptr);
-    int out = open(scratch.path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    int err = open(scratch.path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    dup2(out, 1);
-    dup2(err, 2);
-    if (chdir(scratch.folder.c_str()) == 0)
-        execv(EMULATOR, argv.data());
-    _exit(127);
+pid_t start(const Scratch &scratch, std::vector<std::string> arguments) {
+  pid_t child = fork();
+  if (child != 0) return child;
+  std::vector<char *> argv = {const_cast<char *>(EMULATOR)};
+  for (std::string &argument : arguments) argv.push_back(&argument[0]);
+  argv.push_back(nullptr);
+  int out = open(scratch.path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  int err = open(scratch.path("err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(out, 1);
+  dup2(err, 2);
+  if (chdir(scratch.folder.c_str()) == 0) execv(EMULATOR, argv.data());
+  _exit(127);
 }
 
-Outcome finish(const Scratch &scratch, pid_t child)
-{
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(scratch.path("out")), read_text(scratch.path("err"))};
+Outcome finish(const Scratch &scratch, pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(scratch.path("out")), read_text(scratch.path("err"))};
 }
 
-Outcome run(const Scratch &scratch, std::vector<std::string> arguments)
-{
-    return finish(scratch, start(scratch, arguments));
+Outcome run(const Scratch &scratch, std::vector<std::string> arguments) {
+  return finish(scratch, start(scratch, arguments));
 }
 
-void write_scenario(const Scratch &scratch, const std::string &program, const std::string &more = "")
-{
-    scratch.write("s.json", R"({"boards":[{"name":"a","firmware":")" PROGRAMS_DIR "/" + program + ".elf\"" + more + "}]}");
+void write_scenario(const Scratch &scratch, const std::string &program, const std::string &more = "") {
+  scratch.write("s.json",
+                R"({"boards":[{"name":"a","firmware":")" PROGRAMS_DIR "/" + program + ".elf\"" + more + "}]}");
 }
 
-} // namespace
+}  // namespace
 
-TEST(Command, runs_for_the_duration_and_traces_to_standard_output)
-{
-    Scratch scratch;
-    write_scenario(scratch, "blink", R"(,"watch":[{"pin":13,"name":"led"}])");
-    Outcome outcome = run(scratch, {"s.json", "--duration", "0.1", "--speed", "max", "--trace", "-"});
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_NE(outcome.out.find(R"("event":"pin","pin":13,"name":"led","level":1})"), std::string::npos);
-    EXPECT_NE(outcome.out.find(R"({"t":0.100000,"board":"a","event":"counters")"), std::string::npos);
+TEST(Command, runs_for_the_duration_and_traces_to_standard_output) {
+  Scratch scratch;
+  write_scenario(scratch, "blink", R"(,"watch":[{"pin":13,"name":"led"}])");
+  Outcome outcome = run(scratch, {"s.json", "--duration", "0.1", "--speed", "max", "--trace", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find(R"("event":"pin","pin":13,"name":"led","level":1})"), std::string::npos);
+  EXPECT_NE(outcome.out.find(R"({"t":0.100000,"board":"a","event":"counters")"), std::string::npos);
 }
 
-TEST(Command, mistakes_are_one_line_and_status_2)
-{
-    Scratch scratch;
-    write_scenario(scratch, "blink", R"(,"prot":"x")");
-    const std::vector<std::pair<std::vector<std::string>, std::string>> CASES = {
-        {{}, "scenario: expected a file; try --help, found \"nothing\""},
-        {{"s.json"}, "s.json: boards[0]: unknown key \"prot\"; did you mean \"port\"?"},
-        {{"none.json"}, "none.json: cannot read the scenario: No such file or directory"},
-        {{"s.json", "--trace"}, "--trace: expected a value after it, found \"nothing\""},
-    };
-    for (const auto &c : CASES) {
-        Outcome outcome = run(scratch, c.first);
-        EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.err, "javino-emulator: " + c.second + "\n");
-    }
-    write_scenario(scratch, "blink");
-    Outcome outcome = run(scratch, {"s.json", "--trace", "none/trace"});
+TEST(Command, mistakes_are_one_line_and_status_2) {
+  Scratch scratch;
+  write_scenario(scratch, "blink", R"(,"prot":"x")");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> CASES = {
+      {{}, "scenario: expected a file; try --help, found \"nothing\""},
+      {{"s.json"}, "s.json: boards[0]: unknown key \"prot\"; did you mean \"port\"?"},
+      {{"none.json"}, "none.json: cannot read the scenario: No such file or directory"},
+      {{"s.json", "--trace"}, "--trace: expected a value after it, found \"nothing\""},
+  };
+  for (const auto &c : CASES) {
+    Outcome outcome = run(scratch, c.first);
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.err, "javino-emulator: --trace none/trace: No such file or directory\n");
+    EXPECT_EQ(outcome.err, "javino-emulator: " + c.second + "\n");
+  }
+  write_scenario(scratch, "blink");
+  Outcome outcome = run(scratch, {"s.json", "--trace", "none/trace"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "javino-emulator: --trace none/trace: No such file or directory\n");
 }
 
-TEST(Command, a_crashed_program_is_status_1)
-{
-    Scratch scratch;
-    write_scenario(scratch, "crash");
-    Outcome outcome = run(scratch, {"s.json", "--speed", "max"});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find("javino-emulator: board a: its program crashed at pc 0x"), std::string::npos);
+TEST(Command, a_crashed_program_is_status_1) {
+  Scratch scratch;
+  write_scenario(scratch, "crash");
+  Outcome outcome = run(scratch, {"s.json", "--speed", "max"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("javino-emulator: board a: its program crashed at pc 0x"), std::string::npos);
 }
 
-TEST(Command, what_a_program_tells_simavr_to_write_is_not_written)
-{
-    Scratch scratch;
-    ASSERT_NE(read_text(PROGRAMS_DIR "/traced.elf").find("stolen.vcd"), std::string::npos);
-    write_scenario(scratch, "traced");
-    Outcome outcome = run(scratch, {"s.json", "--duration", "0.1", "--speed", "max", "--trace", "-"});
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_NE(outcome.out.find(R"("line":"kept")"), std::string::npos) << outcome.out;
-    EXPECT_FALSE(exists(scratch.path("stolen.vcd")));
+TEST(Command, what_a_program_tells_simavr_to_write_is_not_written) {
+  Scratch scratch;
+  ASSERT_NE(read_text(PROGRAMS_DIR "/traced.elf").find("stolen.vcd"), std::string::npos);
+  write_scenario(scratch, "traced");
+  Outcome outcome = run(scratch, {"s.json", "--duration", "0.1", "--speed", "max", "--trace", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find(R"("line":"kept")"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(exists(scratch.path("stolen.vcd")));
 }
 
-TEST(Command, a_second_emulator_with_the_same_eeprom_file_is_told_so)
-{
-    Scratch scratch, other;
-    for (const Scratch *each : {&scratch, &other})
-        write_scenario(*each, "boot_count", ",\"eeprom\":\"" + scratch.path("a.bin") + "\"");
-    pid_t first = start(scratch, {"s.json", "--trace", "trace"});
-    while (read_text(scratch.path("trace")).find("\"reset\"") == std::string::npos)
-        usleep(1000);
-    Outcome second = run(other, {"s.json", "--duration", "0.1", "--speed", "max"});
-    EXPECT_EQ(second.status, 2);
-    EXPECT_EQ(second.err, "javino-emulator: EEPROM file " + scratch.path("a.bin") +
-                              ": another emulator or board uses it; end that one or choose another file\n");
-    kill(first, SIGTERM);
-    EXPECT_EQ(finish(scratch, first).status, 0);
-    EXPECT_EQ(run(other, {"s.json", "--duration", "0.1", "--speed", "max"}).status, 0) << "it is free again";
+TEST(Command, a_second_emulator_with_the_same_eeprom_file_is_told_so) {
+  Scratch scratch, other;
+  for (const Scratch *each : {&scratch, &other})
+    write_scenario(*each, "boot_count", ",\"eeprom\":\"" + scratch.path("a.bin") + "\"");
+  pid_t first = start(scratch, {"s.json", "--trace", "trace"});
+  while (read_text(scratch.path("trace")).find("\"reset\"") == std::string::npos) usleep(1000);
+  Outcome second = run(other, {"s.json", "--duration", "0.1", "--speed", "max"});
+  EXPECT_EQ(second.status, 2);
+  EXPECT_EQ(second.err, "javino-emulator: EEPROM file " + scratch.path("a.bin") +
+                            ": another emulator or board uses it; end that one or choose another file\n");
+  kill(first, SIGTERM);
+  EXPECT_EQ(finish(scratch, first).status, 0);
+  EXPECT_EQ(run(other, {"s.json", "--duration", "0.1", "--speed", "max"}).status, 0) << "it is free again";
 }
 
-TEST(Command, of_emulators_that_make_one_eeprom_file_at_the_same_time_one_has_it)
-{
-    for (int round = 0; round < 10; round++) {
-        Scratch file;
-        std::vector<std::unique_ptr<Scratch>> scratches;
-        std::vector<pid_t> children;
-        for (int i = 0; i < 4; i++) {
-            scratches.push_back(std::make_unique<Scratch>());
-            write_scenario(*scratches.back(), "boot_count", ",\"eeprom\":\"" + file.path("a.bin") + "\"");
-            children.push_back(start(*scratches.back(), {"s.json"})); // until it is told to end
-        }
-        int refused = 0;
-        for (int i = 0; i < 3; i++) {
-            int status = 0;
-            pid_t ended = waitpid(-1, &status, 0);
-            refused += WIFEXITED(status) && WEXITSTATUS(status) == 2;
-            children.erase(std::find(children.begin(), children.end(), ended));
-        }
-        EXPECT_EQ(refused, 3);
-        ASSERT_EQ(children.size(), 1u);
-        kill(children[0], SIGTERM);
-        int status = 0;
-        waitpid(children[0], &status, 0);
-        EXPECT_EQ(status, 0);
+TEST(Command, of_emulators_that_make_one_eeprom_file_at_the_same_time_one_has_it) {
+  for (int round = 0; round < 10; round++) {
+    Scratch file;
+    std::vector<std::unique_ptr<Scratch>> scratches;
+    std::vector<pid_t> children;
+    for (int i = 0; i < 4; i++) {
+      scratches.push_back(std::make_unique<Scratch>());
+      write_scenario(*scratches.back(), "boot_count", ",\"eeprom\":\"" + file.path("a.bin") + "\"");
+      children.push_back(start(*scratches.back(), {"s.json"}));  // until it is told to end
     }
-}
-
-TEST(Command, help_is_no_mistake)
-{
-    Scratch scratch;
-    Outcome outcome = run(scratch, {"--help"});
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.out.find("usage: javino-emulator SCENARIO.json"), 0u);
-}
-
-TEST(Command, a_signal_ends_it_cleanly)
-{
-    for (int signal : {SIGTERM, SIGINT}) {
-        Scratch scratch;
-        write_scenario(scratch, "boot_count", R"(,"port":"ports/a","eeprom":"a.bin")");
-        pid_t child = start(scratch, {"s.json", "--directory", "run", "--trace", "trace"});
-        while (read_text(scratch.path("trace")).find("\"reset\"") == std::string::npos)
-            usleep(1000);
-        EXPECT_TRUE(exists(scratch.path("run/ports/a")));
-        kill(child, signal);
-        Outcome outcome = finish(scratch, child);
-        EXPECT_EQ(outcome.status, 0) << outcome.err;
-        EXPECT_FALSE(exists(scratch.path("run/ports/a")));
-        EXPECT_TRUE(exists(scratch.path("run/a.bin")));
-        EXPECT_NE(read_text(scratch.path("trace")).find("\"counters\""), std::string::npos);
+    int refused = 0;
+    for (int i = 0; i < 3; i++) {
+      int status = 0;
+      pid_t ended = waitpid(-1, &status, 0);
+      refused += WIFEXITED(status) && WEXITSTATUS(status) == 2;
+      children.erase(std::find(children.begin(), children.end(), ended));
     }
+    EXPECT_EQ(refused, 3);
+    ASSERT_EQ(children.size(), 1u);
+    kill(children[0], SIGTERM);
+    int status = 0;
+    waitpid(children[0], &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+}
+
+TEST(Command, help_is_no_mistake) {
+  Scratch scratch;
+  Outcome outcome = run(scratch, {"--help"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out.find("usage: javino-emulator SCENARIO.json"), 0u);
+}
+
+TEST(Command, a_signal_ends_it_cleanly) {
+  for (int signal : {SIGTERM, SIGINT}) {
+    Scratch scratch;
+    write_scenario(scratch, "boot_count", R"(,"port":"ports/a","eeprom":"a.bin")");
+    pid_t child = start(scratch, {"s.json", "--directory", "run", "--trace", "trace"});
+    while (read_text(scratch.path("trace")).find("\"reset\"") == std::string::npos) usleep(1000);
+    EXPECT_TRUE(exists(scratch.path("run/ports/a")));
+    kill(child, signal);
+    Outcome outcome = finish(scratch, child);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_FALSE(exists(scratch.path("run/ports/a")));
+    EXPECT_TRUE(exists(scratch.path("run/a.bin")));
+    EXPECT_NE(read_text(scratch.path("trace")).find("\"counters\""), std::string::npos);
+  }
 }

@@ -5,95 +5,88 @@ extern "C" {
 #include "frame_view.h"
 }
 
-static int read(frame_view *view, const std::string &text)
-{
-    return frame_view_read(view, reinterpret_cast<const uint8_t *>(text.data()), text.size());
+static int read(frame_view *view, const std::string &text) {
+  return frame_view_read(view, reinterpret_cast<const uint8_t *>(text.data()), text.size());
 }
 
-TEST(FrameView, reads_every_frame_of_the_vectors)
-{
-    json_t *root = load_vectors("frames.json");
-    size_t index;
-    json_t *vector;
-    json_array_foreach(json_object_get(root, "valid"), index, vector) {
-        std::vector<uint8_t> bytes = from_hex(text_of(vector, "frame"));
-        frame_view view;
-        ASSERT_EQ(frame_view_read(&view, bytes.data(), bytes.size()), 0) << index;
-        EXPECT_EQ(std::string(view.destination, view.destination + 4), text_of(vector, "destination"));
-        EXPECT_EQ(std::string(view.origin, view.origin + 4), text_of(vector, "origin"));
-        EXPECT_EQ(std::vector<uint8_t>(view.message, view.message + view.message_length),
-                  from_hex(text_of(vector, "message")));
+TEST(FrameView, reads_every_frame_of_the_vectors) {
+  json_t *root = load_vectors("frames.json");
+  size_t index;
+  json_t *vector;
+  json_array_foreach(json_object_get(root, "valid"), index, vector) {
+    std::vector<uint8_t> bytes = from_hex(text_of(vector, "frame"));
+    frame_view view;
+    ASSERT_EQ(frame_view_read(&view, bytes.data(), bytes.size()), 0) << index;
+    EXPECT_EQ(std::string(view.destination, view.destination + 4), text_of(vector, "destination"));
+    EXPECT_EQ(std::string(view.origin, view.origin + 4), text_of(vector, "origin"));
+    EXPECT_EQ(std::vector<uint8_t>(view.message, view.message + view.message_length),
+              from_hex(text_of(vector, "message")));
+  }
+  json_decref(root);
+}
+
+TEST(FrameView, refuses_what_is_no_frame) {
+  json_t *root = load_vectors("frames.json");
+  size_t index;
+  json_t *vector;
+  json_array_foreach(json_object_get(root, "invalid"), index, vector) {
+    std::vector<uint8_t> bytes = from_hex(text_of(vector, "bytes"));
+    frame_view view;
+    // A bystander does not judge origins.
+    if (text_of(vector, "error") == "BAD_ORIGIN") continue;
+    EXPECT_EQ(frame_view_read(&view, bytes.data(), bytes.size()), -1) << text_of(vector, "error");
+  }
+  json_decref(root);
+}
+
+TEST(FrameView, tells_kind_and_sealed) {
+  static const struct {
+    const char *frame;
+    frame_kind kind;
+    bool sealed;
+  } CASES[] = {
+      {"////ROMABItell;help", KIND_BROADCAST, false},
+      {"//SUSUPOBw1234567890abcd", KIND_MULTICAST, true},
+      {"SUHOSUPOBw1234567890abcd", KIND_UNICAST, true},
+      {"SUHOSUPOCItell;a(plain,one)", KIND_UNICAST, false},
+      {"SUHOSUPOAoshort", KIND_UNICAST, false},
+      {"+FAASUPOAIx", KIND_PIECE, false},
+      {"+F/PSUPOBw1234567890abcd", KIND_PIECE, false},
+      {"+FAQSUPOAIx", KIND_RESERVED, false},  // no such index
+      {"+K//SUPOBA12345678", KIND_ACKNOWLEDGEMENT, false},
+      {"+GAASUPOAIx", KIND_RESERVED, false},
+      {"/FAASUPOAIx", KIND_RESERVED, false},
+  };
+  for (const auto &c : CASES) {
+    frame_view view;
+    ASSERT_EQ(read(&view, c.frame), 0) << c.frame;
+    EXPECT_EQ(view.kind, c.kind) << c.frame;
+    EXPECT_EQ(view.sealed, c.sealed) << c.frame;
+  }
+}
+
+TEST(FrameView, reads_the_address_of_every_piece) {
+  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (int id = 0; id < 64; id++)
+    for (int digit = 0; digit < 16; digit++) {
+      frame_view view;
+      std::string address = std::string("+F") + DIGITS[id] + DIGITS[digit];
+      ASSERT_EQ(read(&view, address + "SUPOAIx"), 0);
+      EXPECT_EQ(view.kind, KIND_PIECE);
+      EXPECT_EQ(view.piece_id, id);
+      EXPECT_EQ(view.piece_index, digit % 8);
+      EXPECT_EQ(view.asks, digit >= 8);
     }
-    json_decref(root);
 }
 
-TEST(FrameView, refuses_what_is_no_frame)
-{
-    json_t *root = load_vectors("frames.json");
-    size_t index;
-    json_t *vector;
-    json_array_foreach(json_object_get(root, "invalid"), index, vector) {
-        std::vector<uint8_t> bytes = from_hex(text_of(vector, "bytes"));
-        frame_view view;
-        // A bystander does not judge origins.
-        if (text_of(vector, "error") == "BAD_ORIGIN")
-            continue;
-        EXPECT_EQ(frame_view_read(&view, bytes.data(), bytes.size()), -1) << text_of(vector, "error");
-    }
-    json_decref(root);
-}
-
-TEST(FrameView, tells_kind_and_sealed)
-{
-    static const struct {
-        const char *frame;
-        frame_kind kind;
-        bool sealed;
-    } CASES[] = {
-        {"////ROMABItell;help", KIND_BROADCAST, false},
-        {"//SUSUPOBw1234567890abcd", KIND_MULTICAST, true},
-        {"SUHOSUPOBw1234567890abcd", KIND_UNICAST, true},
-        {"SUHOSUPOCItell;a(plain,one)", KIND_UNICAST, false},
-        {"SUHOSUPOAoshort", KIND_UNICAST, false},
-        {"+FAASUPOAIx", KIND_PIECE, false},
-        {"+F/PSUPOBw1234567890abcd", KIND_PIECE, false},
-        {"+FAQSUPOAIx", KIND_RESERVED, false}, // no such index
-        {"+K//SUPOBA12345678", KIND_ACKNOWLEDGEMENT, false},
-        {"+GAASUPOAIx", KIND_RESERVED, false},
-        {"/FAASUPOAIx", KIND_RESERVED, false},
-    };
-    for (const auto &c : CASES) {
-        frame_view view;
-        ASSERT_EQ(read(&view, c.frame), 0) << c.frame;
-        EXPECT_EQ(view.kind, c.kind) << c.frame;
-        EXPECT_EQ(view.sealed, c.sealed) << c.frame;
-    }
-}
-
-TEST(FrameView, reads_the_address_of_every_piece)
-{
-    static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (int id = 0; id < 64; id++)
-        for (int digit = 0; digit < 16; digit++) {
-            frame_view view;
-            std::string address = std::string("+F") + DIGITS[id] + DIGITS[digit];
-            ASSERT_EQ(read(&view, address + "SUPOAIx"), 0);
-            EXPECT_EQ(view.kind, KIND_PIECE);
-            EXPECT_EQ(view.piece_id, id);
-            EXPECT_EQ(view.piece_index, digit % 8);
-            EXPECT_EQ(view.asks, digit >= 8);
-        }
-}
-
-TEST(FrameView, tells_what_an_acknowledgement_says_by_its_length)
-{
-    static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t length = 0; length <= 67; length++) {
-        size_t bits = 8 * length;
-        std::string frame = std::string("+KABSUPO") + DIGITS[bits / 64] + DIGITS[bits % 64] + std::string(length, 'x');
-        frame_view view;
-        ASSERT_EQ(read(&view, frame), 0) << length;
-        std::string expected = length == 8 ? "delivered" : length == 9 ? "pieces" : length == 16 ? "stale" : "unknown";
-        EXPECT_EQ(frame_answer_text(&view), expected) << length;
-    }
+TEST(FrameView, tells_what_an_acknowledgement_says_by_its_length) {
+  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (size_t length = 0; length <= 67; length++) {
+    size_t bits = 8 * length;
+    std::string frame = std::string("+KABSUPO") + DIGITS[bits / 64] + DIGITS[bits % 64] + std::string(length, 'x');
+    frame_view view;
+    ASSERT_EQ(read(&view, frame), 0) << length;
+    std::string expected = length == 8 ? "delivered" : length == 9 ? "pieces" : length == 16 ? "stale" : "unknown";
+    EXPECT_EQ(frame_answer_text(&view), expected) << length;
+  }
 }

@@ -11,170 +11,155 @@ namespace {
 
 // Decodes levels given bit by bit and keeps what comes out.
 struct Receiver {
-    explicit Receiver(double bit_rate = 2000) : bit_cycles(CYCLES_PER_SECOND / bit_rate)
-    {
-        line_decoder_init(&decoder, bit_rate, {this, on_packet, on_damaged});
-    }
+  explicit Receiver(double bit_rate = 2000) : bit_cycles(CYCLES_PER_SECOND / bit_rate) {
+    line_decoder_init(&decoder, bit_rate, {this, on_packet, on_damaged});
+  }
 
-    static void on_packet(void *context, const line_packet *packet)
-    {
-        auto *self = static_cast<Receiver *>(context);
-        self->packets.emplace_back(packet->payload, packet->payload + packet->length);
-        self->start = packet->start;
-        self->end = packet->end;
-    }
+  static void on_packet(void *context, const line_packet *packet) {
+    auto *self = static_cast<Receiver *>(context);
+    self->packets.emplace_back(packet->payload, packet->payload + packet->length);
+    self->start = packet->start;
+    self->end = packet->end;
+  }
 
-    static void on_damaged(void *context, line_error error, cycles_t)
-    {
-        static_cast<Receiver *>(context)->errors.push_back(error);
-    }
+  static void on_damaged(void *context, line_error error, cycles_t) {
+    static_cast<Receiver *>(context)->errors.push_back(error);
+  }
 
-    // `jitter` moves each edge by up to so many cycles; `stretch` makes the sender's bits longer.
-    void send(const std::string &bits, int jitter = 0, double stretch = 1, int pause_bits = 20)
-    {
-        std::mt19937 random(1);
-        double begin = static_cast<double>(now);
-        for (size_t i = 0; i < bits.size(); i++) {
-            int off = jitter ? static_cast<int>(random() % (2 * jitter + 1)) - jitter : 0;
-            double at = begin + static_cast<double>(i) * bit_cycles * stretch + off;
-            line_decoder_edge(&decoder, bits[i] == '1', static_cast<cycles_t>(at > 0 ? at : 0));
-        }
-        now = static_cast<cycles_t>(begin + static_cast<double>(bits.size()) * bit_cycles * stretch);
-        line_decoder_edge(&decoder, false, now);
-        rest(pause_bits);
+  // `jitter` moves each edge by up to so many cycles; `stretch` makes the sender's bits longer.
+  void send(const std::string &bits, int jitter = 0, double stretch = 1, int pause_bits = 20) {
+    std::mt19937 random(1);
+    double begin = static_cast<double>(now);
+    for (size_t i = 0; i < bits.size(); i++) {
+      int off = jitter ? static_cast<int>(random() % (2 * jitter + 1)) - jitter : 0;
+      double at = begin + static_cast<double>(i) * bit_cycles * stretch + off;
+      line_decoder_edge(&decoder, bits[i] == '1', static_cast<cycles_t>(at > 0 ? at : 0));
     }
+    now = static_cast<cycles_t>(begin + static_cast<double>(bits.size()) * bit_cycles * stretch);
+    line_decoder_edge(&decoder, false, now);
+    rest(pause_bits);
+  }
 
-    void rest(int bits)
-    {
-        now += static_cast<cycles_t>(bits * bit_cycles);
-        line_decoder_advance(&decoder, now);
-    }
+  void rest(int bits) {
+    now += static_cast<cycles_t>(bits * bit_cycles);
+    line_decoder_advance(&decoder, now);
+  }
 
-    line_decoder decoder;
-    double bit_cycles;
-    cycles_t now = 100000;
-    cycles_t start = 0, end = 0;
-    std::vector<std::vector<uint8_t>> packets;
-    std::vector<line_error> errors;
+  line_decoder decoder;
+  double bit_cycles;
+  cycles_t now = 100000;
+  cycles_t start = 0, end = 0;
+  std::vector<std::vector<uint8_t>> packets;
+  std::vector<line_error> errors;
 };
 
-} // namespace
+}  // namespace
 
-TEST(LineCode, decodes_every_packet_of_the_vectors)
-{
-    json_t *root = load_vectors("radio.json");
-    size_t index;
-    json_t *vector;
-    json_array_foreach(json_object_get(root, "packets"), index, vector) {
-        for (double stretch : {1.0, 0.97, 1.03}) {
-            Receiver receiver;
-            receiver.send(text_of(vector, "bits"), 500, stretch);
-            ASSERT_EQ(receiver.packets.size(), 1u) << index << " stretched " << stretch;
-            EXPECT_EQ(receiver.packets[0], from_hex(text_of(vector, "payload"))) << index;
-            EXPECT_TRUE(receiver.errors.empty()) << index;
-        }
+TEST(LineCode, decodes_every_packet_of_the_vectors) {
+  json_t *root = load_vectors("radio.json");
+  size_t index;
+  json_t *vector;
+  json_array_foreach(json_object_get(root, "packets"), index, vector) {
+    for (double stretch : {1.0, 0.97, 1.03}) {
+      Receiver receiver;
+      receiver.send(text_of(vector, "bits"), 500, stretch);
+      ASSERT_EQ(receiver.packets.size(), 1u) << index << " stretched " << stretch;
+      EXPECT_EQ(receiver.packets[0], from_hex(text_of(vector, "payload"))) << index;
+      EXPECT_TRUE(receiver.errors.empty()) << index;
     }
-    json_decref(root);
+  }
+  json_decref(root);
 }
 
-TEST(LineCode, refuses_every_damaged_packet_of_the_vectors)
-{
-    json_t *root = load_vectors("radio.json");
-    size_t index;
-    json_t *vector;
-    json_array_foreach(json_object_get(root, "invalid"), index, vector) {
-        Receiver receiver;
-        receiver.send(text_of(vector, "bits"));
-        EXPECT_TRUE(receiver.packets.empty()) << text_of(vector, "why");
-    }
-    json_decref(root);
-}
-
-TEST(LineCode, tells_when_the_packet_began_and_ended)
-{
-    json_t *root = load_vectors("radio.json");
-    const json_t *vector = json_array_get(json_object_get(root, "packets"), 1);
-    std::string bits = text_of(vector, "bits");
+TEST(LineCode, refuses_every_damaged_packet_of_the_vectors) {
+  json_t *root = load_vectors("radio.json");
+  size_t index;
+  json_t *vector;
+  json_array_foreach(json_object_get(root, "invalid"), index, vector) {
     Receiver receiver;
-    receiver.send(bits);
-    // The first bit of the training is a 0: the carrier comes with the second.
-    EXPECT_EQ(receiver.start, 100000 + 8000u);
-    EXPECT_NEAR(static_cast<double>(receiver.end), 100000 + 8000.0 * static_cast<double>(bits.size()), 1);
-    json_decref(root);
+    receiver.send(text_of(vector, "bits"));
+    EXPECT_TRUE(receiver.packets.empty()) << text_of(vector, "why");
+  }
+  json_decref(root);
 }
 
-TEST(LineCode, decodes_the_next_packet_after_a_damaged_one)
-{
-    json_t *root = load_vectors("radio.json");
-    std::string good = text_of(json_array_get(json_object_get(root, "packets"), 0), "bits");
+TEST(LineCode, tells_when_the_packet_began_and_ended) {
+  json_t *root = load_vectors("radio.json");
+  const json_t *vector = json_array_get(json_object_get(root, "packets"), 1);
+  std::string bits = text_of(vector, "bits");
+  Receiver receiver;
+  receiver.send(bits);
+  // The first bit of the training is a 0: the carrier comes with the second.
+  EXPECT_EQ(receiver.start, 100000 + 8000u);
+  EXPECT_NEAR(static_cast<double>(receiver.end), 100000 + 8000.0 * static_cast<double>(bits.size()), 1);
+  json_decref(root);
+}
+
+TEST(LineCode, decodes_the_next_packet_after_a_damaged_one) {
+  json_t *root = load_vectors("radio.json");
+  std::string good = text_of(json_array_get(json_object_get(root, "packets"), 0), "bits");
+  std::string bad = good;
+  bad[100] = bad[100] == '1' ? '0' : '1';
+  Receiver receiver;
+  receiver.send(bad);
+  receiver.send(good);
+  EXPECT_FALSE(receiver.errors.empty());  // the rest of the bad one may look like a start again
+  EXPECT_EQ(receiver.packets.size(), 1u);
+  json_decref(root);
+}
+
+TEST(LineCode, a_packet_close_behind_another_starts_where_it_does) {
+  json_t *root = load_vectors("radio.json");
+  std::string bits = text_of(json_array_get(json_object_get(root, "packets"), 0), "bits");
+  Receiver receiver;
+  receiver.send(bits, 0, 1, 6);
+  cycles_t second = receiver.now;
+  receiver.send(bits);
+  ASSERT_EQ(receiver.packets.size(), 2u);
+  EXPECT_EQ(receiver.start, second + 8000u);
+  json_decref(root);
+}
+
+TEST(LineCode, no_single_wrong_bit_after_the_start_symbol_gets_through) {
+  json_t *root = load_vectors("radio.json");
+  std::string good = text_of(json_array_get(json_object_get(root, "packets"), 1), "bits");
+  for (size_t i = 48; i < good.size(); i++) {
     std::string bad = good;
-    bad[100] = bad[100] == '1' ? '0' : '1';
+    bad[i] = bad[i] == '1' ? '0' : '1';
     Receiver receiver;
     receiver.send(bad);
-    receiver.send(good);
-    EXPECT_FALSE(receiver.errors.empty()); // the rest of the bad one may look like a start again
-    EXPECT_EQ(receiver.packets.size(), 1u);
-    json_decref(root);
+    receiver.rest(2000);
+    EXPECT_TRUE(receiver.packets.empty()) << "bit " << i;
+  }
+  json_decref(root);
 }
 
-TEST(LineCode, a_packet_close_behind_another_starts_where_it_does)
-{
-    json_t *root = load_vectors("radio.json");
-    std::string bits = text_of(json_array_get(json_object_get(root, "packets"), 0), "bits");
-    Receiver receiver;
-    receiver.send(bits, 0, 1, 6);
-    cycles_t second = receiver.now;
-    receiver.send(bits);
-    ASSERT_EQ(receiver.packets.size(), 2u);
-    EXPECT_EQ(receiver.start, second + 8000u);
-    json_decref(root);
-}
-
-TEST(LineCode, no_single_wrong_bit_after_the_start_symbol_gets_through)
-{
-    json_t *root = load_vectors("radio.json");
-    std::string good = text_of(json_array_get(json_object_get(root, "packets"), 1), "bits");
-    for (size_t i = 48; i < good.size(); i++) {
-        std::string bad = good;
-        bad[i] = bad[i] == '1' ? '0' : '1';
-        Receiver receiver;
-        receiver.send(bad);
-        receiver.rest(2000);
-        EXPECT_TRUE(receiver.packets.empty()) << "bit " << i;
+TEST(LineCode, a_packet_whose_last_symbol_was_cut_short_counts_where_it_is_to) {
+  json_t *root = load_vectors("radio.json");
+  json_t *vector = json_array_get(json_object_get(root, "packets"), 0);
+  const std::string bits = text_of(vector, "bits");
+  for (size_t cut = 1; cut <= 12; cut++) {
+    for (bool mends : {false, true}) {
+      Receiver receiver;
+      receiver.decoder.mends_end = mends;
+      receiver.send(bits.substr(0, bits.size() - cut));
+      // What is 0 anyway is not missed.
+      const size_t missing = bits.find('1', bits.size() - cut);
+      const bool counts = missing == std::string::npos || (mends && missing >= bits.size() - 6);
+      EXPECT_EQ(receiver.packets.size(), counts ? 1u : 0u) << cut;
+      for (const auto &packet : receiver.packets) EXPECT_EQ(packet, from_hex(text_of(vector, "payload")));
     }
-    json_decref(root);
+  }
+  json_decref(root);
 }
 
-TEST(LineCode, a_packet_whose_last_symbol_was_cut_short_counts_where_it_is_to)
-{
-    json_t *root = load_vectors("radio.json");
-    json_t *vector = json_array_get(json_object_get(root, "packets"), 0);
-    const std::string bits = text_of(vector, "bits");
-    for (size_t cut = 1; cut <= 12; cut++) {
-        for (bool mends : {false, true}) {
-            Receiver receiver;
-            receiver.decoder.mends_end = mends;
-            receiver.send(bits.substr(0, bits.size() - cut));
-            // What is 0 anyway is not missed.
-            const size_t missing = bits.find('1', bits.size() - cut);
-            const bool counts = missing == std::string::npos || (mends && missing >= bits.size() - 6);
-            EXPECT_EQ(receiver.packets.size(), counts ? 1u : 0u) << cut;
-            for (const auto &packet : receiver.packets)
-                EXPECT_EQ(packet, from_hex(text_of(vector, "payload")));
-        }
-    }
-    json_decref(root);
-}
-
-TEST(LineCode, random_levels_do_no_harm)
-{
-    std::mt19937 random(3);
-    Receiver receiver;
-    for (int i = 0; i < 100; i++) {
-        std::string bits;
-        for (int n = 0; n < 2000; n++)
-            bits += random() % 2 ? '1' : '0';
-        receiver.send(bits, 3000);
-    }
-    EXPECT_TRUE(receiver.packets.empty());
+TEST(LineCode, random_levels_do_no_harm) {
+  std::mt19937 random(3);
+  Receiver receiver;
+  for (int i = 0; i < 100; i++) {
+    std::string bits;
+    for (int n = 0; n < 2000; n++) bits += random() % 2 ? '1' : '0';
+    receiver.send(bits, 3000);
+  }
+  EXPECT_TRUE(receiver.packets.empty());
 }

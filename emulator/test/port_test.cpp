@@ -13,166 +13,165 @@ static const char ECHO_BOARD[] = R"({"boards":[{"name":"a","firmware":"@uart_ech
 
 // A host that opens the port, and sets nothing.
 struct Host {
-    explicit Host(const std::string &path) : fd(open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK)) {}
-    ~Host() { close(fd); }
-    void send(const std::string &bytes) { EXPECT_EQ(write(fd, bytes.data(), bytes.size()), (ssize_t)bytes.size()); }
-    void receive()
-    {
-        char buffer[4096];
-        ssize_t length = read(fd, buffer, sizeof buffer);
-        if (length > 0)
-            received.append(buffer, (size_t)length);
-    }
-    bool gone() const
-    {
-        struct pollfd state = {fd, POLLIN, 0};
-        return poll(&state, 1, 0) == 1 && (state.revents & POLLHUP);
-    }
-    int fd;
-    std::string received;
+  explicit Host(const std::string &path) : fd(open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK)) {}
+  ~Host() { close(fd); }
+  void send(const std::string &bytes) { EXPECT_EQ(write(fd, bytes.data(), bytes.size()), (ssize_t)bytes.size()); }
+  void receive() {
+    char buffer[4096];
+    ssize_t length = read(fd, buffer, sizeof buffer);
+    if (length > 0) received.append(buffer, (size_t)length);
+  }
+  bool gone() const {
+    struct pollfd state = {fd, POLLIN, 0};
+    return poll(&state, 1, 0) == 1 && (state.revents & POLLHUP);
+  }
+  int fd;
+  std::string received;
 };
 
-static void let_boot(Emulation &run)
-{
-    run.run_while_waiting(0.01, [] { return false; });
+static void let_boot(Emulation &run) {
+  run.run_while_waiting(0.01, [] { return false; });
 }
 
-TEST(Port, every_byte_comes_back)
-{
-    Scratch scratch;
-    Emulation run(scratch, ECHO_BOARD);
+TEST(Port, every_byte_comes_back) {
+  Scratch scratch;
+  Emulation run(scratch, ECHO_BOARD);
+  Host host(scratch.path("ports/a"));
+  let_boot(run);
+  std::mt19937 random(1);
+  std::string bytes, waiting;
+  for (int i = 0; i < 6000; i++) bytes += static_cast<char>(random());
+  waiting = bytes;
+  double begin = cycles_to_seconds(run.e.now);
+  ASSERT_TRUE(run.run_while_waiting(2, [&] {
+    ssize_t sent = write(host.fd, waiting.data(), std::min<size_t>(waiting.size(), 500));
+    waiting.erase(0, sent > 0 ? (size_t)sent : 0);
+    host.receive();
+    return host.received.size() >= bytes.size();
+  }));
+  EXPECT_EQ(host.received, bytes);
+  double seconds = cycles_to_seconds(run.e.now) - begin;
+  EXPECT_GT(seconds, 6000 * 10 / 115200.0 * 0.95);  // not faster than the line
+  EXPECT_LT(seconds, 6000 * 10 / 115200.0 * 1.5);
+}
+
+TEST(Port, opening_resets_the_board_and_opening_again_too) {
+  Scratch scratch;
+  Emulation run(scratch, ECHO_BOARD);
+  for (int round = 0; round < 3; round++) {
     Host host(scratch.path("ports/a"));
     let_boot(run);
-    std::mt19937 random(1);
-    std::string bytes, waiting;
-    for (int i = 0; i < 6000; i++)
-        bytes += static_cast<char>(random());
-    waiting = bytes;
-    double begin = cycles_to_seconds(run.e.now);
-    ASSERT_TRUE(run.run_while_waiting(2, [&] {
-        ssize_t sent = write(host.fd, waiting.data(), std::min<size_t>(waiting.size(), 500));
-        waiting.erase(0, sent > 0 ? (size_t)sent : 0);
-        host.receive();
-        return host.received.size() >= bytes.size();
+    host.send("x");
+    EXPECT_TRUE(run.run_while_waiting(0.1, [&] {
+      host.receive();
+      return host.received == "x";
     }));
-    EXPECT_EQ(host.received, bytes);
-    double seconds = cycles_to_seconds(run.e.now) - begin;
-    EXPECT_GT(seconds, 6000 * 10 / 115200.0 * 0.95); // not faster than the line
-    EXPECT_LT(seconds, 6000 * 10 / 115200.0 * 1.5);
+    close(host.fd);
+    let_boot(run);
+    host.fd = -1;
+  }
+  auto resets = run.events("a", "reset");
+  ASSERT_EQ(resets.size(), 4u);
+  EXPECT_EQ(resets[3].text("why"), "port opened");
+  auto changes = run.events("a", "port");
+  ASSERT_EQ(changes.size(), 6u);
+  EXPECT_EQ(changes[0].text("state"), "open");
+  EXPECT_EQ(changes[5].text("state"), "closed");
 }
 
-TEST(Port, opening_resets_the_board_and_opening_again_too)
-{
-    Scratch scratch;
-    Emulation run(scratch, ECHO_BOARD);
-    for (int round = 0; round < 3; round++) {
-        Host host(scratch.path("ports/a"));
-        let_boot(run);
-        host.send("x");
-        EXPECT_TRUE(run.run_while_waiting(0.1, [&] { host.receive(); return host.received == "x"; }));
-        close(host.fd);
-        let_boot(run);
-        host.fd = -1;
-    }
-    auto resets = run.events("a", "reset");
-    ASSERT_EQ(resets.size(), 4u);
-    EXPECT_EQ(resets[3].text("why"), "port opened");
-    auto changes = run.events("a", "port");
-    ASSERT_EQ(changes.size(), 6u);
-    EXPECT_EQ(changes[0].text("state"), "open");
-    EXPECT_EQ(changes[5].text("state"), "closed");
+TEST(Port, opening_does_not_reset_where_the_scenario_says_so) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a","resetOnOpen":false}]})");
+  Host host(scratch.path("a"));
+  let_boot(run);
+  EXPECT_EQ(run.events("a", "reset").size(), 1u);
 }
 
-TEST(Port, opening_does_not_reset_where_the_scenario_says_so)
-{
-    Scratch scratch;
-    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a","resetOnOpen":false}]})");
+TEST(Port, is_raw_without_the_host_asking) {
+  Scratch scratch;
+  Emulation run(scratch, ECHO_BOARD);
+  Host host(scratch.path("ports/a"));
+  let_boot(run);
+  host.send(std::string("\x03\x04\x11\x13\r\n\0\xFF", 8));
+  ASSERT_TRUE(run.run_while_waiting(0.1, [&] {
+    host.receive();
+    return host.received.size() >= 8;
+  }));
+  EXPECT_EQ(host.received, std::string("\x03\x04\x11\x13\r\n\0\xFF", 8));
+}
+
+TEST(Port, bytes_that_nobody_reads_are_dropped_and_counted_and_not_kept_for_the_next_host) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a","resetOnOpen":false}]})");
+  {
     Host host(scratch.path("a"));
     let_boot(run);
-    EXPECT_EQ(run.events("a", "reset").size(), 1u);
-}
-
-TEST(Port, is_raw_without_the_host_asking)
-{
-    Scratch scratch;
-    Emulation run(scratch, ECHO_BOARD);
-    Host host(scratch.path("ports/a"));
+    host.send("unread");
     let_boot(run);
-    host.send(std::string("\x03\x04\x11\x13\r\n\0\xFF", 8));
-    ASSERT_TRUE(run.run_while_waiting(0.1, [&] { host.receive(); return host.received.size() >= 8; }));
-    EXPECT_EQ(host.received, std::string("\x03\x04\x11\x13\r\n\0\xFF", 8));
+  }
+  let_boot(run);
+  Host next(scratch.path("a"));
+  let_boot(run);
+  next.send("y");
+  ASSERT_TRUE(run.run_while_waiting(0.1, [&] {
+    next.receive();
+    return !next.received.empty();
+  }));
+  EXPECT_EQ(next.received, "y");
 }
 
-TEST(Port, bytes_that_nobody_reads_are_dropped_and_counted_and_not_kept_for_the_next_host)
-{
-    Scratch scratch;
-    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a","resetOnOpen":false}]})");
-    {
-        Host host(scratch.path("a"));
-        let_boot(run);
-        host.send("unread");
-        let_boot(run);
-    }
-    let_boot(run);
-    Host next(scratch.path("a"));
-    let_boot(run);
-    next.send("y");
-    ASSERT_TRUE(run.run_while_waiting(0.1, [&] { next.receive(); return !next.received.empty(); }));
-    EXPECT_EQ(next.received, "y");
+TEST(Port, a_board_that_talks_to_nobody_goes_on) {
+  Scratch scratch;
+  Emulation run(scratch,
+                R"({"boards":[{"name":"a","firmware":"@blink","port":"a","watch":[{"pin":13,"name":"led"}]}]})");
+  run.run_while_waiting(0.1, [] { return false; });
+  EXPECT_EQ(run.events("a", "pin").size(), 9u);
+  run.close();
+  EXPECT_EQ(run.events("a", "counters").at(0).number("serialDropped"), 6);
 }
 
-TEST(Port, a_board_that_talks_to_nobody_goes_on)
-{
-    Scratch scratch;
-    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink","port":"a","watch":[{"pin":13,"name":"led"}]}]})");
-    run.run_while_waiting(0.1, [] { return false; });
-    EXPECT_EQ(run.events("a", "pin").size(), 9u);
-    run.close();
-    EXPECT_EQ(run.events("a", "counters").at(0).number("serialDropped"), 6);
+TEST(Port, is_taken_away_and_given_back) {
+  Scratch scratch;
+  std::string json = ECHO_BOARD;
+  json.replace(json.rfind("}"), 1,
+               R"(,"faults":[{"t":0.05,"board":"a","do":"unplug"},{"t":0.1,"board":"a","do":"plug"}]})");
+  Emulation run(scratch, json);
+  Host host(scratch.path("ports/a"));
+  EXPECT_TRUE(run.run_while_waiting(0.2, [&] { return host.gone(); }));
+  EXPECT_NEAR(cycles_to_seconds(run.e.now), 0.05, 0.002);
+  EXPECT_FALSE(exists(scratch.path("ports/a")));
+  EXPECT_TRUE(run.run_while_waiting(0.2, [&] { return exists(scratch.path("ports/a")); }));
+  EXPECT_NEAR(cycles_to_seconds(run.e.now), 0.1, 0.002);
+  Host again(scratch.path("ports/a"));
+  let_boot(run);
+  again.send("z");
+  EXPECT_TRUE(run.run_while_waiting(0.1, [&] {
+    again.receive();
+    return again.received == "z";
+  }));
+  std::vector<std::string> states;
+  for (const Event &event : run.events("a", "port")) states.push_back(event.text("state"));
+  EXPECT_EQ(states, (std::vector<std::string>{"open", "unplugged", "plugged", "open"}));
 }
 
-TEST(Port, is_taken_away_and_given_back)
-{
-    Scratch scratch;
-    std::string json = ECHO_BOARD;
-    json.replace(json.rfind("}"), 1, R"(,"faults":[{"t":0.05,"board":"a","do":"unplug"},{"t":0.1,"board":"a","do":"plug"}]})");
-    Emulation run(scratch, json);
-    Host host(scratch.path("ports/a"));
-    EXPECT_TRUE(run.run_while_waiting(0.2, [&] { return host.gone(); }));
-    EXPECT_NEAR(cycles_to_seconds(run.e.now), 0.05, 0.002);
-    EXPECT_FALSE(exists(scratch.path("ports/a")));
-    EXPECT_TRUE(run.run_while_waiting(0.2, [&] { return exists(scratch.path("ports/a")); }));
-    EXPECT_NEAR(cycles_to_seconds(run.e.now), 0.1, 0.002);
-    Host again(scratch.path("ports/a"));
-    let_boot(run);
-    again.send("z");
-    EXPECT_TRUE(run.run_while_waiting(0.1, [&] { again.receive(); return again.received == "z"; }));
-    std::vector<std::string> states;
-    for (const Event &event : run.events("a", "port"))
-        states.push_back(event.text("state"));
-    EXPECT_EQ(states, (std::vector<std::string>{"open", "unplugged", "plugged", "open"}));
+TEST(Port, the_symlink_replaces_a_stale_one_and_goes_at_the_end) {
+  Scratch scratch;
+  ASSERT_EQ(symlink("/dev/pts/99999", scratch.path("a").c_str()), 0);
+  {
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a"}]})");
+    Host host(scratch.path("a"));
+    EXPECT_GE(host.fd, 0);
+  }
+  EXPECT_FALSE(exists(scratch.path("a")));
 }
 
-TEST(Port, the_symlink_replaces_a_stale_one_and_goes_at_the_end)
-{
-    Scratch scratch;
-    ASSERT_EQ(symlink("/dev/pts/99999", scratch.path("a").c_str()), 0);
-    {
-        Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@uart_echo","port":"a"}]})");
-        Host host(scratch.path("a"));
-        EXPECT_GE(host.fd, 0);
-    }
-    EXPECT_FALSE(exists(scratch.path("a")));
-}
-
-TEST(Port, what_is_no_symlink_is_left_alone)
-{
-    Scratch scratch;
-    std::string path = scratch.write("a", "precious");
-    pty p = {};
-    p.master = -1;
-    char error[512];
-    EXPECT_EQ(pty_plug(&p, path.c_str(), error, sizeof error), -1);
-    EXPECT_EQ(error, "port " + path + ": there is something that is no symlink; remove it or choose another path");
-    EXPECT_EQ(read_text(path), "precious");
+TEST(Port, what_is_no_symlink_is_left_alone) {
+  Scratch scratch;
+  std::string path = scratch.write("a", "precious");
+  pty p = {};
+  p.master = -1;
+  char error[512];
+  EXPECT_EQ(pty_plug(&p, path.c_str(), error, sizeof error), -1);
+  EXPECT_EQ(error, "port " + path + ": there is something that is no symlink; remove it or choose another path");
+  EXPECT_EQ(read_text(path), "precious");
 }

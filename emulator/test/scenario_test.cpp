@@ -5,37 +5,33 @@
 
 // Loads a scenario; `#boards` stands for a good list of boards. Returns the error, "" if none.
 static std::string load(const Scratch &scratch, std::string json, std::vector<const char *> overrides = {},
-                        scenario *kept = nullptr)
-{
-    static const std::string BOARDS =
-        R"("boards":[{"name":"bus","firmware":"bus.elf","port":"ports/bus"},{"name":"car","firmware":"bus.elf"}])";
-    scratch.write("bus.elf", "");
-    if (json.find("#boards") != std::string::npos)
-        json.replace(json.find("#boards"), 7, BOARDS);
-    std::string path = scratch.write("s.json", json);
-    scenario loaded;
-    scenario_context context = {"run", overrides.data(), overrides.size()};
-    char error[512];
-    int result = scenario_load(&loaded, path.c_str(), &context, error, sizeof error);
-    EXPECT_EQ(result == 0, error[0] == '\0');
-    if (kept)
-        *kept = loaded;
-    else
-        scenario_release(&loaded);
-    std::string text = error;
-    return text.compare(0, path.size(), path) == 0 ? text.substr(path.size()) : text;
+                        scenario *kept = nullptr) {
+  static const std::string BOARDS =
+      R"("boards":[{"name":"bus","firmware":"bus.elf","port":"ports/bus"},{"name":"car","firmware":"bus.elf"}])";
+  scratch.write("bus.elf", "");
+  if (json.find("#boards") != std::string::npos) json.replace(json.find("#boards"), 7, BOARDS);
+  std::string path = scratch.write("s.json", json);
+  scenario loaded;
+  scenario_context context = {"run", overrides.data(), overrides.size()};
+  char error[512];
+  int result = scenario_load(&loaded, path.c_str(), &context, error, sizeof error);
+  EXPECT_EQ(result == 0, error[0] == '\0');
+  if (kept)
+    *kept = loaded;
+  else
+    scenario_release(&loaded);
+  std::string text = error;
+  return text.compare(0, path.size(), path) == 0 ? text.substr(path.size()) : text;
 }
 
-static std::string with_sensor(const std::string &sensor)
-{
-    return R"({"boards":[{"name":"bus","firmware":"bus.elf","sensors":[)" + sensor + "]}]}";
+static std::string with_sensor(const std::string &sensor) {
+  return R"({"boards":[{"name":"bus","firmware":"bus.elf","sensors":[)" + sensor + "]}]}";
 }
 
-TEST(Scenario, a_full_one_is_read)
-{
-    Scratch scratch;
-    scenario s;
-    ASSERT_EQ(load(scratch, R"({
+TEST(Scenario, a_full_one_is_read) {
+  Scratch scratch;
+  scenario s;
+  ASSERT_EQ(load(scratch, R"({
         "radio": {"bitRate": 1000, "range": 50.5, "bitErrorRate": 0.001},
         "boards": [
           {"name": "bus", "firmware": "bus.elf", "port": "ports/bus", "eeprom": "/var/bus.bin",
@@ -50,191 +46,183 @@ TEST(Scenario, a_full_one_is_read)
                    {"t": 5.0, "board": "bus", "do": "reset"},
                    {"t": 6, "board": "bus", "do": "power-cut", "duration": 0.2, "eepromWrites": 3,
                     "after": {"pin": 5, "level": 0}}]})",
-                   {}, &s), "");
-    EXPECT_EQ(s.radio.bit_rate, 1000);
-    EXPECT_EQ(s.radio.range_m, 50.5);
-    EXPECT_EQ(s.radio.bit_error_rate, 0.001);
-    const board_config &bus = s.boards[0];
-    EXPECT_STREQ(bus.firmware, scratch.path("bus.elf").c_str());
-    EXPECT_STREQ(bus.port, "run/ports/bus");
-    EXPECT_STREQ(bus.eeprom, "/var/bus.bin");
-    EXPECT_EQ(bus.y_m, -2.5);
-    EXPECT_FALSE(bus.reset_on_open);
-    EXPECT_EQ(bus.tx_pin, 7);
-    EXPECT_EQ(bus.rx_pin, 57);
-    ASSERT_EQ(bus.sensor_count, 3u);
-    EXPECT_EQ(bus.sensors[0].after_pin, 5);
-    EXPECT_EQ(bus.sensors[0].after_level, 0);
-    EXPECT_EQ(bus.sensors[0].values.points[1].value, 15);
-    EXPECT_EQ(bus.sensors[1].pin, 54);
-    EXPECT_EQ(bus.sensors[1].after_pin, -1);
-    EXPECT_EQ(bus.sensors[2].kind, SENSOR_DIGITAL);
-    EXPECT_STREQ(bus.watches[0].name, "motorLeft");
-    EXPECT_EQ(s.faults[0].kind, FAULT_RESET); // in order of time
-    EXPECT_EQ(s.faults[0].after_pin, -1);
-    EXPECT_EQ(s.faults[1].kind, FAULT_POWER_CUT);
-    EXPECT_EQ(s.faults[1].duration_s, 0.2);
-    EXPECT_EQ(s.faults[1].eeprom_writes, 3u);
-    EXPECT_EQ(s.faults[1].after_pin, 5);
-    EXPECT_EQ(s.faults[1].after_level, 0);
-    EXPECT_EQ(s.faults[2].y_m, 4);
-    EXPECT_EQ(s.faults[2].after_pin, -1);
-    scenario_release(&s);
+                 {}, &s),
+            "");
+  EXPECT_EQ(s.radio.bit_rate, 1000);
+  EXPECT_EQ(s.radio.range_m, 50.5);
+  EXPECT_EQ(s.radio.bit_error_rate, 0.001);
+  const board_config &bus = s.boards[0];
+  EXPECT_STREQ(bus.firmware, scratch.path("bus.elf").c_str());
+  EXPECT_STREQ(bus.port, "run/ports/bus");
+  EXPECT_STREQ(bus.eeprom, "/var/bus.bin");
+  EXPECT_EQ(bus.y_m, -2.5);
+  EXPECT_FALSE(bus.reset_on_open);
+  EXPECT_EQ(bus.tx_pin, 7);
+  EXPECT_EQ(bus.rx_pin, 57);
+  ASSERT_EQ(bus.sensor_count, 3u);
+  EXPECT_EQ(bus.sensors[0].after_pin, 5);
+  EXPECT_EQ(bus.sensors[0].after_level, 0);
+  EXPECT_EQ(bus.sensors[0].values.points[1].value, 15);
+  EXPECT_EQ(bus.sensors[1].pin, 54);
+  EXPECT_EQ(bus.sensors[1].after_pin, -1);
+  EXPECT_EQ(bus.sensors[2].kind, SENSOR_DIGITAL);
+  EXPECT_STREQ(bus.watches[0].name, "motorLeft");
+  EXPECT_EQ(s.faults[0].kind, FAULT_RESET);  // in order of time
+  EXPECT_EQ(s.faults[0].after_pin, -1);
+  EXPECT_EQ(s.faults[1].kind, FAULT_POWER_CUT);
+  EXPECT_EQ(s.faults[1].duration_s, 0.2);
+  EXPECT_EQ(s.faults[1].eeprom_writes, 3u);
+  EXPECT_EQ(s.faults[1].after_pin, 5);
+  EXPECT_EQ(s.faults[1].after_level, 0);
+  EXPECT_EQ(s.faults[2].y_m, 4);
+  EXPECT_EQ(s.faults[2].after_pin, -1);
+  scenario_release(&s);
 }
 
-TEST(Scenario, a_short_one_has_the_defaults)
-{
-    Scratch scratch;
-    scenario s;
-    ASSERT_EQ(load(scratch, "{#boards}", {}, &s), "");
-    EXPECT_EQ(s.radio.bit_rate, 2000);
-    EXPECT_EQ(s.radio.range_m, 100);
-    EXPECT_EQ(s.radio.bit_error_rate, 0);
-    EXPECT_EQ(s.boards[1].model, &MEGA);
-    EXPECT_EQ(s.boards[1].port, nullptr);
-    EXPECT_TRUE(s.boards[0].reset_on_open);
-    EXPECT_EQ(s.boards[0].tx_pin, 12);
-    EXPECT_EQ(s.boards[0].rx_pin, 11);
-    EXPECT_EQ(s.fault_count, 0u);
-    scenario_release(&s);
+TEST(Scenario, a_short_one_has_the_defaults) {
+  Scratch scratch;
+  scenario s;
+  ASSERT_EQ(load(scratch, "{#boards}", {}, &s), "");
+  EXPECT_EQ(s.radio.bit_rate, 2000);
+  EXPECT_EQ(s.radio.range_m, 100);
+  EXPECT_EQ(s.radio.bit_error_rate, 0);
+  EXPECT_EQ(s.boards[1].model, &MEGA);
+  EXPECT_EQ(s.boards[1].port, nullptr);
+  EXPECT_TRUE(s.boards[0].reset_on_open);
+  EXPECT_EQ(s.boards[0].tx_pin, 12);
+  EXPECT_EQ(s.boards[0].rx_pin, 11);
+  EXPECT_EQ(s.fault_count, 0u);
+  scenario_release(&s);
 }
 
-TEST(Scenario, each_mistake_gets_a_line_that_helps)
-{
-    static const struct {
-        const char *json, *error;
-    } CASES[] = {
-        {"{\n\"radio\": {,}}", ": line 2, column 11: string or '}' expected near ','"},
-        {"[]", ": the whole file: expected an object { … }, found []"},
-        {"{}", ": boards: is missing; expected a list of 1 to 32 boards"},
-        {R"({"boards":[]})", ": boards: expected a list of 1 to 32 boards, found []"},
-        {R"({"board":[]})", ": the whole file: unknown key \"board\"; did you mean \"boards\"?"},
-        {R"({"weather":1})", ": the whole file: unknown key \"weather\"; expected one of: radio, boards, faults"},
-        {R"({"radio":{"bitrate":2000},#boards})", ": radio: unknown key \"bitrate\"; did you mean \"bitRate\"?"},
-        {R"({"radio":{"bitRate":"fast"},#boards})",
-         ": radio.bitRate: expected a number from 100 to 10000, found \"fast\""},
-        {R"({"radio":{"bitErrorRate":1.5},#boards})",
-         ": radio.bitErrorRate: expected a number from 0 to 1, found 1.5"},
-        {R"({"boards":[{"firmware":"bus.elf"}]})", ": boards[0].name: is missing; expected a text in quotes"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","bootLoader":"/no/loader.hex"}]})",
-         ": boards[0].bootLoader: cannot read /no/loader.hex (No such file or directory); install arduino-core-avr or mend "
-         "the path"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","eprom":"x"}]})",
-         ": boards[0]: unknown key \"eprom\"; did you mean \"eeprom\"?"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":70}]})",
-         ": boards[0].txPin: expected a pin: 0…69 or \"A0\"…\"A15\", found 70"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","model":"unno"}]})",
-         ": boards[0].model: unknown value \"unno\"; did you mean \"uno\"?"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","model":"uno","txPin":20}]})",
-         ": boards[0].txPin: expected a pin: 0…19 or \"A0\"…\"A5\", found 20"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":11}]})",
-         ": boards[0].rxPin: is missing; expected another pin than txPin"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","position":[1]}]})",
-         ": boards[0].position: expected a position [x, y] in metres, found [1]"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf","resetOnOpen":1}]})",
-         ": boards[0].resetOnOpen: expected true or false, found 1"},
-        {R"({"boards":[{"name":"b","firmware":"bus.elf"},{"name":"b","firmware":"bus.elf"}]})",
-         ": boards[1].name: is the same as that of boards[0]; expected one of its own"},
-        {R"({#boards,"faults":[{"t":1,"do":"rest","board":"bus"}]})",
-         ": faults[0].do: unknown value \"rest\"; did you mean \"reset\"?"},
-        {R"({#boards,"faults":[{"t":1,"do":"reset","board":"buss"}]})",
-         ": faults[0].board: expected the name of one of the boards, found \"buss\""},
-        {R"({#boards,"faults":[{"t":1,"do":"unplug","board":"car"}]})",
-         ": faults[0].board: \"car\" has no \"port\" to unplug"},
-        {R"({#boards,"faults":[{"do":"reset","board":"bus"}]})",
-         ": faults[0].t: is missing; expected a number of seconds"},
-        {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car"}]})",
-         ": faults[0].duration: is missing; expected a number of seconds"},
-        {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car","duration":1,"eepromWrites":0}]})",
-         ": faults[0].eepromWrites: expected a whole number from 1 to 1000000000, found 0"},
-        {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car","duration":1,"eepromWrites":1.5}]})",
-         ": faults[0].eepromWrites: expected a whole number from 1 to 1000000000, found 1.5"},
-        {R"({#boards,"faults":[{"t":1,"do":"reset","board":"car","eepromWrites":1}]})",
-         ": faults[0]: unknown key \"eepromWrites\"; expected one of: t, do, board, after"},
-        {R"({#boards,"faults":[{"t":1,"do":"reset","board":"car","after":{"level":1}}]})",
-         ": faults[0].after.pin: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
-        {R"({#boards,"faults":[{"t":1,"do":"jam","duration":1,"after":{"pin":1}}]})",
-         ": faults[0]: unknown key \"after\"; expected one of: t, do, duration, position"},
-        {R"({#boards,"faults":[{"t":1,"do":"jam"}]})",
-         ": faults[0].duration: is missing; expected a number of seconds"},
-        {R"({#boards,"faults":{}})", ": faults: expected a list [ … ], found {}"},
-    };
-    Scratch scratch;
-    for (const auto &c : CASES)
-        EXPECT_EQ(load(scratch, c.json), c.error) << c.json;
+TEST(Scenario, each_mistake_gets_a_line_that_helps) {
+  static const struct {
+    const char *json, *error;
+  } CASES[] = {
+      {"{\n\"radio\": {,}}", ": line 2, column 11: string or '}' expected near ','"},
+      {"[]", ": the whole file: expected an object { … }, found []"},
+      {"{}", ": boards: is missing; expected a list of 1 to 32 boards"},
+      {R"({"boards":[]})", ": boards: expected a list of 1 to 32 boards, found []"},
+      {R"({"board":[]})", ": the whole file: unknown key \"board\"; did you mean \"boards\"?"},
+      {R"({"weather":1})", ": the whole file: unknown key \"weather\"; expected one of: radio, boards, faults"},
+      {R"({"radio":{"bitrate":2000},#boards})", ": radio: unknown key \"bitrate\"; did you mean \"bitRate\"?"},
+      {R"({"radio":{"bitRate":"fast"},#boards})",
+       ": radio.bitRate: expected a number from 100 to 10000, found \"fast\""},
+      {R"({"radio":{"bitErrorRate":1.5},#boards})", ": radio.bitErrorRate: expected a number from 0 to 1, found 1.5"},
+      {R"({"boards":[{"firmware":"bus.elf"}]})", ": boards[0].name: is missing; expected a text in quotes"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","bootLoader":"/no/loader.hex"}]})",
+       ": boards[0].bootLoader: cannot read /no/loader.hex (No such file or directory); install arduino-core-avr or "
+       "mend "
+       "the path"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","eprom":"x"}]})",
+       ": boards[0]: unknown key \"eprom\"; did you mean \"eeprom\"?"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":70}]})",
+       ": boards[0].txPin: expected a pin: 0…69 or \"A0\"…\"A15\", found 70"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","model":"unno"}]})",
+       ": boards[0].model: unknown value \"unno\"; did you mean \"uno\"?"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","model":"uno","txPin":20}]})",
+       ": boards[0].txPin: expected a pin: 0…19 or \"A0\"…\"A5\", found 20"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":11}]})",
+       ": boards[0].rxPin: is missing; expected another pin than txPin"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","position":[1]}]})",
+       ": boards[0].position: expected a position [x, y] in metres, found [1]"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","resetOnOpen":1}]})",
+       ": boards[0].resetOnOpen: expected true or false, found 1"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf"},{"name":"b","firmware":"bus.elf"}]})",
+       ": boards[1].name: is the same as that of boards[0]; expected one of its own"},
+      {R"({#boards,"faults":[{"t":1,"do":"rest","board":"bus"}]})",
+       ": faults[0].do: unknown value \"rest\"; did you mean \"reset\"?"},
+      {R"({#boards,"faults":[{"t":1,"do":"reset","board":"buss"}]})",
+       ": faults[0].board: expected the name of one of the boards, found \"buss\""},
+      {R"({#boards,"faults":[{"t":1,"do":"unplug","board":"car"}]})",
+       ": faults[0].board: \"car\" has no \"port\" to unplug"},
+      {R"({#boards,"faults":[{"do":"reset","board":"bus"}]})",
+       ": faults[0].t: is missing; expected a number of seconds"},
+      {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car"}]})",
+       ": faults[0].duration: is missing; expected a number of seconds"},
+      {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car","duration":1,"eepromWrites":0}]})",
+       ": faults[0].eepromWrites: expected a whole number from 1 to 1000000000, found 0"},
+      {R"({#boards,"faults":[{"t":1,"do":"power-cut","board":"car","duration":1,"eepromWrites":1.5}]})",
+       ": faults[0].eepromWrites: expected a whole number from 1 to 1000000000, found 1.5"},
+      {R"({#boards,"faults":[{"t":1,"do":"reset","board":"car","eepromWrites":1}]})",
+       ": faults[0]: unknown key \"eepromWrites\"; expected one of: t, do, board, after"},
+      {R"({#boards,"faults":[{"t":1,"do":"reset","board":"car","after":{"level":1}}]})",
+       ": faults[0].after.pin: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
+      {R"({#boards,"faults":[{"t":1,"do":"jam","duration":1,"after":{"pin":1}}]})",
+       ": faults[0]: unknown key \"after\"; expected one of: t, do, duration, position"},
+      {R"({#boards,"faults":[{"t":1,"do":"jam"}]})", ": faults[0].duration: is missing; expected a number of seconds"},
+      {R"({#boards,"faults":{}})", ": faults: expected a list [ … ], found {}"},
+  };
+  Scratch scratch;
+  for (const auto &c : CASES) EXPECT_EQ(load(scratch, c.json), c.error) << c.json;
 }
 
-TEST(Scenario, each_mistake_in_a_sensor_gets_a_line_that_helps)
-{
-    static const struct {
-        const char *sensor, *error;
-    } CASES[] = {
-        {R"({"pin":1})", ".type: is missing; expected \"hc-sr04\", \"ldr\" or \"digital\""},
-        {R"({"type":"hcsr04"})", ".type: unknown value \"hcsr04\"; did you mean \"hc-sr04\"?"},
-        {R"({"type":"hc-sr04","triger":1})", ": unknown key \"triger\"; did you mean \"trigger\"?"},
-        {R"({"type":"hc-sr04","echo":2,"distance":[[0,1]]})",
-         ".trigger: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
-        {R"({"type":"ldr","pin":"B3","light":[[0,1]]})", ".pin: expected a pin: 0…69 or \"A0\"…\"A15\", found \"B3\""},
-        {R"({"type":"ldr","pin":40,"light":[[0,1]]})", ".pin: expected an analog pin, \"A0\"…\"A7\", found 40"},
-        {R"({"type":"ldr","pin":"A8","light":[[0,1]]})", ".pin: expected an analog pin, \"A0\"…\"A7\", found \"A8\""},
-        {R"({"type":"ldr","pin":"A0"})", ".light: is missing; expected a list of points [[seconds, value], …]"},
-        {R"({"type":"ldr","pin":"A0","light":[0,1]})", ".light[0]: expected a point [seconds, value], found 0"},
-        {R"({"type":"ldr","pin":"A0","light":[[0,2000]]})",
-         ".light[0][1]: expected a number from 0 to 1023, found 2000"},
-        {R"({"type":"ldr","pin":"A0","light":[[1,1],[1,2]]})",
-         ".light[1]: expected a later time than that of the point before, found [1,2]"},
-        {R"({"type":"digital","pin":4,"level":[[0,1]],"after":{"level":1}})",
-         ".after.pin: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
-    };
-    Scratch scratch;
-    for (const auto &c : CASES)
-        EXPECT_EQ(load(scratch, with_sensor(c.sensor)), ": boards[0].sensors[0]" + std::string(c.error)) << c.sensor;
+TEST(Scenario, each_mistake_in_a_sensor_gets_a_line_that_helps) {
+  static const struct {
+    const char *sensor, *error;
+  } CASES[] = {
+      {R"({"pin":1})", ".type: is missing; expected \"hc-sr04\", \"ldr\" or \"digital\""},
+      {R"({"type":"hcsr04"})", ".type: unknown value \"hcsr04\"; did you mean \"hc-sr04\"?"},
+      {R"({"type":"hc-sr04","triger":1})", ": unknown key \"triger\"; did you mean \"trigger\"?"},
+      {R"({"type":"hc-sr04","echo":2,"distance":[[0,1]]})",
+       ".trigger: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
+      {R"({"type":"ldr","pin":"B3","light":[[0,1]]})", ".pin: expected a pin: 0…69 or \"A0\"…\"A15\", found \"B3\""},
+      {R"({"type":"ldr","pin":40,"light":[[0,1]]})", ".pin: expected an analog pin, \"A0\"…\"A7\", found 40"},
+      {R"({"type":"ldr","pin":"A8","light":[[0,1]]})", ".pin: expected an analog pin, \"A0\"…\"A7\", found \"A8\""},
+      {R"({"type":"ldr","pin":"A0"})", ".light: is missing; expected a list of points [[seconds, value], …]"},
+      {R"({"type":"ldr","pin":"A0","light":[0,1]})", ".light[0]: expected a point [seconds, value], found 0"},
+      {R"({"type":"ldr","pin":"A0","light":[[0,2000]]})", ".light[0][1]: expected a number from 0 to 1023, found 2000"},
+      {R"({"type":"ldr","pin":"A0","light":[[1,1],[1,2]]})",
+       ".light[1]: expected a later time than that of the point before, found [1,2]"},
+      {R"({"type":"digital","pin":4,"level":[[0,1]],"after":{"level":1}})",
+       ".after.pin: is missing; expected a pin: 0…69 or \"A0\"…\"A15\""},
+  };
+  Scratch scratch;
+  for (const auto &c : CASES)
+    EXPECT_EQ(load(scratch, with_sensor(c.sensor)), ": boards[0].sensors[0]" + std::string(c.error)) << c.sensor;
 }
 
-TEST(Scenario, a_missing_file_is_named)
-{
-    Scratch scratch;
-    scenario s;
-    scenario_context context = {".", nullptr, 0};
-    char error[512];
-    std::string path = scratch.path("none.json");
-    EXPECT_EQ(scenario_load(&s, path.c_str(), &context, error, sizeof error), -1);
-    EXPECT_EQ(error, path + ": cannot read the scenario: No such file or directory");
-    scenario_release(&s);
-    EXPECT_EQ(load(scratch, R"({"boards":[{"name":"b","firmware":"none.elf"}]})"),
-              ": boards[0].firmware: cannot read " + scratch.path("none.elf") +
-                  " (No such file or directory); build the firmware or mend the path");
+TEST(Scenario, a_missing_file_is_named) {
+  Scratch scratch;
+  scenario s;
+  scenario_context context = {".", nullptr, 0};
+  char error[512];
+  std::string path = scratch.path("none.json");
+  EXPECT_EQ(scenario_load(&s, path.c_str(), &context, error, sizeof error), -1);
+  EXPECT_EQ(error, path + ": cannot read the scenario: No such file or directory");
+  scenario_release(&s);
+  EXPECT_EQ(load(scratch, R"({"boards":[{"name":"b","firmware":"none.elf"}]})"),
+            ": boards[0].firmware: cannot read " + scratch.path("none.elf") +
+                " (No such file or directory); build the firmware or mend the path");
 }
 
-TEST(Scenario, overrides_are_checked_like_the_file)
-{
-    Scratch scratch;
-    scenario s;
-    ASSERT_EQ(load(scratch, R"({"radio":{"range":5},#boards})", {"radio.range=7", "radio.bitErrorRate=0.25"}, &s), "");
-    EXPECT_EQ(s.radio.range_m, 7);
-    EXPECT_EQ(s.radio.bit_error_rate, 0.25);
-    scenario_release(&s);
-    EXPECT_EQ(load(scratch, "{#boards}", {"radio.rang=7"}), ": radio: unknown key \"rang\"; did you mean \"range\"?");
-    EXPECT_EQ(load(scratch, "{#boards}", {"radio.bitErrorRate=2"}),
-              ": radio.bitErrorRate: expected a number from 0 to 1, found 2");
-    for (const char *bad : {"radio.range", "radio.range=far", "boards=1", "range=1", "=", ""})
-        EXPECT_EQ(load(scratch, "{#boards}", {bad}),
-                  "--set " + std::string(bad) + ": expected radio.key=number, e.g. radio.bitErrorRate=0.001");
+TEST(Scenario, overrides_are_checked_like_the_file) {
+  Scratch scratch;
+  scenario s;
+  ASSERT_EQ(load(scratch, R"({"radio":{"range":5},#boards})", {"radio.range=7", "radio.bitErrorRate=0.25"}, &s), "");
+  EXPECT_EQ(s.radio.range_m, 7);
+  EXPECT_EQ(s.radio.bit_error_rate, 0.25);
+  scenario_release(&s);
+  EXPECT_EQ(load(scratch, "{#boards}", {"radio.rang=7"}), ": radio: unknown key \"rang\"; did you mean \"range\"?");
+  EXPECT_EQ(load(scratch, "{#boards}", {"radio.bitErrorRate=2"}),
+            ": radio.bitErrorRate: expected a number from 0 to 1, found 2");
+  for (const char *bad : {"radio.range", "radio.range=far", "boards=1", "range=1", "=", ""})
+    EXPECT_EQ(load(scratch, "{#boards}", {bad}),
+              "--set " + std::string(bad) + ": expected radio.key=number, e.g. radio.bitErrorRate=0.001");
 }
 
-TEST(Scenario, damaged_files_are_refused_and_never_crash)
-{
-    Scratch scratch;
-    std::string good = R"({"radio":{"range":5},"boards":[{"name":"b","firmware":"bus.elf","position":[1,2],)"
-                       R"("sensors":[{"type":"ldr","pin":"A0","light":[[0,800]]}],"watch":[{"pin":5,"name":"x"}]}],)"
-                       R"("faults":[{"t":9,"do":"jam","duration":1}]})";
-    ASSERT_EQ(load(scratch, good), "");
-    for (size_t i = 0; i < good.size(); i++) {
-        EXPECT_NE(load(scratch, good.substr(0, i)), "") << i;
-        std::string changed = good;
-        for (char c : {'[', '{', '0', '"', 'n'}) {
-            changed[i] = c;
-            load(scratch, changed); // may be good still; must not crash
-        }
+TEST(Scenario, damaged_files_are_refused_and_never_crash) {
+  Scratch scratch;
+  std::string good = R"({"radio":{"range":5},"boards":[{"name":"b","firmware":"bus.elf","position":[1,2],)"
+                     R"("sensors":[{"type":"ldr","pin":"A0","light":[[0,800]]}],"watch":[{"pin":5,"name":"x"}]}],)"
+                     R"("faults":[{"t":9,"do":"jam","duration":1}]})";
+  ASSERT_EQ(load(scratch, good), "");
+  for (size_t i = 0; i < good.size(); i++) {
+    EXPECT_NE(load(scratch, good.substr(0, i)), "") << i;
+    std::string changed = good;
+    for (char c : {'[', '{', '0', '"', 'n'}) {
+      changed[i] = c;
+      load(scratch, changed);  // may be good still; must not crash
     }
+  }
 }

@@ -11,197 +11,175 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-Bytes bytes(const std::string &text)
-{
-    return Bytes(text.begin(), text.end());
-}
+Bytes bytes(const std::string &text) { return Bytes(text.begin(), text.end()); }
 
 // SPEC 4.1; the size digits are of no interest to the sniffer.
-Bytes packet(uint8_t sequence, const std::string &addresses, const Bytes &message)
-{
-    Bytes plain = {sequence};
-    for (char c : addresses + "AA")
-        plain.push_back(static_cast<uint8_t>(c));
-    plain.insert(plain.end(), message.begin(), message.end());
-    uint16_t crc = crc_x25(plain.data(), plain.size());
-    plain.push_back(static_cast<uint8_t>(crc));
-    plain.push_back(static_cast<uint8_t>(crc >> 8));
-    Bytes stuffed = {0};
-    size_t code = 0;
-    for (uint8_t byte : plain) {
-        if (byte != 0) {
-            stuffed.push_back(byte);
-        } else {
-            stuffed[code] = static_cast<uint8_t>(stuffed.size() - code);
-            code = stuffed.size();
-            stuffed.push_back(0);
-        }
+Bytes packet(uint8_t sequence, const std::string &addresses, const Bytes &message) {
+  Bytes plain = {sequence};
+  for (char c : addresses + "AA") plain.push_back(static_cast<uint8_t>(c));
+  plain.insert(plain.end(), message.begin(), message.end());
+  uint16_t crc = crc_x25(plain.data(), plain.size());
+  plain.push_back(static_cast<uint8_t>(crc));
+  plain.push_back(static_cast<uint8_t>(crc >> 8));
+  Bytes stuffed = {0};
+  size_t code = 0;
+  for (uint8_t byte : plain) {
+    if (byte != 0) {
+      stuffed.push_back(byte);
+    } else {
+      stuffed[code] = static_cast<uint8_t>(stuffed.size() - code);
+      code = stuffed.size();
+      stuffed.push_back(0);
     }
-    stuffed[code] = static_cast<uint8_t>(stuffed.size() - code);
-    stuffed.push_back(0);
-    return stuffed;
+  }
+  stuffed[code] = static_cast<uint8_t>(stuffed.size() - code);
+  stuffed.push_back(0);
+  return stuffed;
 }
 
 const std::string TO_BOARD = "++++++++";
 
 // A board whose line is listened to.
 class Line {
-public:
-    Line() : run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"}]})")
-    {
-        serial_sniffer_init(&sniffer, run.e.out, "a");
-    }
+ public:
+  Line() : run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"}]})") {
+    serial_sniffer_init(&sniffer, run.e.out, "a");
+  }
 
-    void host(uint8_t sequence, const std::string &addresses, const Bytes &message)
-    {
-        feed(true, packet(sequence, addresses, message));
-    }
+  void host(uint8_t sequence, const std::string &addresses, const Bytes &message) {
+    feed(true, packet(sequence, addresses, message));
+  }
 
-    void board(uint8_t sequence, const Bytes &message) { feed(false, packet(sequence, TO_BOARD, message)); }
+  void board(uint8_t sequence, const Bytes &message) { feed(false, packet(sequence, TO_BOARD, message)); }
 
-    void greet()
-    {
-        host(1, TO_BOARD, {'H', 1});
-        board(1, {0, 1, 'R', 'O', 'M', 'A', 0, 0, 1});
-    }
+  void greet() {
+    host(1, TO_BOARD, {'H', 1});
+    board(1, {0, 1, 'R', 'O', 'M', 'A', 0, 0, 1});
+  }
 
-    void feed(bool from_host, const Bytes &bytes)
-    {
-        for (uint8_t byte : bytes)
-            serial_sniffer_byte(&sniffer, from_host, byte, at += CYCLES_PER_MS / 10);
-    }
+  void feed(bool from_host, const Bytes &bytes) {
+    for (uint8_t byte : bytes) serial_sniffer_byte(&sniffer, from_host, byte, at += CYCLES_PER_MS / 10);
+  }
 
-    std::vector<Event> events(const std::string &event) { return run.events(event); }
-    size_t all()
-    {
-        size_t count = 0;
-        for (const char *event : {"host-id", "host-transmit", "host-handed", "host-taking", "host-taken", "host-outcome"})
-            count += events(event).size();
-        return count;
-    }
+  std::vector<Event> events(const std::string &event) { return run.events(event); }
+  size_t all() {
+    size_t count = 0;
+    for (const char *event : {"host-id", "host-transmit", "host-handed", "host-taking", "host-taken", "host-outcome"})
+      count += events(event).size();
+    return count;
+  }
 
-    serial_sniffer sniffer;
+  serial_sniffer sniffer;
 
-private:
-    Scratch scratch;
-    Emulation run;
-    cycles_t at = 0;
+ private:
+  Scratch scratch;
+  Emulation run;
+  cycles_t at = 0;
 };
 
-Bytes joined(const std::vector<Bytes> &parts)
-{
-    Bytes all;
-    for (const Bytes &part : parts)
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
+Bytes joined(const std::vector<Bytes> &parts) {
+  Bytes all;
+  for (const Bytes &part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
-Bytes message(uint8_t number, const std::string &addresses, const Bytes &id, const std::string &content)
-{
-    const Bytes value = joined({{number}, bytes(addresses), id, bytes(content)});
-    return joined({{'M', 0, static_cast<uint8_t>(value.size())}, value});
+Bytes message(uint8_t number, const std::string &addresses, const Bytes &id, const std::string &content) {
+  const Bytes value = joined({{number}, bytes(addresses), id, bytes(content)});
+  return joined({{'M', 0, static_cast<uint8_t>(value.size())}, value});
 }
 
-Bytes poll_reply(const std::vector<Bytes> &records)
-{
-    return joined({{0, 0}, joined(records)});
+Bytes poll_reply(const std::vector<Bytes> &records) { return joined({{0, 0}, joined(records)}); }
+
+}  // namespace
+
+TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'I', 'S', 'U', 'P', 'O'});
+  line.board(2, {0});
+  auto ids = line.events("host-id");
+  ASSERT_EQ(ids.size(), 2u);
+  EXPECT_EQ(ids[0].text("id"), "ROMA");
+  EXPECT_EQ(ids[1].text("id"), "SUPO");
 }
 
-} // namespace
-
-TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given)
-{
-    Line line;
-    line.greet();
-    line.host(2, TO_BOARD, {'I', 'S', 'U', 'P', 'O'});
-    line.board(2, {0});
-    auto ids = line.events("host-id");
-    ASSERT_EQ(ids.size(), 2u);
-    EXPECT_EQ(ids[0].text("id"), "ROMA");
-    EXPECT_EQ(ids[1].text("id"), "SUPO");
+TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked) {
+  Line line;
+  line.greet();
+  line.host(2, "//SUROMA", bytes("tell;help"));
+  line.board(2, {0, 7});
+  auto sent = line.events("host-transmit");
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_EQ(sent[0].number("number"), 7);
+  EXPECT_EQ(sent[0].text("destination"), "//SU");
+  EXPECT_LT(json_real_value(json_object_get(sent[0].fields, "asked")), sent[0].t);
 }
 
-TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked)
-{
-    Line line;
-    line.greet();
+TEST(SerialSniffer, tells_messages_and_outcomes_but_no_content_that_was_sealed) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'P', 1});
+  line.board(2, poll_reply({{'T', 0, 2, 7, 2},
+                            {'P', 0, 1, 'x'},
+                            message(3, "ROMASUPO", {0, 1, 2}, "tell;a"),
+                            message(4, "////SUPO", {0, 0, 0}, "tell;b")}));
+  auto handed = line.events("host-handed");
+  ASSERT_EQ(handed.size(), 2u);
+  EXPECT_EQ(handed[0].number("number"), 3);
+  EXPECT_EQ(handed[0].text("destination"), "ROMA");
+  EXPECT_EQ(handed[0].text("origin"), "SUPO");
+  EXPECT_EQ(handed[0].text("id"), "000102");
+  EXPECT_EQ(json_object_get(handed[0].fields, "content"), nullptr);
+  EXPECT_EQ(handed[1].text("content"), "tell;b");
+  auto ended = line.events("host-outcome");
+  ASSERT_EQ(ended.size(), 1u);
+  EXPECT_EQ(ended[0].number("number"), 7);
+  EXPECT_EQ(ended[0].text("outcome"), "undelivered");
+}
+
+TEST(SerialSniffer, tells_once_what_is_taken_and_that_it_is_confirmed) {
+  Line line;
+  line.greet();
+  for (uint8_t sequence : {2, 3}) {
+    line.host(sequence, TO_BOARD, {'P', 0, 9});
+    EXPECT_EQ(line.events("host-taken").size(), sequence - 2u);
+    line.board(sequence, {0, 0});
+  }
+  ASSERT_EQ(line.events("host-taking").size(), 1u);
+  ASSERT_EQ(line.events("host-taken").size(), 1u);
+  EXPECT_EQ(line.events("host-taken")[0].number("number"), 9);
+}
+
+TEST(SerialSniffer, tells_nothing_of_what_is_answered_from_memory) {
+  Line line;
+  line.greet();
+  for (int time = 0; time < 2; time++) {
     line.host(2, "//SUROMA", bytes("tell;help"));
     line.board(2, {0, 7});
-    auto sent = line.events("host-transmit");
-    ASSERT_EQ(sent.size(), 1u);
-    EXPECT_EQ(sent[0].number("number"), 7);
-    EXPECT_EQ(sent[0].text("destination"), "//SU");
-    EXPECT_LT(json_real_value(json_object_get(sent[0].fields, "asked")), sent[0].t);
+  }
+  EXPECT_EQ(line.events("host-transmit").size(), 1u);
 }
 
-TEST(SerialSniffer, tells_messages_and_outcomes_but_no_content_that_was_sealed)
-{
-    Line line;
-    line.greet();
-    line.host(2, TO_BOARD, {'P', 1});
-    line.board(2, poll_reply({{'T', 0, 2, 7, 2}, {'P', 0, 1, 'x'}, message(3, "ROMASUPO", {0, 1, 2}, "tell;a"),
-                              message(4, "////SUPO", {0, 0, 0}, "tell;b")}));
-    auto handed = line.events("host-handed");
-    ASSERT_EQ(handed.size(), 2u);
-    EXPECT_EQ(handed[0].number("number"), 3);
-    EXPECT_EQ(handed[0].text("destination"), "ROMA");
-    EXPECT_EQ(handed[0].text("origin"), "SUPO");
-    EXPECT_EQ(handed[0].text("id"), "000102");
-    EXPECT_EQ(json_object_get(handed[0].fields, "content"), nullptr);
-    EXPECT_EQ(handed[1].text("content"), "tell;b");
-    auto ended = line.events("host-outcome");
-    ASSERT_EQ(ended.size(), 1u);
-    EXPECT_EQ(ended[0].number("number"), 7);
-    EXPECT_EQ(ended[0].text("outcome"), "undelivered");
+TEST(SerialSniffer, tells_nothing_of_what_is_refused_or_crosses_a_reset) {
+  Line line;
+  line.greet();
+  line.host(2, "//SUROMA", bytes("tell;help"));
+  line.board(2, {11, 0});
+  serial_sniffer_reset(&line.sniffer);
+  line.host(3, TO_BOARD, {'P', 0, 9});
+  line.board(3, {1});
+  EXPECT_EQ(line.all(), 1u) << "the id alone";
 }
 
-TEST(SerialSniffer, tells_once_what_is_taken_and_that_it_is_confirmed)
-{
-    Line line;
-    line.greet();
-    for (uint8_t sequence : {2, 3}) {
-        line.host(sequence, TO_BOARD, {'P', 0, 9});
-        EXPECT_EQ(line.events("host-taken").size(), sequence - 2u);
-        line.board(sequence, {0, 0});
-    }
-    ASSERT_EQ(line.events("host-taking").size(), 1u);
-    ASSERT_EQ(line.events("host-taken").size(), 1u);
-    EXPECT_EQ(line.events("host-taken")[0].number("number"), 9);
-}
-
-TEST(SerialSniffer, tells_nothing_of_what_is_answered_from_memory)
-{
-    Line line;
-    line.greet();
-    for (int time = 0; time < 2; time++) {
-        line.host(2, "//SUROMA", bytes("tell;help"));
-        line.board(2, {0, 7});
-    }
-    EXPECT_EQ(line.events("host-transmit").size(), 1u);
-}
-
-TEST(SerialSniffer, tells_nothing_of_what_is_refused_or_crosses_a_reset)
-{
-    Line line;
-    line.greet();
-    line.host(2, "//SUROMA", bytes("tell;help"));
-    line.board(2, {11, 0});
-    serial_sniffer_reset(&line.sniffer);
-    line.host(3, TO_BOARD, {'P', 0, 9});
-    line.board(3, {1});
-    EXPECT_EQ(line.all(), 1u) << "the id alone";
-}
-
-TEST(SerialSniffer, skips_damage_and_goes_on_behind_it)
-{
-    Line line;
-    Bytes damaged = packet(1, TO_BOARD, {'H', 1});
-    damaged[5] ^= 1;
-    line.feed(true, damaged);
-    line.feed(true, Bytes(3 * SERIAL_MAX_PACKET, 0x55));
-    line.feed(true, {0, 0});
-    line.feed(false, {0xFF, 1, 2, 0});
-    EXPECT_EQ(line.all(), 0u);
-    line.greet();
-    EXPECT_EQ(line.all(), 1u);
+TEST(SerialSniffer, skips_damage_and_goes_on_behind_it) {
+  Line line;
+  Bytes damaged = packet(1, TO_BOARD, {'H', 1});
+  damaged[5] ^= 1;
+  line.feed(true, damaged);
+  line.feed(true, Bytes(3 * SERIAL_MAX_PACKET, 0x55));
+  line.feed(true, {0, 0});
+  line.feed(false, {0xFF, 1, 2, 0});
+  EXPECT_EQ(line.all(), 0u);
+  line.greet();
+  EXPECT_EQ(line.all(), 1u);
 }

@@ -20,13 +20,13 @@ extern "C" {
 
 // A folder that is gone at the end of the test.
 class Scratch {
-public:
-    Scratch();
-    ~Scratch();
-    std::string path(const std::string &name) const { return folder + "/" + name; }
-    std::string write(const std::string &name, const std::string &text) const;
+ public:
+  Scratch();
+  ~Scratch();
+  std::string path(const std::string &name) const { return folder + "/" + name; }
+  std::string write(const std::string &name, const std::string &text) const;
 
-    std::string folder;
+  std::string folder;
 };
 
 std::string read_text(const std::string &path);
@@ -39,38 +39,38 @@ std::string text_of(const json_t *object, const char *key);
 
 // One line of a trace.
 struct Event {
-    double t;
-    std::string board, event;
-    json_t *fields;
-    std::string text(const char *key) const { return text_of(fields, key); }
-    long long number(const char *key) const { return json_integer_value(json_object_get(fields, key)); }
-    bool flag(const char *key) const { return json_is_true(json_object_get(fields, key)); }
+  double t;
+  std::string board, event;
+  json_t *fields;
+  std::string text(const char *key) const { return text_of(fields, key); }
+  long long number(const char *key) const { return json_integer_value(json_object_get(fields, key)); }
+  bool flag(const char *key) const { return json_is_true(json_object_get(fields, key)); }
 };
 
 // Runs a scenario as fast as possible and reads its trace.
 class Emulation {
-public:
-    // `json` may say @program for the path of one of the test programs.
-    Emulation(const Scratch &scratch, const std::string &json, uint64_t seed = 1);
-    ~Emulation();
+ public:
+  // `json` may say @program for the path of one of the test programs.
+  Emulation(const Scratch &scratch, const std::string &json, uint64_t seed = 1);
+  ~Emulation();
 
-    void run_until(double seconds);
-    // Runs millisecond by millisecond, exchanging with the hosts, until `done` says so.
-    bool run_while_waiting(double seconds, const std::function<bool()> &done);
-    void close();
+  void run_until(double seconds);
+  // Runs millisecond by millisecond, exchanging with the hosts, until `done` says so.
+  bool run_while_waiting(double seconds, const std::function<bool()> &done);
+  void close();
 
-    std::vector<Event> events(const std::string &board, const std::string &event);
-    std::vector<Event> events(const std::string &event) { return events("", event); }
-    std::string trace_text();
+  std::vector<Event> events(const std::string &board, const std::string &event);
+  std::vector<Event> events(const std::string &event) { return events("", event); }
+  std::string trace_text();
 
-    emulation e;
+  emulation e;
 
-private:
-    scenario config;
-    trace out;
-    std::string trace_path;
-    std::vector<json_t *> parsed;
-    bool open = true;
+ private:
+  scenario config;
+  trace out;
+  std::string trace_path;
+  std::vector<json_t *> parsed;
+  bool open = true;
 };
 
 #endif

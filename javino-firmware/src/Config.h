@@ -109,7 +109,8 @@ static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
 
 static_assert(JAVINO_KEYS >= 1 && JAVINO_KEYS <= 63, "JAVINO_KEYS must be 1…63");
-static_assert(8 * JAVINO_KEYS < JAVINO_MAX_MESSAGE, "JAVINO_KEYS: one reply of JAVINO_MAX_MESSAGE bytes lists all keys");
+static_assert(8 * JAVINO_KEYS < JAVINO_MAX_MESSAGE,
+              "JAVINO_KEYS: one reply of JAVINO_MAX_MESSAGE bytes lists all keys");
 static_assert(JAVINO_REPLAY_ENTRIES >= JAVINO_KEYS && JAVINO_REPLAY_ENTRIES <= 253,
               "JAVINO_REPLAY_ENTRIES must be JAVINO_KEYS at least, and at most 253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,

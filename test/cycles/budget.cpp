@@ -49,7 +49,8 @@ const size_t LONGEST_PAYLOAD = 77;
 // Of the interrupts, for each bit of the longest packet.
 double cyclesABitHeard() {
   const Outcome heard = perform(Mailbox::HEAR_PACKET, {}, {}, random(LONGEST_PAYLOAD));
-  if (heard.bytes(heard.mailbox.length) != random(LONGEST_PAYLOAD)) throw std::runtime_error("the packet was not received");
+  if (heard.bytes(heard.mailbox.length) != random(LONGEST_PAYLOAD))
+    throw std::runtime_error("the packet was not received");
   return static_cast<double>(heard.cycles) / (84 + 12 * LONGEST_PAYLOAD);
 }
 
@@ -109,5 +110,6 @@ TEST(Budget, is_kept) {
     allowed.erase(limit);
   }
   fclose(table);
-  for (const auto &limit : allowed) ADD_FAILURE() << "budget.json names \"" << limit.first << "\", which nobody measures";
+  for (const auto &limit : allowed)
+    ADD_FAILURE() << "budget.json names \"" << limit.first << "\", which nobody measures";
 }

@@ -12,22 +12,17 @@
 #define LED PB7
 #endif
 
-ISR(TIMER1_COMPA_vect)
-{
-    PORTB ^= _BV(LED);
-}
+ISR(TIMER1_COMPA_vect) { PORTB ^= _BV(LED); }
 
-int main(void)
-{
-    UBRR0 = F_CPU / 16 / 9600 - 1;
-    UCSR0B = _BV(TXEN0);
-    DDRB |= _BV(LED);
-    TCCR1B = _BV(WGM12) | _BV(CS11); // CTC, F_CPU / 8
-    OCR1A = F_CPU / 8 / 100 - 1;
-    TIMSK1 = _BV(OCIE1A);
-    set_sleep_mode(SLEEP_MODE_IDLE);
-    sei();
-    print("blink\n");
-    for (;;)
-        sleep_mode();
+int main(void) {
+  UBRR0 = F_CPU / 16 / 9600 - 1;
+  UCSR0B = _BV(TXEN0);
+  DDRB |= _BV(LED);
+  TCCR1B = _BV(WGM12) | _BV(CS11);  // CTC, F_CPU / 8
+  OCR1A = F_CPU / 8 / 100 - 1;
+  TIMSK1 = _BV(OCIE1A);
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  sei();
+  print("blink\n");
+  for (;;) sleep_mode();
 }

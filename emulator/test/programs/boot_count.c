@@ -3,18 +3,17 @@
 #include <avr/eeprom.h>
 #include <avr/io.h>
 
-int main(void)
-{
-    uint8_t count = (uint8_t)(eeprom_read_byte((uint8_t *)0) + 1);
-    eeprom_write_byte((uint8_t *)0, count);
-    UBRR0 = F_CPU / 16 / 9600 - 1;
-    UCSR0B = _BV(TXEN0);
-    while (!(UCSR0A & _BV(UDRE0)))
-        ;
-    UDR0 = (uint8_t)('0' + count);
-    while (!(UCSR0A & _BV(UDRE0)))
-        ;
-    UDR0 = '\n';
-    for (;;)
-        ;
+int main(void) {
+  uint8_t count = (uint8_t)(eeprom_read_byte((uint8_t *)0) + 1);
+  eeprom_write_byte((uint8_t *)0, count);
+  UBRR0 = F_CPU / 16 / 9600 - 1;
+  UCSR0B = _BV(TXEN0);
+  while (!(UCSR0A & _BV(UDRE0))) {
+  }
+  UDR0 = (uint8_t)('0' + count);
+  while (!(UCSR0A & _BV(UDRE0))) {
+  }
+  UDR0 = '\n';
+  for (;;) {
+  }
 }

@@ -13,29 +13,28 @@
 
 static volatile uint8_t kept[256] __attribute__((section(".noinit")));
 
-int main(void)
-{
-    char line[32];
-    uint8_t busy = !eeprom_is_ready();
-    int same = 0;
-    for (int i = 0; i < 256; i++) {
-        same += kept[i] == LEFT;
-        kept[i] = LEFT;
-    }
-    UCSR0A = _BV(U2X0);
-    UBRR0 = F_CPU / 8 / 115200;
-    UCSR0B = _BV(TXEN0);
-    snprintf(line, sizeof line, "kept %d%s\n", same, busy ? " busy" : "");
-    print(line);
-    DDRB |= _BV(PB7);
+int main(void) {
+  char line[32];
+  uint8_t busy = !eeprom_is_ready();
+  int same = 0;
+  for (int i = 0; i < 256; i++) {
+    same += kept[i] == LEFT;
+    kept[i] = LEFT;
+  }
+  UCSR0A = _BV(U2X0);
+  UBRR0 = F_CPU / 8 / 115200;
+  UCSR0B = _BV(TXEN0);
+  snprintf(line, sizeof line, "kept %d%s\n", same, busy ? " busy" : "");
+  print(line);
+  DDRB |= _BV(PB7);
+  eeprom_busy_wait();
+  for (uint16_t address = 0; address <= E2END; address++) {
+    PORTB |= _BV(PB7);
+    eeprom_write_byte((uint8_t *)address, 0x55);
     eeprom_busy_wait();
-    for (uint16_t address = 0; address <= E2END; address++) {
-        PORTB |= _BV(PB7);
-        eeprom_write_byte((uint8_t *)address, 0x55);
-        eeprom_busy_wait();
-        PORTB &= (uint8_t)~_BV(PB7);
-        _delay_ms(5);
-    }
-    for (;;)
-        ;
+    PORTB &= (uint8_t)~_BV(PB7);
+    _delay_ms(5);
+  }
+  for (;;) {
+  }
 }

@@ -3,11 +3,10 @@
 #pragma once
 #include <avr/io.h>
 
-static void print(const char *text)
-{
-    for (; *text; text++) {
-        while (!(UCSR0A & _BV(UDRE0)))
-            ;
-        UDR0 = (uint8_t)*text;
+static void print(const char *text) {
+  for (; *text; text++) {
+    while (!(UCSR0A & _BV(UDRE0))) {
     }
+    UDR0 = (uint8_t)*text;
+  }
 }

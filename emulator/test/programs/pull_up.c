@@ -5,12 +5,10 @@
 
 #include "print.h"
 
-int main(void)
-{
-    UBRR0 = F_CPU / 16 / 9600 - 1;
-    UCSR0B = _BV(TXEN0);
-    PORTE |= _BV(PE4);
-    print(PINE & _BV(PE4) ? "high\n" : "low\n");
-    for (;;)
-        sleep_mode();
+int main(void) {
+  UBRR0 = F_CPU / 16 / 9600 - 1;
+  UCSR0B = _BV(TXEN0);
+  PORTE |= _BV(PE4);
+  print(PINE & _BV(PE4) ? "high\n" : "low\n");
+  for (;;) sleep_mode();
 }

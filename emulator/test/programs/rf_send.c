@@ -16,24 +16,22 @@ static const char BITS[] PROGMEM =
     "001110001110011010110001010110100110010110010101010110010101010110001011110010011100"
     "011010110010110001011010";
 
-static void carrier(char on)
-{
-    if (on)
-        PORTB |= _BV(PB6);
-    else
-        PORTB &= (uint8_t)~_BV(PB6);
+static void carrier(char on) {
+  if (on)
+    PORTB |= _BV(PB6);
+  else
+    PORTB &= (uint8_t)~_BV(PB6);
 }
 
-int main(void)
-{
-    DDRB |= _BV(PB6);
-    _delay_ms(START_MS);
-    for (;;) {
-        for (const char *bit = BITS; pgm_read_byte(bit); bit++) {
-            carrier(pgm_read_byte(bit) == '1');
-            _delay_us(499); // the loop takes the rest of the 500
-        }
-        carrier(0);
-        _delay_ms(250);
+int main(void) {
+  DDRB |= _BV(PB6);
+  _delay_ms(START_MS);
+  for (;;) {
+    for (const char *bit = BITS; pgm_read_byte(bit); bit++) {
+      carrier(pgm_read_byte(bit) == '1');
+      _delay_us(499);  // the loop takes the rest of the 500
     }
+    carrier(0);
+    _delay_ms(250);
+  }
 }

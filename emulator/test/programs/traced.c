@@ -16,14 +16,13 @@ const struct avr_mmcu_vcd_trace_t traces[] _MMCU_ = {
 
 uint8_t kept EEMEM = 0x5A;
 
-int main(void)
-{
-    DDRB = 0xFF;
-    UBRR0 = F_CPU / 16 / 9600 - 1;
-    UCSR0B = _BV(TXEN0);
-    print(eeprom_read_byte(&kept) == 0x5A ? "kept\n" : "lost\n");
-    for (;;) {
-        PINB = 0x80;
-        _delay_ms(1);
-    }
+int main(void) {
+  DDRB = 0xFF;
+  UBRR0 = F_CPU / 16 / 9600 - 1;
+  UCSR0B = _BV(TXEN0);
+  print(eeprom_read_byte(&kept) == 0x5A ? "kept\n" : "lost\n");
+  for (;;) {
+    PINB = 0x80;
+    _delay_ms(1);
+  }
 }

@@ -2,9 +2,8 @@
 // Lets the watchdog bite after 15 ms.
 #include <avr/wdt.h>
 
-int main(void)
-{
-    wdt_enable(WDTO_15MS);
-    for (;;)
-        ;
+int main(void) {
+  wdt_enable(WDTO_15MS);
+  for (;;) {
+  }
 }

@@ -19,9 +19,7 @@ bool ledOff(const javino::Arguments &) {
   return true;
 }
 
-void perceive(javino::Percepts &percepts) {
-  percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)"));
-}
+void perceive(javino::Percepts &percepts) { percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)")); }
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);
@@ -31,6 +29,4 @@ void setup() {
   board.begin(115200);
 }
 
-void loop() {
-  board.run();
-}
+void loop() { board.run(); }

@@ -13,6 +13,4 @@ void setup() {
   digitalWrite(LED_BUILTIN, !board.begin(115200));
 }
 
-void loop() {
-  board.run();
-}
+void loop() { board.run(); }

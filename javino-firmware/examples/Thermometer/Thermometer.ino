@@ -29,15 +29,11 @@ int celsius() {
   return (millivolts + MILLIVOLTS_A_DEGREE / 2) / MILLIVOLTS_A_DEGREE - ZERO_CELSIUS;
 }
 
-void perceive(javino::Percepts &percepts) {
-  percepts.add(F("temperature"), celsius());
-}
+void perceive(javino::Percepts &percepts) { percepts.add(F("temperature"), celsius()); }
 
 void setup() {
   board.onPercepts(perceive);
   board.begin(115200);
 }
 
-void loop() {
-  board.run();
-}
+void loop() { board.run(); }

@@ -44,9 +44,7 @@ void drive(bool forward) {
 }
 
 // The alert and the siren share the buzzer.
-void updateBuzzer() {
-  digitalWrite(BUZZER_PIN, alerting || siren.on());
-}
+void updateBuzzer() { digitalWrite(BUZZER_PIN, alerting || siren.on()); }
 
 bool startDriving(const javino::Arguments &) {
   drive(true);
@@ -99,21 +97,17 @@ void perceive(javino::Percepts &percepts) {
 }
 
 void setup() {
-  const uint8_t outputs[] = {LEFT_FORWARD_PIN,   LEFT_BACKWARD_PIN, RIGHT_FORWARD_PIN,
-                             RIGHT_BACKWARD_PIN, BUZZER_PIN,        HEADLIGHTS_PIN, LED_BUILTIN};
+  const uint8_t outputs[] = {LEFT_FORWARD_PIN, LEFT_BACKWARD_PIN, RIGHT_FORWARD_PIN, RIGHT_BACKWARD_PIN,
+                             BUZZER_PIN,       HEADLIGHTS_PIN,    LED_BUILTIN};
   for (uint8_t i = 0; i < sizeof outputs; i++) pinMode(outputs[i], OUTPUT);
   sonar.begin();
   siren.begin();
 
   board.onPercepts(perceive);
-  const bool named = board.action(F("drive"), startDriving) &&
-                     board.action(F("stop"), stopDriving) &&
-                     board.action(F("accidentAlert"), accidentAlert) &&
-                     board.action(F("alertOff"), alertOff) &&
-                     board.action(F("sirenOn"), sirenOn) &&
-                     board.action(F("sirenOff"), sirenOff) &&
-                     board.action(F("headlightsOn"), headlightsOn) &&
-                     board.action(F("headlightsOff"), headlightsOff);
+  const bool named = board.action(F("drive"), startDriving) && board.action(F("stop"), stopDriving) &&
+                     board.action(F("accidentAlert"), accidentAlert) && board.action(F("alertOff"), alertOff) &&
+                     board.action(F("sirenOn"), sirenOn) && board.action(F("sirenOff"), sirenOff) &&
+                     board.action(F("headlightsOn"), headlightsOn) && board.action(F("headlightsOff"), headlightsOff);
   const bool started = board.begin(115200);
   digitalWrite(LED_BUILTIN, !(named && started));
 }

@@ -61,11 +61,11 @@ class Address {
   bool operator!=(const Address &other) const { return !(*this == other); }
 
  private:
-  static const uint16_t FIRST_PLUS = 0xF80;  // `+A`, the first group that is no device's
-  static const uint16_t PIECES = 0xF85;      // `+F`
+  static const uint16_t FIRST_PLUS = 0xF80;        // `+A`, the first group that is no device's
+  static const uint16_t PIECES = 0xF85;            // `+F`
   static const uint16_t ACKNOWLEDGEMENTS = 0xF8A;  // `+K`
-  static const uint16_t PLUSES = 0xFBE;      // `++`
-  static const uint16_t SLASHES = 0xFFF;     // `//`
+  static const uint16_t PLUSES = 0xFBE;            // `++`
+  static const uint16_t SLASHES = 0xFFF;           // `//`
 
   Address(uint16_t group, uint16_t member) : group_(group), member_(member) {}
 

@@ -11,21 +11,12 @@ bool ArgumentScanner::add(char next) {
     return false;
   }
   switch (next) {
-    case '"':
-      quoted_ = true;
-      return false;
-    case '(':
-      open(')');
-      return false;
-    case '[':
-      open(']');
-      return false;
+    case '"': quoted_ = true; return false;
+    case '(': open(')'); return false;
+    case '[': open(']'); return false;
     case ')':
-    case ']':
-      close(next);
-      return false;
-    default:
-      return next == ',' && depth_ == 0;
+    case ']': close(next); return false;
+    default: return next == ',' && depth_ == 0;
   }
 }
 

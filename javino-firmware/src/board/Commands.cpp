@@ -39,8 +39,8 @@ Status Commands::dispatch(const Frame &request, Reply &reply) {
   if (!isForBoard(request)) return transmit(request, reply);
   if (!request.origin.isSerial()) return Status::WRONG_ORIGIN;
   if (request.length == 0) return Status::UNKNOWN_COMMAND;
-  return command(static_cast<char>(request.message[0]), request.message + 1,
-                 static_cast<uint16_t>(request.length - 1), reply);
+  return command(static_cast<char>(request.message[0]), request.message + 1, static_cast<uint16_t>(request.length - 1),
+                 reply);
 }
 
 Status Commands::transmit(const Frame &request, Reply &reply) {
@@ -52,35 +52,21 @@ Status Commands::transmit(const Frame &request, Reply &reply) {
 
 Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply &reply) {
   switch (name) {
-    case HELLO:
-      return hello(body, length, reply);
-    case 'P':
-      return poll(body, length, reply);
-    case 'A':
-      return actions_.perform(body, length);
-    case 'C':
-      return actions_.list(body, length, reply);
-    case 'I':
-      return setRfId(body, length);
-    case 'R':
-      return openRadio(body, length);
-    case 'E':
-      return keys_.raiseEpoch(body, length);
+    case HELLO: return hello(body, length, reply);
+    case 'P': return poll(body, length, reply);
+    case 'A': return actions_.perform(body, length);
+    case 'C': return actions_.list(body, length, reply);
+    case 'I': return setRfId(body, length);
+    case 'R': return openRadio(body, length);
+    case 'E': return keys_.raiseEpoch(body, length);
     case 'K':
-    case 'N':
-      return keysChanged(keys_.store(name == 'N', body, length, reply));
-    case 'U':
-      return keys_.use(body, length, delivery_.underWay());
-    case 'F':
-      return keysChanged(keys_.finish(body, length));
-    case 'D':
-      return keysChanged(keys_.erase(body, length));
-    case 'L':
-      return keys_.list(length, reply);
-    case 'S':
-      return statistics(length, reply);
-    default:
-      return Status::UNKNOWN_COMMAND;
+    case 'N': return keysChanged(keys_.store(name == 'N', body, length, reply));
+    case 'U': return keys_.use(body, length, delivery_.underWay());
+    case 'F': return keysChanged(keys_.finish(body, length));
+    case 'D': return keysChanged(keys_.erase(body, length));
+    case 'L': return keys_.list(length, reply);
+    case 'S': return statistics(length, reply);
+    default: return Status::UNKNOWN_COMMAND;
   }
 }
 

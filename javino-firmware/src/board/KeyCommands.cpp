@@ -60,7 +60,8 @@ Status KeyCommands::finish(const uint8_t *body, uint16_t length) {
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
   const uint8_t previous = keys_.other(address);
   const bool isNext = previous == keys_.next(address);
-  if (previous == KeyStore::NO_SLOT || isNext || previous != keys_.other(address)) return Status::NO_KEY;  // a cell may read wrong once
+  if (previous == KeyStore::NO_SLOT || isNext || previous != keys_.other(address))
+    return Status::NO_KEY;  // a cell may read wrong once
   return erase(previous) ? Status::OK : Status::STORE_FAILED;
 }
 
@@ -82,7 +83,9 @@ Status KeyCommands::list(uint16_t length, Reply &reply) {
     if (keys_.isFree(slot)) continue;
     uint8_t entry[Address::TEXT_LENGTH + 1];
     address.write(entry);
-    entry[Address::TEXT_LENGTH] = slot == keys_.current(address) ? CURRENT : slot == keys_.next(address) ? NEXT : PREVIOUS;
+    entry[Address::TEXT_LENGTH] = slot == keys_.current(address) ? CURRENT
+                                  : slot == keys_.next(address)  ? NEXT
+                                                                 : PREVIOUS;
     reply.add(entry, sizeof entry);
     addCheckValue(slot, reply);
   }

@@ -29,7 +29,8 @@ bool Reply::add(const uint8_t *bytes, uint16_t length) {
 }
 
 void Reply::finish() {
-  Frame::writeHeader(bytes_ + 1, Address::serialLine(), Address::serialLine(), static_cast<uint16_t>(length_ - STATUS_AT));
+  Frame::writeHeader(bytes_ + 1, Address::serialLine(), Address::serialLine(),
+                     static_cast<uint16_t>(length_ - STATUS_AT));
   Crc16 crc;
   crc.add(bytes_, length_);
   bytes_[length_++] = static_cast<uint8_t>(crc.value());

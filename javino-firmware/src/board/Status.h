@@ -7,21 +7,21 @@ namespace javino {
 /// The first byte of each reply (SPEC 4.4).
 enum class Status : uint8_t {
   OK = 0,
-  NOT_GREETED = 1,      ///< the board has (re)started: say hello first
-  UNKNOWN_COMMAND = 2,  ///< no such command in this version: compare the protocol versions
-  BAD_ARGUMENT = 3,     ///< the body is not what the command takes
-  UNKNOWN_ACTION = 4,   ///< the sketch has no action of this name: see its calls of action()
-  ACTION_FAILED = 5,    ///< the sketch's function returned false
-  NO_RF_ID = 6,         ///< set an RF id first
-  WRONG_ORIGIN = 7,     ///< the frame's origin is not the board's RF id, or not `++++` in a request to the board
-  BAD_DESTINATION = 8,  ///< reserved, or the board's own address
-  NO_KEY = 9,           ///< no key is stored for this address: set one
-  TOO_LONG = 10,        ///< the content has more bytes than MAX_CONTENT_LENGTH, 494 unless Config.h says less
-  QUEUE_FULL = 11,      ///< the transmit queue is full, or too many outcomes wait: poll, and try again later
-  STORE_FULL = 12,      ///< no place for another key: delete one
-  STORE_FAILED = 13,    ///< the EEPROM did not keep what was written: it is worn out
-  NONCE_EXHAUSTED = 14, ///< no nonce is left until the next boot, or, after the last epoch, ever
-  BUSY = 15             ///< what is under way is sealed with the key that is to be replaced: try again when it has ended
+  NOT_GREETED = 1,       ///< the board has (re)started: say hello first
+  UNKNOWN_COMMAND = 2,   ///< no such command in this version: compare the protocol versions
+  BAD_ARGUMENT = 3,      ///< the body is not what the command takes
+  UNKNOWN_ACTION = 4,    ///< the sketch has no action of this name: see its calls of action()
+  ACTION_FAILED = 5,     ///< the sketch's function returned false
+  NO_RF_ID = 6,          ///< set an RF id first
+  WRONG_ORIGIN = 7,      ///< the frame's origin is not the board's RF id, or not `++++` in a request to the board
+  BAD_DESTINATION = 8,   ///< reserved, or the board's own address
+  NO_KEY = 9,            ///< no key is stored for this address: set one
+  TOO_LONG = 10,         ///< the content has more bytes than MAX_CONTENT_LENGTH, 494 unless Config.h says less
+  QUEUE_FULL = 11,       ///< the transmit queue is full, or too many outcomes wait: poll, and try again later
+  STORE_FULL = 12,       ///< no place for another key: delete one
+  STORE_FAILED = 13,     ///< the EEPROM did not keep what was written: it is worn out
+  NONCE_EXHAUSTED = 14,  ///< no nonce is left until the next boot, or, after the last epoch, ever
+  BUSY = 15  ///< what is under way is sealed with the key that is to be replaced: try again when it has ended
 };
 
 }  // namespace javino

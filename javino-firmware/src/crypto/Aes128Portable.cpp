@@ -91,7 +91,8 @@ void javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t 
   encryptBlock(roundKeys, out);
 }
 
-void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back) {
+void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop,
+                         uint8_t back) {
   uint8_t block[BLOCK_LENGTH];
   do {
     javino_aes128_encrypt(roundKeys, in, block);

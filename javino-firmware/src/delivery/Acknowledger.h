@@ -83,8 +83,8 @@ class Acknowledger {
   Random &random_;
   Counters &counters_;
   uint8_t count_;
-  uint8_t slots_;  // of quiet air that the first one waits for
-  bool deferred_;  // it has been counted as deferred
+  uint8_t slots_;            // of quiet air that the first one waits for
+  bool deferred_;            // it has been counted as deferred
   Entry entries_[CAPACITY];  // the first is the oldest
 };
 

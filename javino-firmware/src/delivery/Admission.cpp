@@ -14,10 +14,8 @@ bool Admission::isForUs(const Frame &frame) {
     case Address::MULTICAST:
       if (!id_.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
       break;
-    case Address::BROADCAST:
-      break;
-    default:
-      return drop(Counter::RADIO_RESERVED);
+    case Address::BROADCAST: break;
+    default: return drop(Counter::RADIO_RESERVED);
   }
   return frame.origin != own || drop(Counter::RADIO_OWN);
 }
@@ -76,13 +74,9 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
   const ReplayMemory::Verdict verdict = replays_.judge(slot, frame.origin, nonce);
   if (verdict != ReplayMemory::NEWER) return refuse(verdict, slot, frame, nonce);
   switch (inbox_.waiting(slot, frame.origin, nonce)) {
-    case Inbox::THIS:
-      counters_.count(Counter::RADIO_REPEATS);
-      return true;
-    case Inbox::LATER:
-      return drop(Counter::RADIO_REPLAYED);
-    case Inbox::NOTHING:
-      break;
+    case Inbox::THIS: counters_.count(Counter::RADIO_REPEATS); return true;
+    case Inbox::LATER: return drop(Counter::RADIO_REPLAYED);
+    case Inbox::NOTHING: break;
   }
   if (!inbox_.fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
   if (!replays_.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
@@ -98,13 +92,9 @@ bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame 
       counters_.count(Counter::RADIO_REPEATS);
       if (frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
       return true;
-    case ReplayMemory::STALE:
-      acknowledger_.stale(slot, frame.origin, nonce);
-      return drop(Counter::RADIO_STALE);
-    case ReplayMemory::FULL:
-      return drop(Counter::RADIO_REPLAY_FULL);
-    default:
-      return drop(Counter::RADIO_REPLAYED);
+    case ReplayMemory::STALE: acknowledger_.stale(slot, frame.origin, nonce); return drop(Counter::RADIO_STALE);
+    case ReplayMemory::FULL: return drop(Counter::RADIO_REPLAY_FULL);
+    default: return drop(Counter::RADIO_REPLAYED);
   }
 }
 

@@ -8,8 +8,9 @@
 namespace javino {
 
 bool Broadcaster::begin(const char *address) {
-  if (strlen(address) != Address::TEXT_LENGTH || !Address::parse(reinterpret_cast<const uint8_t *>(address), address_) ||
-      !address_.isDevice() || !radio_.begin()) {
+  if (strlen(address) != Address::TEXT_LENGTH ||
+      !Address::parse(reinterpret_cast<const uint8_t *>(address), address_) || !address_.isDevice() ||
+      !radio_.begin()) {
     return false;
   }
   random_.seed(address_.value(), 0);

@@ -26,8 +26,7 @@ class Broadcaster {
   typedef void (*Hearer)(const char *from, const char *text);
 
   // The radio outlives the broadcaster.
-  explicit Broadcaster(Radio &radio)
-      : radio_(radio), channel_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
+  explicit Broadcaster(Radio &radio) : radio_(radio), channel_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
 
   // Names the function that is told what comes.
   void onHeard(Hearer hearer) { hearer_ = hearer; }

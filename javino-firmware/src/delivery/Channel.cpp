@@ -10,7 +10,9 @@ static const uint16_t SLOT_BITS = 16;
 static const uint16_t PACKET_BITS = 84;  // of a packet without payload (SPEC 6)
 static const uint16_t BITS_A_BYTE = 12;
 
-void Channel::begin() { slotMillis_ = static_cast<uint8_t>((SLOT_BITS * 1000u + radio_.bitRate() - 1) / radio_.bitRate()); }
+void Channel::begin() {
+  slotMillis_ = static_cast<uint8_t>((SLOT_BITS * 1000u + radio_.bitRate() - 1) / radio_.bitRate());
+}
 
 void Channel::update() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
@@ -26,7 +28,8 @@ void Channel::update() {
     return;
   }
   quietMillis_ = static_cast<uint8_t>(elapsed > UINT8_MAX ? UINT8_MAX : elapsed);
-  for (; static_cast<uint16_t>(now - slotSince_) >= slotMillis_; slotSince_ = static_cast<uint16_t>(slotSince_ + slotMillis_)) {
+  for (; static_cast<uint16_t>(now - slotSince_) >= slotMillis_;
+       slotSince_ = static_cast<uint16_t>(slotSince_ + slotMillis_)) {
     if (quietSlots_ != UINT8_MAX) quietSlots_++;
   }
 }

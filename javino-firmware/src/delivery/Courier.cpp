@@ -15,8 +15,7 @@ static const uint8_t IDS = 64;
 void Courier::run() {
   if (phase_ == IDLE && !outbox_.isEmpty()) takeUpNext();
   switch (phase_) {
-    case IDLE:
-      break;
+    case IDLE: break;
     case CONTENDING:
       noteCarrier();
       if (backoff_.isOver(channel_.quietSlots())) send();
@@ -99,10 +98,10 @@ void Courier::send() {
   onAir_ = static_cast<uint8_t>(1 << index);
   const bool wantsAnswer = isUnicast() && pending_ == onAir_;
   uint8_t piece[MAX_RADIO_PAYLOAD];
-  const bool taken =
-      count_ == 1 ? channel_.send(record.bytes, static_cast<uint8_t>(record.length))
-                  : channel_.send(piece, pieces::cut(record.bytes, record.length, id_,
-                                                     wantsAnswer ? index | pieces::WANTS_ANSWER : index, piece));
+  const bool taken = count_ == 1
+                         ? channel_.send(record.bytes, static_cast<uint8_t>(record.length))
+                         : channel_.send(piece, pieces::cut(record.bytes, record.length, id_,
+                                                            wantsAnswer ? index | pieces::WANTS_ANSWER : index, piece));
   if (!taken) return;
   if (sent_ == 0) sentAt_ = clock::millis();
   if ((sent_ & onAir_) != 0) counters_.count(Counter::RADIO_RESENT);
@@ -154,8 +153,10 @@ void Courier::keysChanged() {
 bool Courier::acknowledged(const Frame &frame) {
   if (!concerns(frame)) return false;
   const uint16_t bodyLength = static_cast<uint16_t>(frame.length - PROOF_LENGTH);
-  const Proof::Claim claim = {bodyLength == 0 ? Proof::DELIVERED : bodyLength == 1 ? Proof::PIECES : Proof::STALE, nonce_,
-                       sender_, frame.origin, frame.message};
+  const Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
+                              : bodyLength == 1 ? Proof::PIECES
+                                                : Proof::STALE,
+                              nonce_, sender_, frame.origin, frame.message};
   const bool right = frame.length >= PROOF_LENGTH && bodyLength == Proof::bodyLength(claim.type) &&
                      isProved(claim, frame.message + bodyLength) && onAnswer(claim.type, claim.body);
   if (!right) counters_.count(Counter::RADIO_BAD_PROOFS);
@@ -180,10 +181,8 @@ bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
     case Proof::DELIVERED:
       if (isUnicast()) finish(Outcome::DELIVERED);
       return isUnicast();
-    case Proof::PIECES:
-      return onPieces(body[0]);
-    case Proof::STALE:
-      return onStale(body, static_cast<uint16_t>(body[NONCE_LENGTH] << 8 | body[NONCE_LENGTH + 1]));
+    case Proof::PIECES: return onPieces(body[0]);
+    case Proof::STALE: return onStale(body, static_cast<uint16_t>(body[NONCE_LENGTH] << 8 | body[NONCE_LENGTH + 1]));
   }
   return false;
 }

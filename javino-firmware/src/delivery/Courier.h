@@ -96,8 +96,8 @@ class Courier {
   uint8_t arrived_;    // pieces that the receiver has ever had
   uint8_t patience_;   // quiet milliseconds that are left until the next attempt
   bool resealed_;
-  bool deferred_;      // this packet has been counted as put off
-  uint32_t sentAt_;    // when this message was first sent, in ms
+  bool deferred_;    // this packet has been counted as put off
+  uint32_t sentAt_;  // when this message was first sent, in ms
 
   // What is under way, or was last: a stale notice for a multicast may come when all is sent.
   uint8_t slot_;  // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended

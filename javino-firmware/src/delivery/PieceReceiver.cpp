@@ -33,8 +33,8 @@ void PieceReceiver::accept(const Frame &piece, uint32_t begun) {
 // Whether a first piece begins a frame that has to be cut, and that can be handed on. Reads its header.
 bool PieceReceiver::startsFrame(const Frame &piece, Frame &whole) const {
   if (piece.length != PIECE_LENGTH || Frame::parseHeader(piece.message, whole) != FrameError::NONE) return false;
-  const uint16_t longest = static_cast<uint16_t>(whole.destination.isBroadcast() ? MAX_CONTENT_LENGTH
-                                                                                 : MAX_CONTENT_LENGTH + SEAL_LENGTH);
+  const uint16_t longest =
+      static_cast<uint16_t>(whole.destination.isBroadcast() ? MAX_CONTENT_LENGTH : MAX_CONTENT_LENGTH + SEAL_LENGTH);
   const Address::Class to = whole.destination.classOf();
   return (to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST) &&
          whole.origin == piece.origin && whole.length > MAX_RADIO_PAYLOAD - HEADER_LENGTH && whole.length <= longest;
@@ -80,7 +80,8 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
       if (admission_.isGenuine(whole, partial.bytes, partial.length())) {
         const uint16_t length = partial.length();
         partial.clear();
-        if (admission_.accept(whole, partial.bytes, length, partial.begun)) ignored_.add(partial.origin, partial.id, now);
+        if (admission_.accept(whole, partial.bytes, length, partial.begun))
+          ignored_.add(partial.origin, partial.id, now);
         return;
       }
     }

@@ -16,7 +16,7 @@ namespace javino {
 /// length is that which a first piece says, and no other piece's.
 class PartialFrame {
  public:
-  uint8_t id;        ///< 0…63
+  uint8_t id;  ///< 0…63
   Address origin;
   uint16_t lastNew;  ///< when the last new piece came, in ms
   uint32_t begun;    ///< when the piece that came first began, in ms

@@ -12,16 +12,13 @@ void CobsEncoder::start(const uint8_t *bytes, uint16_t length) {
 
 uint8_t CobsEncoder::next() {
   switch (state_) {
-    case BLOCK:
-      return beginBlock();
+    case BLOCK: return beginBlock();
     case DATA: {
       const uint8_t byte = *next_++;
       if (--left_ == 0) endBlock();
       return byte;
     }
-    default:
-      state_ = DONE;
-      return 0;
+    default: state_ = DONE; return 0;
   }
 }
 

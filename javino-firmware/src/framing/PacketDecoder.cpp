@@ -19,9 +19,7 @@ PacketEvent PacketDecoder::add(uint8_t byte) {
   return PacketEvent::NONE;
 }
 
-uint16_t PacketDecoder::crc() const {
-  return static_cast<uint16_t>(bytes_[length_ - 2] | bytes_[length_ - 1] << 8);
-}
+uint16_t PacketDecoder::crc() const { return static_cast<uint16_t>(bytes_[length_ - 2] | bytes_[length_ - 1] << 8); }
 
 void PacketDecoder::restart() {
   length_ = 0;

@@ -40,11 +40,11 @@ class PacketDecoder {
   PacketEvent finish();
   PacketEvent check() const;
 
-  uint16_t length_;      // decoded bytes; MAX_PACKET_LENGTH + 1 where there were more than that
-  uint8_t left_;         // bytes that the current COBS block still lacks
-  bool zeroOwed_;        // a zero belongs behind the block, if another block follows
-  bool started_;         // a byte other than 0x00 has come
-  bool ended_;           // the next byte begins a new packet
+  uint16_t length_;                   // decoded bytes; MAX_PACKET_LENGTH + 1 where there were more than that
+  uint8_t left_;                      // bytes that the current COBS block still lacks
+  bool zeroOwed_;                     // a zero belongs behind the block, if another block follows
+  bool started_;                      // a byte other than 0x00 has come
+  bool ended_;                        // the next byte begins a new packet
   uint8_t bytes_[MAX_PACKET_LENGTH];  // last: AVR reaches only the first 64 bytes of an object in one instruction
 };
 

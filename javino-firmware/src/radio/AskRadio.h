@@ -62,14 +62,14 @@ class AskRadio : public Radio {
   const uint16_t bitTicks_;  // 0 for a bit rate that cannot be had
 
   // The small fields first: gcc reaches the first 63 bytes of an object in one instruction (240 bytes of flash less).
-  bool ready_;              // begin() succeeded
+  bool ready_;  // begin() succeeded
   volatile bool sending_;
-  bool nextBit_;            // computed ahead, so that the carrier switches first thing in the interrupt
-  bool lastBitOut_;         // the last bit is on the air: the next alarm ends the packet
-  uint16_t alarm_;          // when the carrier switches next
-  uint8_t silentAlarms_;    // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
-  uint16_t heardUntil_;     // the time up to which the line has been heard
-  bool level_;              // of the line since then
+  bool nextBit_;          // computed ahead, so that the carrier switches first thing in the interrupt
+  bool lastBitOut_;       // the last bit is on the air: the next alarm ends the packet
+  uint16_t alarm_;        // when the carrier switches next
+  uint8_t silentAlarms_;  // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
+  uint16_t heardUntil_;   // the time up to which the line has been heard
+  bool level_;            // of the line since then
 
   BitClock bitClock_;
   CarrierSense carrier_;

@@ -2,8 +2,7 @@
 
 namespace javino {
 
-BitClock::BitClock(uint16_t bitTicks)
-    : bitTicks_(bitTicks), settleTicks_(bitTicks / 4), maxSteerTicks_(bitTicks / 8) {
+BitClock::BitClock(uint16_t bitTicks) : bitTicks_(bitTicks), settleTicks_(bitTicks / 4), maxSteerTicks_(bitTicks / 8) {
   reset(false);
 }
 

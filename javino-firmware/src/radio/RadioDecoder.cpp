@@ -13,7 +13,13 @@ const uint8_t MAX_COUNT = MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD;
 }  // namespace
 
 RadioDecoder::RadioDecoder(RadioQueue &queue, CarrierSense &carrier, RadioCounters &counters)
-    : queue_(queue), carrier_(carrier), counters_(counters), bits_(0), highNibble_(0), wrongSymbol_(0), packet_(nullptr) {
+    : queue_(queue),
+      carrier_(carrier),
+      counters_(counters),
+      bits_(0),
+      highNibble_(0),
+      wrongSymbol_(0),
+      packet_(nullptr) {
   hunt();
 }
 

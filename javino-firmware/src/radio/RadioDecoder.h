@@ -42,10 +42,10 @@ class RadioDecoder {
   RadioQueue &queue_;
   CarrierSense &carrier_;
   RadioCounters &counters_;
-  uint16_t bits_;        // the last twelve, the newest at the top
-  bool hunting_;         // for a start symbol
-  uint8_t symbolBits_;   // bits of the symbol under way
-  bool lowNibble_;       // the next nibble is a byte's second
+  uint16_t bits_;       // the last twelve, the newest at the top
+  bool hunting_;        // for a start symbol
+  uint8_t symbolBits_;  // bits of the symbol under way
+  bool lowNibble_;      // the next nibble is a byte's second
   uint8_t highNibble_;
   uint8_t count_;        // bytes of the packet, itself included; 0 until it came
   uint8_t received_;     // bytes so far

@@ -80,7 +80,9 @@ class KeyStore {
   JAVINO_NOINLINE bool holds(uint8_t slot, const DerivedKeys &keys) const;
   Status add(const Address &address, const DerivedKeys &keys, bool alone);
   bool write(const Address &address, const DerivedKeys &keys, uint8_t generation, bool alone);
-  JAVINO_NOINLINE Status eraseIfAny(uint8_t slot) { return slot == NO_SLOT || erase(slot) ? Status::OK : Status::STORE_FAILED; }
+  JAVINO_NOINLINE Status eraseIfAny(uint8_t slot) {
+    return slot == NO_SLOT || erase(slot) ? Status::OK : Status::STORE_FAILED;
+  }
   uint8_t count() const;
 
   Address addresses_[SLOTS];

@@ -108,23 +108,20 @@ Bytes forged(const Bytes &nonce, RandomBytes &random) {
   const Bytes key = Victim::pairKey();
   Bytes right = delivered(nonce);
   switch (random.number(8)) {
-    case 0:
-      return answer(nonce, "ROMA", random.bytes(random.number(67)));
+    case 0: return answer(nonce, "ROMA", random.bytes(random.number(67)));
     case 1:  // a bit of the right one
       right[random.number(static_cast<uint32_t>(right.size()))] ^= static_cast<uint8_t>(1 << random.number(8));
       return right;
     case 2:  // what proves something else
       return answer(nonce, "ROMA", proof(key, Proof::PIECES, nonce, "SUPO", "ROMA", {random.byte()}));
-    case 3:
-      return answer(nonce, "ROMA", proof(key, Proof::STALE, nonce, "SUPO", "ROMA", random.bytes(8)));
+    case 3: return answer(nonce, "ROMA", proof(key, Proof::STALE, nonce, "SUPO", "ROMA", random.bytes(8)));
     case 4:  // the other way round
       return answer(nonce, "ROMA", proof(key, Proof::DELIVERED, nonce, "ROMA", "SUPO", {}));
     case 5:  // by another
       return answer(nonce, "SUPP", proof(key, Proof::DELIVERED, nonce, "SUPO", "SUPP", {}));
     case 6:  // under another key
       return answer(nonce, "ROMA", proof(Victim::groupKey(), Proof::DELIVERED, nonce, "SUPO", "ROMA", {}));
-    default:
-      return answer(nonce, "ROMA", random.bytes(LENGTHS[random.number(3)]));
+    default: return answer(nonce, "ROMA", random.bytes(LENGTHS[random.number(3)]));
   }
 }
 
@@ -166,7 +163,8 @@ Tally raiseByMulticast(uint32_t seed, uint64_t tries) {
     // A member who holds the key raises and raises.
     for (unsigned by = 1; by < 200; by++) {
       const Bytes body = raised(nonce, by) + Bytes{0xFF, 0xFF};
-      const Bytes notice = answer(nonce, "SUXX", body + proof(Victim::groupKey(), Proof::STALE, nonce, "SUPO", "SUXX", body));
+      const Bytes notice =
+          answer(nonce, "SUXX", body + proof(Victim::groupKey(), Proof::STALE, nonce, "SUPO", "SUXX", body));
       victim.suffer(notice);
     }
     victim.board.sendNext();  // again, as a multicast is

@@ -9,7 +9,9 @@ const size_t LENGTHS[] = {8, 16, 17, 32, 53};  // of contents, in one packet
 const uint8_t HEADER = 10;
 const uint8_t TAG = 8;
 
-Bytes anyFrame(Victim &victim) { return victim.genuine(LENGTHS[victim.random.number(5)], victim.random.number(2) != 0); }
+Bytes anyFrame(Victim &victim) {
+  return victim.genuine(LENGTHS[victim.random.number(5)], victim.random.number(2) != 0);
+}
 
 Bytes withBit(Bytes frame, size_t bit) {
   frame[bit / 8] = static_cast<uint8_t>(frame[bit / 8] ^ 1 << bit % 8);
@@ -59,7 +61,8 @@ Tally changeManyBits(uint32_t seed, uint64_t tries) {
     for (int i = 0; i < 500; i++) {
       Bytes changed = frame;
       const size_t from = victim.random.number(static_cast<uint32_t>(frame.size()));
-      replace(changed, from, from + 1 + victim.random.number(static_cast<uint32_t>(frame.size() - from)), victim.random);
+      replace(changed, from, from + 1 + victim.random.number(static_cast<uint32_t>(frame.size() - from)),
+              victim.random);
       const bool isPlain = changed[0] == '/' && changed[1] == '/' && changed[2] == '/' && changed[3] == '/';
       if (changed != frame && !isPlain) victim.suffer(changed);
     }

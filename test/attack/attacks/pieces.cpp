@@ -19,7 +19,8 @@ std::string anyOrigin(RandomBytes &random) {
 
 // A first piece that looks like that of a message to the board.
 Bytes forgedFirst(const std::string &origin, unsigned id, unsigned bytes, RandomBytes &random) {
-  const std::string header = std::string(random.number(3) == 0 ? "//SU" : "SUPO") + origin + digit(bytes * 8 / 64) + digit(bytes * 8);
+  const std::string header =
+      std::string(random.number(3) == 0 ? "//SU" : "SUPO") + origin + digit(bytes * 8 / 64) + digit(bytes * 8);
   return piece(origin, id, random.number(2) * 8, bytesOf(header) + random.bytes(PART - 10));
 }
 
@@ -77,7 +78,8 @@ Tally floodWithFirstPieces(uint32_t seed, uint64_t tries) {
   return victim.endure(tries, [&] {
     for (int i = 0; i < 20; i++) {
       for (int k = 0; k < 20; k++) {
-        victim.suffer(forgedFirst(anyOrigin(victim.random), victim.random.number(64), 68 + victim.random.number(444), victim.random));
+        victim.suffer(forgedFirst(anyOrigin(victim.random), victim.random.number(64), 68 + victim.random.number(444),
+                                  victim.random));
         victim.skip(victim.random.number(600));
       }
       victim.deliver(victim.genuine(16, i % 2 != 0));

@@ -5,7 +5,7 @@
 
 namespace {
 
-const uint32_t RAISE = 32;       // by which a sender goes above a floor
+const uint32_t RAISE = 32;  // by which a sender goes above a floor
 const size_t MOST_RECORDED = 300;
 
 /// What was on the air, for whoever listened.
@@ -96,7 +96,8 @@ Tally inventOrigins(uint32_t seed, uint64_t tries) {
     for (uint32_t i = 0; i < 500; i++) {
       std::string origin = "M";
       for (int k = 0; k < 3; k++) origin += digit(victim.random.number(64));
-      const Bytes frame = sealed(Victim::groupKey(), "//SU", origin, {0, 0, 1, 0, 0, 1}, "invented " + std::to_string(i));
+      const Bytes frame =
+          sealed(Victim::groupKey(), "//SU", origin, {0, 0, 1, 0, 0, 1}, "invented " + std::to_string(i));
       victim.allow(frame);
       victim.suffer(frame);
       victim.take();

@@ -38,7 +38,11 @@ Bytes Victim::genuine(size_t contentLength, bool toGroup) {
   const std::string number = std::to_string(counter_);
   std::string content = number + ";";
   while (content.size() < contentLength) content += static_cast<char>('a' + random.number(26));
-  const Bytes nonce = {0, 0, SENDER_EPOCH, static_cast<uint8_t>(counter_ >> 16), static_cast<uint8_t>(counter_ >> 8),
+  const Bytes nonce = {0,
+                       0,
+                       SENDER_EPOCH,
+                       static_cast<uint8_t>(counter_ >> 16),
+                       static_cast<uint8_t>(counter_ >> 8),
                        static_cast<uint8_t>(counter_)};
   return sealed(toGroup ? groupKey() : pairKey(), toGroup ? "//SU" : "SUPO", "ROMA", nonce, content);
 }
@@ -96,7 +100,8 @@ void Victim::reset(bool keepsRam) {
 char digit(unsigned value) { return "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[value % 64]; }
 
 Bytes piece(const std::string &origin, unsigned id, unsigned index, const Bytes &part) {
-  const std::string header = origin + digit(static_cast<unsigned>(part.size() * 8 / 64)) + digit(static_cast<unsigned>(part.size() * 8));
+  const std::string header =
+      origin + digit(static_cast<unsigned>(part.size() * 8 / 64)) + digit(static_cast<unsigned>(part.size() * 8));
   return bytesOf(std::string("+F") + digit(id) + digit(index) + header) + part;
 }
 
@@ -105,7 +110,8 @@ std::vector<Bytes> piecesOf(const Bytes &frame, unsigned id) {
   std::vector<Bytes> pieces;
   for (size_t at = 0; at < frame.size(); at += PIECE_LENGTH) {
     const size_t end = std::min<size_t>(at + PIECE_LENGTH, frame.size());
-    pieces.push_back(piece(origin, id, static_cast<unsigned>(pieces.size()), Bytes(frame.begin() + at, frame.begin() + end)));
+    pieces.push_back(
+        piece(origin, id, static_cast<unsigned>(pieces.size()), Bytes(frame.begin() + at, frame.begin() + end)));
   }
   return pieces;
 }

@@ -76,5 +76,6 @@ Bytes piece(const std::string &origin, unsigned id, unsigned index, const Bytes 
 
 template <typename T>
 void shuffle(std::vector<T> &items, RandomBytes &random) {
-  for (size_t left = items.size(); left > 1; left--) std::swap(items[left - 1], items[random.number(static_cast<uint32_t>(left))]);
+  for (size_t left = items.size(); left > 1; left--)
+    std::swap(items[left - 1], items[random.number(static_cast<uint32_t>(left))]);
 }

@@ -5,20 +5,20 @@
 /// What the test asks of the program on the emulated Mega, and what comes back: laid out alike by both compilers.
 struct Mailbox {
   enum Operation : uint8_t {
-    NOTHING,         ///< the cost of measuring
-    EXPAND_KEY,      ///< key
-    ENCRYPT_BLOCK,   ///< key; the first 16 of bytes, in place
-    DERIVE_KEYS,     ///< key; into bytes: Kenc, Kmac, check value
-    ENCRYPT_CFB,     ///< key, second as IV; length bytes, in place
-    DECRYPT_CFB,     ///< the same
-    COMPUTE_CMAC,    ///< key; length bytes; the tag replaces the first 16
-    EXPAND_KEYS,     ///< key as Kenc, second as Kmac: makes and wipes an envelope
-    SEAL,            ///< key as Kenc, second as Kmac, nonce; bytes: a frame, becomes the sealed frame
-    OPEN,            ///< key as Kenc, second as Kmac; bytes: a sealed frame; length becomes the content's, 0xFFFF if forged
-    ADD_TO_CRC,      ///< length bytes; the CRC replaces the first two
-    DECODE_PACKET,   ///< length bytes of the line; the last PacketEvent replaces the first
-    HEAR_PACKET,     ///< length bytes of payload as edges of the air; length becomes that of the payload received
-    MEND_PACKET      ///< length bytes of payload, a wrong symbol behind them in the CRC; length becomes 1 where mended
+    NOTHING,        ///< the cost of measuring
+    EXPAND_KEY,     ///< key
+    ENCRYPT_BLOCK,  ///< key; the first 16 of bytes, in place
+    DERIVE_KEYS,    ///< key; into bytes: Kenc, Kmac, check value
+    ENCRYPT_CFB,    ///< key, second as IV; length bytes, in place
+    DECRYPT_CFB,    ///< the same
+    COMPUTE_CMAC,   ///< key; length bytes; the tag replaces the first 16
+    EXPAND_KEYS,    ///< key as Kenc, second as Kmac: makes and wipes an envelope
+    SEAL,           ///< key as Kenc, second as Kmac, nonce; bytes: a frame, becomes the sealed frame
+    OPEN,        ///< key as Kenc, second as Kmac; bytes: a sealed frame; length becomes the content's, 0xFFFF if forged
+    ADD_TO_CRC,  ///< length bytes; the CRC replaces the first two
+    DECODE_PACKET,  ///< length bytes of the line; the last PacketEvent replaces the first
+    HEAR_PACKET,    ///< length bytes of payload as edges of the air; length becomes that of the payload received
+    MEND_PACKET     ///< length bytes of payload, a wrong symbol behind them in the CRC; length becomes 1 where mended
   };
 
   uint8_t operation;

@@ -10,20 +10,13 @@ namespace {
 
 std::string nameOf(Address::Class addressClass) {
   switch (addressClass) {
-    case Address::DEVICE:
-      return "device";
-    case Address::SERIAL_LINE:
-      return "serial";
-    case Address::BROADCAST:
-      return "broadcast";
-    case Address::MULTICAST:
-      return "multicast";
-    case Address::PIECE:
-      return "piece";
-    case Address::ACKNOWLEDGEMENT:
-      return "acknowledgement";
-    default:
-      return "reserved";
+    case Address::DEVICE: return "device";
+    case Address::SERIAL_LINE: return "serial";
+    case Address::BROADCAST: return "broadcast";
+    case Address::MULTICAST: return "multicast";
+    case Address::PIECE: return "piece";
+    case Address::ACKNOWLEDGEMENT: return "acknowledgement";
+    default: return "reserved";
   }
 }
 

@@ -49,9 +49,12 @@ TEST(Arguments, reads_name_and_arguments) {
 }
 
 TEST(Arguments, refuses_what_is_no_action) {
-  for (const char *action : {"", "(", "()", "(1)", "f(", "f)", "f()", "f( )", "f(,)", "f(1,)", "f(,1)", "f(1", "f(1))", "f((1)",
-                             "f([1)", "f([1)]", "f(\"x)", "f(\"x\\\")", "f(1)x", "f x", "f(1) ", " f", "é", "f\"x\"",
-                             "f((((((((((((((((((((1))))))))))))))))))))"}) {
+  for (const char *action :
+       {"",       "(",      "()",         "(1)",    "f(",
+        "f)",     "f()",    "f( )",       "f(,)",   "f(1,)",
+        "f(,1)",  "f(1",    "f(1))",      "f((1)",  "f([1)",
+        "f([1)]", "f(\"x)", "f(\"x\\\")", "f(1)x",  "f x",
+        "f(1) ",  " f",     "é",          "f\"x\"", "f((((((((((((((((((((1))))))))))))))))))))"}) {
     const Bytes bytes = bytesOf(action);
     Arguments arguments;
     EXPECT_FALSE(parse(arguments, bytes)) << action;

@@ -45,7 +45,8 @@ TEST(Board, random_packets_get_one_reply_each_and_never_break_it) {
     const char *destinations[] = {"++++", "////", "//SU", "SUHO", "+FAA"};
     const std::string destination = destinations[random.number(5)];
     const Bytes message = random.bytes(random.number(512));
-    EXPECT_EQ(1u, board.sendRaw(reference::packet(random.byte(), reference::frame(destination, "SUPP", message))).size());
+    EXPECT_EQ(1u,
+              board.sendRaw(reference::packet(random.byte(), reference::frame(destination, "SUPP", message))).size());
   }
 }
 

@@ -17,9 +17,8 @@ Status statusOf(const std::string &name) {
   const struct {
     const char *name;
     Status status;
-  } all[] = {{"UNKNOWN_COMMAND", Status::UNKNOWN_COMMAND},
-             {"BAD_ARGUMENT", Status::BAD_ARGUMENT},
-             {"NO_KEY", Status::NO_KEY}};
+  } all[] = {
+      {"UNKNOWN_COMMAND", Status::UNKNOWN_COMMAND}, {"BAD_ARGUMENT", Status::BAD_ARGUMENT}, {"NO_KEY", Status::NO_KEY}};
   for (const auto &entry : all) {
     if (name == entry.name) return entry.status;
   }
@@ -60,7 +59,8 @@ TEST_F(BoardStatus, transmits_the_requests_of_the_vectors) {
     SCOPED_TRACE(vector.toString());
     board.request('I', bytesOf(vector.text("origin")));
     if (vector.text("destination") != "////") board.setKey(vector.text("destination"), KEY);
-    EXPECT_EQ(Status::OK, board.transmit(vector.text("destination"), vector.text("origin"), vector.text("content")).status);
+    EXPECT_EQ(Status::OK,
+              board.transmit(vector.text("destination"), vector.text("origin"), vector.text("content")).status);
     board.passSending(20000);
     board.poll();
   }

@@ -51,7 +51,8 @@ TEST(BootEpoch, a_place_that_decays_never_makes_it_repeat) {
   SimulatedEeprom eeprom;
   uint32_t last = 0;
   for (int i = 0; i < 2000; i++) {
-    const uint16_t at = static_cast<uint16_t>(javino::EPOCHS_AT + random.number(javino::config::EPOCH_SLOTS * javino::EPOCH_RECORD_LENGTH));
+    const uint16_t at = static_cast<uint16_t>(javino::EPOCHS_AT +
+                                              random.number(javino::config::EPOCH_SLOTS * javino::EPOCH_RECORD_LENGTH));
     if (random.number(3) == 0) eeprom.corrupt(at, static_cast<uint8_t>(eeprom.read(at) ^ 1 << random.number(8)));
     const uint32_t epoch = boot(eeprom);
     ASSERT_GT(epoch, last);

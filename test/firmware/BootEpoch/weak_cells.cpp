@@ -11,7 +11,8 @@ TEST(WeakEpochs, never_repeat) {
     SimulatedEeprom eeprom;
     uint32_t last = 0;
     for (int i = 0; i < 200; i++) {
-      if (random.number(2) == 0) eeprom.cutPowerWeaklyAfter(static_cast<int>(random.number(24)), random.number(1000000));
+      if (random.number(2) == 0)
+        eeprom.cutPowerWeaklyAfter(static_cast<int>(random.number(24)), random.number(1000000));
       BootEpoch epoch;
       try {
         epoch.begin();

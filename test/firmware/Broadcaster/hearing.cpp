@@ -51,15 +51,14 @@ TEST_F(HearingTest, tells_the_longest_text) {
 }
 
 TEST_F(HearingTest, ignores_and_counts_all_else) {
-  const char *const packets[] = {
-      "x",                     // no frame
-      "////ROMABItell;hel",    // too short for its size
-      "////ROM-BItell;help",   // a digit that is none
-      "SUPOROMABItell;help",   // to a device
-      "//SUROMABItell;help",   // to a group
-      "+FAAROMABItell;help",   // a piece
-      "////++++BItell;help",   // from no device
-      "////CAFEBItell;help"};  // from its own address
+  const char *const packets[] = {"x",                     // no frame
+                                 "////ROMABItell;hel",    // too short for its size
+                                 "////ROM-BItell;help",   // a digit that is none
+                                 "SUPOROMABItell;help",   // to a device
+                                 "//SUROMABItell;help",   // to a group
+                                 "+FAAROMABItell;help",   // a piece
+                                 "////++++BItell;help",   // from no device
+                                 "////CAFEBItell;help"};  // from its own address
   uint32_t count = 0;
   for (const char *packet : packets) {
     arrive(packet);

@@ -184,7 +184,8 @@ TEST_F(Acknowledging, a_board_that_lost_its_RAM_tells_the_sender_its_floor_and_h
   const Bytes told = board.nextSent();
   const uint8_t uptime = told.at(17);
   EXPECT_TRUE(uptime == 2) << int(uptime);
-  EXPECT_EQ(acknowledgement(KEY, "SUPP", "SUHO", {0, 0, 5, 0, 1, 3}, 8, fromHex("000005000121") + Bytes{0, uptime}), told);
+  EXPECT_EQ(acknowledgement(KEY, "SUPP", "SUHO", {0, 0, 5, 0, 1, 3}, 8, fromHex("000005000121") + Bytes{0, uptime}),
+            told);
   board.finishSending();
   board.receive(sealed(KEY, "SUHO", "SUPP", {0, 0, 5, 0, 1, 0x22}, "tell;y"));
   EXPECT_EQ("tell;y", board.messages().at(0).content);

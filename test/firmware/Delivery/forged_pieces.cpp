@@ -102,7 +102,8 @@ int delivered(uint32_t seed, size_t length, double share, Attacker::Forger forge
     air.step();
     attacker.step();
   }
-  EXPECT_GT(share == 0 ? 1 : attacker.used, share == 0 ? 0 : MILLIS * share * 0.3) << "the attacker has not used his share";
+  EXPECT_GT(share == 0 ? 1 : attacker.used, share == 0 ? 0 : MILLIS * share * 0.3)
+      << "the attacker has not used his share";
   return static_cast<int>(to.received.size());
 }
 
@@ -116,17 +117,23 @@ const size_t LONGEST = 494;
 
 const Kind KINDS[] = {
     {"a last piece of one byte", LONGEST,
-     [](const Attacker::Heard &heard, RandomBytes &random) { return forged(heard.id, 1 + random.number(7), random.bytes(1)); }},
+     [](const Attacker::Heard &heard, RandomBytes &random) {
+       return forged(heard.id, 1 + random.number(7), random.bytes(1));
+     }},
     {"a last piece of one byte of the message to come", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return heard.index == 7 ? forged(heard.id + 1, 1 + random.number(7), random.bytes(1)) : Bytes();
      }},
     {"a last piece of the right length", LONGEST,
-     [](const Attacker::Heard &heard, RandomBytes &random) { return forged(heard.id, 7, random.bytes(518 - 7 * PART)); }},
+     [](const Attacker::Heard &heard, RandomBytes &random) {
+       return forged(heard.id, 7, random.bytes(518 - 7 * PART));
+     }},
     {"a last piece of the right length, of one byte", 7 * PART + 1 - 24,
      [](const Attacker::Heard &heard, RandomBytes &random) { return forged(heard.id, 7, random.bytes(1)); }},
     {"the piece that comes next", LONGEST,
-     [](const Attacker::Heard &heard, RandomBytes &random) { return forged(heard.id, (heard.index + 1u) % 7, random.bytes(PART)); }},
+     [](const Attacker::Heard &heard, RandomBytes &random) {
+       return forged(heard.id, (heard.index + 1u) % 7, random.bytes(PART));
+     }},
     {"the piece that has come", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return heard.index % 7 == 0 ? Bytes() : forged(heard.id, heard.index, random.bytes(PART));

@@ -44,7 +44,8 @@ class InPieces : public testing::Test {
 
 TEST(Pieces, are_cut_as_in_the_vectors) {
   for (const Vector &vector : vectors("pieces.json", "valid")) {
-    const size_t id = std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(vector.text("id"));
+    const size_t id =
+        std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(vector.text("id"));
     EXPECT_EQ(vector.bytesList("pieces"), cut(vector.bytes("frame"), static_cast<uint8_t>(id))) << vector.toString();
   }
 }
@@ -69,7 +70,8 @@ TEST_F(InPieces, a_message_is_put_together_in_any_order) {
   RandomBytes random(21);
   for (uint8_t round = 0; round < 20; round++) {
     std::vector<Bytes> pieces = cut(longFrame(round), round);
-    for (size_t i = pieces.size() - 1; i > 0; i--) std::swap(pieces[i], pieces[random.number(static_cast<uint32_t>(i + 1))]);
+    for (size_t i = pieces.size() - 1; i > 0; i--)
+      std::swap(pieces[i], pieces[random.number(static_cast<uint32_t>(i + 1))]);
     for (const Bytes &piece : pieces) board.receive(piece);
     ASSERT_EQ(1u, board.messages().size()) << int(round);
     EXPECT_EQ(content, board.messages()[0].content);

@@ -40,7 +40,8 @@ struct Field {
   };
 
   void unicast(int from, int to, const std::string &text) {
-    if (stations[from]->send(stations[to]->id, text)) unicasts.push_back({stations[from].get(), stations[to].get(), text});
+    if (stations[from]->send(stations[to]->id, text))
+      unicasts.push_back({stations[from].get(), stations[to].get(), text});
   }
 
   // What holds whatever happens: at the right one, at most once, and there if it was reported so.
@@ -137,7 +138,8 @@ TEST(Delivery, resets_of_either_side_with_and_without_their_RAM_deliver_nothing_
       const int from = static_cast<int>(field.air.random.number(2));
       field.unicast(from, 1 - from, content(i, 12 + field.air.random.number(150)));
       field.air.pass(field.air.random.number(2000));
-      if (field.air.random.number(3) == 0) field.stations[field.air.random.number(2)]->reset(field.air.random.number(2));
+      if (field.air.random.number(3) == 0)
+        field.stations[field.air.random.number(2)]->reset(field.air.random.number(2));
     }
     EXPECT_TRUE(field.air.settle(300000));
     field.check();

@@ -217,7 +217,8 @@ TEST_F(Renewal, a_step_whose_power_is_cut_is_taken_again_and_loses_nothing) {
         expectAllArrived();
         // Again, as the tool's user does. What was done already it says.
         torn.board.use();
-        const Status status = torn.board.request("NUF"[round], bytesOf("//SU") + (round == 0 ? OTHER_KEY : Bytes())).status;
+        const Status status =
+            torn.board.request("NUF"[round], bytesOf("//SU") + (round == 0 ? OTHER_KEY : Bytes())).status;
         EXPECT_TRUE(status == Status::OK || (status == Status::NO_KEY && round != 0));
         send(station, station);
         expectAllArrived();

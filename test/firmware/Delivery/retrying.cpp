@@ -92,7 +92,8 @@ TEST_F(Retrying, no_acknowledgement_with_any_bit_changed_and_none_from_another_e
       changed[bit / 8] = static_cast<uint8_t>(changed[bit / 8] ^ 1 << bit % 8);
       board.receive(changed);
     }
-    for (size_t length = 1; length < good.size(); length++) board.receive(Bytes(good.begin(), good.begin() + static_cast<long>(length)));
+    for (size_t length = 1; length < good.size(); length++)
+      board.receive(Bytes(good.begin(), good.begin() + static_cast<long>(length)));
   }
   board.receive(acknowledgement(KEY, "SUPP", "SUAM", nonce, 6));
   board.receive(acknowledgement(KEY, "SUHO", "SUHO", nonce, 6));

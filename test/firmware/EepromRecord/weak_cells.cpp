@@ -47,7 +47,8 @@ void expectFirm(const Bytes &before, const std::function<void()> &change, const 
       }
       eeprom.restorePower();
       const Bytes first = boot();
-      ASSERT_NE(allowed.end(), std::find(allowed.begin(), allowed.end(), first)) << cut << " " << seed << ": " << toHex(first);
+      ASSERT_NE(allowed.end(), std::find(allowed.begin(), allowed.end(), first))
+          << cut << " " << seed << ": " << toHex(first);
       for (int i = 0; i < READINGS; i++) {
         eeprom.cutPowerWeaklyAfter(0, seed + static_cast<uint32_t>(i));
         try {

@@ -6,8 +6,8 @@
 #include "support/ReplayRig.h"
 
 using javino::KeyCommands;
-using javino::Reply;
 using javino::ReplayMemory;
+using javino::Reply;
 using javino::Status;
 
 namespace {
@@ -29,14 +29,16 @@ class KeyCommandsTest : public testing::Test {
     rig.memory->forgetLostKeys();
   }
 
-  Status set(const Bytes &body) { return commands.store(false, body.data(), static_cast<uint16_t>(body.size()), begin()); }
-  Status renew(const Bytes &body) { return commands.store(true, body.data(), static_cast<uint16_t>(body.size()), begin()); }
+  Status set(const Bytes &body) {
+    return commands.store(false, body.data(), static_cast<uint16_t>(body.size()), begin());
+  }
+  Status renew(const Bytes &body) {
+    return commands.store(true, body.data(), static_cast<uint16_t>(body.size()), begin());
+  }
   Status use(const Bytes &body, uint8_t underWay = javino::KeyStore::NO_SLOT) {
     return commands.use(body.data(), static_cast<uint16_t>(body.size()), underWay);
   }
-  Status raise(const Bytes &body) {
-    return commands.raiseEpoch(body.data(), static_cast<uint16_t>(body.size()));
-  }
+  Status raise(const Bytes &body) { return commands.raiseEpoch(body.data(), static_cast<uint16_t>(body.size())); }
   Status finish(const Bytes &body) { return commands.finish(body.data(), static_cast<uint16_t>(body.size())); }
   Status erase(const Bytes &body) { return commands.erase(body.data(), static_cast<uint16_t>(body.size())); }
 

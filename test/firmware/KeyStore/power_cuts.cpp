@@ -107,8 +107,10 @@ TEST(KeyStorePowerCuts, while_going_back_to_the_other_key_leave_both_or_it) {
 }
 
 TEST(KeyStorePowerCuts, while_finishing_leave_both_or_the_new) {
-  expectAllOrNothing({OTHER_KEY, {}, KEY}, [](KeyStore &store) {
-    const uint8_t previous = store.other(SUPO);
-    if (previous != KeyStore::NO_SLOT) store.erase(previous);
-  }, {OTHER_KEY, {}, {}});
+  expectAllOrNothing({OTHER_KEY, {}, KEY},
+                     [](KeyStore &store) {
+                       const uint8_t previous = store.other(SUPO);
+                       if (previous != KeyStore::NO_SLOT) store.erase(previous);
+                     },
+                     {OTHER_KEY, {}, {}});
 }

@@ -73,7 +73,8 @@ void expectFirm(const std::function<void(KeyStore &)> &prepare, const std::funct
       again.begin();
       change(again);
       const std::string after = boot();
-      ASSERT_TRUE(isOld || found == after) << "cut " << cut << " seed " << seed << "\nold " << before << "\ngot " << found << "\nnew " << after;
+      ASSERT_TRUE(isOld || found == after)
+          << "cut " << cut << " seed " << seed << "\nold " << before << "\ngot " << found << "\nnew " << after;
       for (int i = 0; i < BOOTS; i++) ASSERT_EQ(after, boot()) << "cut " << cut << " seed " << seed;
     }
   }
@@ -86,11 +87,13 @@ TEST(WeakKeys, the_first_one_is_there_or_not_once_and_for_all) {
 }
 
 TEST(WeakKeys, one_that_is_replaced_is_the_old_or_the_new_once_and_for_all) {
-  expectFirm([](KeyStore &store) { store.set(SUPO, KEY.data()); }, [](KeyStore &store) { store.set(SUPO, OTHER_KEY.data()); });
+  expectFirm([](KeyStore &store) { store.set(SUPO, KEY.data()); },
+             [](KeyStore &store) { store.set(SUPO, OTHER_KEY.data()); });
 }
 
 TEST(WeakKeys, one_that_is_renewed_is_the_old_or_both_once_and_for_all) {
-  expectFirm([](KeyStore &store) { store.set(SUPO, KEY.data()); }, [](KeyStore &store) { store.renew(SUPO, OTHER_KEY.data()); });
+  expectFirm([](KeyStore &store) { store.set(SUPO, KEY.data()); },
+             [](KeyStore &store) { store.renew(SUPO, OTHER_KEY.data()); });
 }
 
 TEST(WeakKeys, one_that_is_taken_into_use_seals_or_does_not_once_and_for_all) {

@@ -18,16 +18,11 @@ PacketEvent decode(PacketDecoder &decoder, const Bytes &packet) {
 
 std::string outcomeOf(PacketEvent event, const PacketDecoder &decoder) {
   switch (event) {
-    case PacketEvent::NONE:
-      return "NONE";
-    case PacketEvent::BAD_COBS:
-      return "BAD_COBS";
-    case PacketEvent::TOO_LONG:
-      return "TOO_LONG";
-    case PacketEvent::TOO_SHORT:
-      return "TOO_SHORT";
-    case PacketEvent::BAD_CRC:
-      return "BAD_CRC";
+    case PacketEvent::NONE: return "NONE";
+    case PacketEvent::BAD_COBS: return "BAD_COBS";
+    case PacketEvent::TOO_LONG: return "TOO_LONG";
+    case PacketEvent::TOO_SHORT: return "TOO_SHORT";
+    case PacketEvent::BAD_CRC: return "BAD_CRC";
     default: {
       javino::Frame frame;
       return nameOf(javino::Frame::parse(decoder.frame(), decoder.frameLength(), frame));

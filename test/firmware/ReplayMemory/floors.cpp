@@ -51,7 +51,8 @@ TEST(ReplayFloor, makes_all_stale_that_is_not_above_it_when_power_was_lost) {
   rig.take(0, SUPO, nonce(5, 7));
   rig.take(0, SUPO, nonce(5, 9));
   rig.powerCycle();
-  for (uint32_t counter : {0, 7, 9, 10, 38}) EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, counter))) << counter;
+  for (uint32_t counter : {0, 7, 9, 10, 38})
+    EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, counter))) << counter;
   EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(4, 0xFFFFFF)));
   EXPECT_EQ(nonce(5, 38), rig.floor(0, SUPO));
   EXPECT_TRUE(rig.take(0, SUPO, nonce(5, 39)));
@@ -92,7 +93,9 @@ TEST(ReplayFloor, that_cannot_be_written_is_told_and_nothing_is_remembered) {
 TEST(ReplayFloor, passes_over_worn_places) {
   ReplayRig rig;
   for (uint16_t place = 0; place < javino::config::FLOOR_SLOTS; place++) {
-    if (place % 7 != 0) rig.eeprom.wearOut(static_cast<uint16_t>(javino::FLOORS_AT + place * javino::FLOOR_PLACE_LENGTH + place % javino::FLOOR_PLACE_LENGTH));
+    if (place % 7 != 0)
+      rig.eeprom.wearOut(static_cast<uint16_t>(javino::FLOORS_AT + place * javino::FLOOR_PLACE_LENGTH +
+                                               place % javino::FLOOR_PLACE_LENGTH));
   }
   for (uint32_t counter = 0; counter < 5000; counter += 32) {
     ASSERT_TRUE(rig.take(0, SUPO, nonce(5, counter)));

@@ -37,7 +37,8 @@ TEST(ReplayShares, invented_origins_of_a_group_leave_each_pair_its_place) {
   for (int boots = 0; boots < 3; boots++) {
     EXPECT_EQ(ReplayMemory::FULL, rig.judge(rig.group, SUPO, nonce(9, 9)));
     EXPECT_FALSE(rig.reserve(rig.group, SUPO, nonce(9, 9)));
-    for (uint8_t pair = 0; pair < 4; pair++) EXPECT_TRUE(rig.take(pair, Address(pair), nonce(9 + boots, 0))) << int(pair);
+    for (uint8_t pair = 0; pair < 4; pair++)
+      EXPECT_TRUE(rig.take(pair, Address(pair), nonce(9 + boots, 0))) << int(pair);
     rig.powerCycle();
   }
 }

@@ -14,11 +14,13 @@ TEST(ReplayMemory, takes_only_higher_nonces) {
     uint32_t epoch;
     uint32_t counter;
     ReplayMemory::Verdict verdict;
-  } cases[] = {{5, 7, ReplayMemory::REPEATED},        {5, 6, ReplayMemory::REPLAYED}, {4, 0xFFFFFF, ReplayMemory::REPLAYED},
-               {5, 8, ReplayMemory::NEWER},           {6, 0, ReplayMemory::NEWER},    {0x010000, 0, ReplayMemory::NEWER},
+  } cases[] = {{5, 7, ReplayMemory::REPEATED},        {5, 6, ReplayMemory::REPLAYED},
+               {4, 0xFFFFFF, ReplayMemory::REPLAYED}, {5, 8, ReplayMemory::NEWER},
+               {6, 0, ReplayMemory::NEWER},           {0x010000, 0, ReplayMemory::NEWER},
                {0, 0x800000, ReplayMemory::REPLAYED}, {5, 0x100, ReplayMemory::NEWER}};
   for (const auto &entry : cases) {
-    EXPECT_EQ(entry.verdict, rig.judge(0, SUPO, nonce(entry.epoch, entry.counter))) << entry.epoch << "/" << entry.counter;
+    EXPECT_EQ(entry.verdict, rig.judge(0, SUPO, nonce(entry.epoch, entry.counter)))
+        << entry.epoch << "/" << entry.counter;
   }
 }
 

@@ -64,7 +64,8 @@ TEST(WeakFloors, over_random_traffic_and_losses_of_power_never_let_a_nonce_come_
     uint32_t counter = 0;
     for (int i = 0; i < 1500; i++) {
       counter += 1 + random.number(40);
-      if (random.number(6) == 0) rig.eeprom.cutPowerWeaklyAfter(static_cast<int>(random.number(60)), random.number(1000000));
+      if (random.number(6) == 0)
+        rig.eeprom.cutPowerWeaklyAfter(static_cast<int>(random.number(60)), random.number(1000000));
       const uint8_t key = static_cast<uint8_t>(random.number(2));
       try {
         if (rig.take(key, SUPO, nonce(5, counter))) highest[key] = nonce(5, counter);

@@ -126,14 +126,9 @@ TEST_F(SerialSessionTest, a_noisy_line_performs_nothing_twice_and_answers_only_w
     Bytes noisy = good;
     const uint32_t at = random.number(static_cast<uint32_t>(noisy.size()));
     switch (random.number(3)) {
-      case 0:
-        noisy[at] = static_cast<uint8_t>(noisy[at] ^ 1 << random.number(8));
-        break;
-      case 1:
-        noisy.erase(noisy.begin() + at);
-        break;
-      default:
-        noisy.insert(noisy.begin() + at, random.byte());
+      case 0: noisy[at] = static_cast<uint8_t>(noisy[at] ^ 1 << random.number(8)); break;
+      case 1: noisy.erase(noisy.begin() + at); break;
+      default: noisy.insert(noisy.begin() + at, random.byte());
     }
     board.sendRaw(noisy + Bytes{0});
     board.sendRaw(good);

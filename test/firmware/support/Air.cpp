@@ -64,6 +64,6 @@ void Air::finish(const Packet &packet) {
 
 void Air::listen(Station &station) {
   station.board.radio.heard = hearsCarriers && std::any_of(onAir_.begin(), onAir_.end(), [&](const Packet &packet) {
-    return packet.from != &station && now_ - packet.begin >= MILLIS_TO_CARRIER;
-  });
+                                return packet.from != &station && now_ - packet.begin >= MILLIS_TO_CARRIER;
+                              });
 }

@@ -26,9 +26,9 @@ class FakeRadio : public javino::Radio {
   /// The packet on the air ends.
   void finishSending();
 
-  bool works = true;      ///< whether begin() succeeds
-  bool refuses = false;   ///< whether send() does nothing
-  bool heard = false;     ///< whether another board's carrier is on the air
+  bool works = true;     ///< whether begin() succeeds
+  bool refuses = false;  ///< whether send() does nothing
+  bool heard = false;    ///< whether another board's carrier is on the air
   int updates = 0;
   javino::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;

@@ -36,8 +36,8 @@ class Station {
 
   const std::string id;
   TestBoard board;
-  std::vector<std::string> received;      ///< contents that the host has handed on
-  std::map<std::string, End> ended;       ///< by content
+  std::vector<std::string> received;  ///< contents that the host has handed on
+  std::map<std::string, End> ended;   ///< by content
   std::map<uint8_t, std::string> underWay;
 
  private:
@@ -46,6 +46,6 @@ class Station {
   void greet();
 
   uint32_t untilPoll_ = 0;
-  std::unique_ptr<uint8_t> handedOn_;     // the number of the last message that the board was not told of yet
-  std::set<std::string> unconfirmed_;     // origins and ids of messages that the board may give once more
+  std::unique_ptr<uint8_t> handedOn_;  // the number of the last message that the board was not told of yet
+  std::set<std::string> unconfirmed_;  // origins and ids of messages that the board may give once more
 };

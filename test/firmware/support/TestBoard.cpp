@@ -71,9 +71,7 @@ void TestBoard::start(const std::string &rfId) {
 
 BoardReply TestBoard::hello() { return request('H', {1}); }
 
-BoardReply TestBoard::request(const Bytes &message) {
-  return exchange(reference::frame("++++", "++++", message));
-}
+BoardReply TestBoard::request(const Bytes &message) { return exchange(reference::frame("++++", "++++", message)); }
 
 BoardReply TestBoard::transmit(const std::string &destination, const std::string &origin, const std::string &content) {
   return exchange(plain(destination, origin, content));

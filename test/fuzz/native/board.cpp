@@ -44,9 +44,10 @@ class Scene {
   typedef void (Scene::*Step)();
 
   void step() {
-    static const Step STEPS[] = {&Scene::rawBytes,    &Scene::request,   &Scene::poll,  &Scene::transmit, &Scene::rawPacket,
-                                 &Scene::frame,       &Scene::longFrame, &Scene::piece, &Scene::answer,   &Scene::replay,
-                                 &Scene::sealedFrame, &Scene::pass,      &Scene::endPacket, &Scene::reset};
+    static const Step STEPS[] = {&Scene::rawBytes,  &Scene::request, &Scene::poll,        &Scene::transmit,
+                                 &Scene::rawPacket, &Scene::frame,   &Scene::longFrame,   &Scene::piece,
+                                 &Scene::answer,    &Scene::replay,  &Scene::sealedFrame, &Scene::pass,
+                                 &Scene::endPacket, &Scene::reset};
     (this->*STEPS[input_.byte() % (sizeof STEPS / sizeof *STEPS)])();
   }
 
@@ -108,7 +109,11 @@ class Scene {
     std::string content = std::to_string(counter_) + ";";
     content.resize(std::max(length, content.size()), 'x');
     allowed_.insert(content);
-    const Bytes nonce = {0, 0, 9, static_cast<uint8_t>(counter_ >> 16), static_cast<uint8_t>(counter_ >> 8),
+    const Bytes nonce = {0,
+                         0,
+                         9,
+                         static_cast<uint8_t>(counter_ >> 16),
+                         static_cast<uint8_t>(counter_ >> 8),
                          static_cast<uint8_t>(counter_)};
     recorded_.push_back(sealed(toGroup ? GROUP_KEY : PAIR_KEY, toGroup ? "//SU" : "SUPO", "ROMA", nonce, content));
     return recorded_.back();

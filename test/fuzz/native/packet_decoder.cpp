@@ -35,7 +35,8 @@ void checkHeader(const uint8_t *bytes, uint16_t length) {
   uint8_t header[HEADER_LENGTH];
   Frame::writeHeader(header, frame.destination, frame.origin, frame.length);
   require(std::memcmp(header, bytes, HEADER_LENGTH) == 0, "a frame that was read is written as it was");
-  require(frame.message == bytes + HEADER_LENGTH && frame.length == length - HEADER_LENGTH, "its message is all the rest");
+  require(frame.message == bytes + HEADER_LENGTH && frame.length == length - HEADER_LENGTH,
+          "its message is all the rest");
 }
 
 void checkPacket(const PacketDecoder &decoder) {

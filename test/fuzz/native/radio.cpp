@@ -58,23 +58,14 @@ AirLine damaged(Input &input) {
 
 void step(Input &input, Scene &scene) {
   switch (input.byte() % 8) {
-    case 0:
-      return scene.hear(rawBits(input));
-    case 1:
-      return scene.hear(AirLine().bits(reference::lineBits(input.bytes(90)), bitTicks(input)));
-    case 2:
-      return scene.hear(AirLine().bits(reference::packetBits(payload(input)), bitTicks(input)));
-    case 3:
-      return scene.hear(damaged(input));
-    case 4:
-      return scene.hear(noise(input));
-    case 5:
-      scene.modem.send(payload(input));
-      return;
-    case 6:
-      return scene.modem.hardware.wait(input.byte() * 500u);
-    default:
-      scene.take();
+    case 0: return scene.hear(rawBits(input));
+    case 1: return scene.hear(AirLine().bits(reference::lineBits(input.bytes(90)), bitTicks(input)));
+    case 2: return scene.hear(AirLine().bits(reference::packetBits(payload(input)), bitTicks(input)));
+    case 3: return scene.hear(damaged(input));
+    case 4: return scene.hear(noise(input));
+    case 5: scene.modem.send(payload(input)); return;
+    case 6: return scene.modem.hardware.wait(input.byte() * 500u);
+    default: scene.take();
   }
 }
 

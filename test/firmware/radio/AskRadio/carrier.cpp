@@ -20,7 +20,8 @@ AirLine bothOf(const Bits &first, const Bits &second, double shift) {
   AirLine both;
   const double step = Modem::BIT / 50;
   const double end = std::max(a.duration(), shift + b.duration());
-  for (double at = step / 2; at < end; at += step) both.hold(a.levelAt(at) || (at >= shift && b.levelAt(at - shift)), step);
+  for (double at = step / 2; at < end; at += step)
+    both.hold(a.levelAt(at) || (at >= shift && b.levelAt(at - shift)), step);
   return both.silence(30 * Modem::BIT);
 }
 

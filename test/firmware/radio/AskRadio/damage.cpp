@@ -34,7 +34,8 @@ TEST(AskRadio, dropsAndCountsATruncatedPacketAndTakesTheNext) {
   const Bits whole = reference::packetBits({'t', 'e', 'l', 'l'});
   for (size_t length = 48; length < whole.size() - 6; length++) {
     Modem modem;
-    modem.hardware.play(AirLine().bits(Bits(whole.begin(), whole.begin() + length), Modem::BIT).silence(12 * Modem::BIT));
+    modem.hardware.play(
+        AirLine().bits(Bits(whole.begin(), whole.begin() + length), Modem::BIT).silence(12 * Modem::BIT));
     EXPECT_EQ(modem.take(), Bytes()) << "cut after bit " << length;
     EXPECT_EQ(modem.counters().damaged, 1u) << "cut after bit " << length;
     modem.hardware.play(packetLine({7}));

@@ -23,7 +23,8 @@ struct Damage {
     if (!touched) untouched++;
     decoder_.add(bits);
     decoder_.endOfSignal();
-    for (javino::RadioPacket packet = decoder_.take(); packet.bytes[0] != 0; packet = decoder_.take()) judge(packet, payload);
+    for (javino::RadioPacket packet = decoder_.take(); packet.bytes[0] != 0; packet = decoder_.take())
+      judge(packet, payload);
   }
 
  private:

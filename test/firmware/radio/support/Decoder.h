@@ -28,7 +28,8 @@ class Decoder {
   // Its payload, where its CRC is right without mending.
   Bytes takeIntact() {
     const javino::RadioPacket packet = take();
-    if (packet.bytes[0] == 0 || packet.wrongNibble != javino::RadioPacket::NO_NIBBLE || !packet.isIntact()) return Bytes();
+    if (packet.bytes[0] == 0 || packet.wrongNibble != javino::RadioPacket::NO_NIBBLE || !packet.isIntact())
+      return Bytes();
     return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }
 

@@ -77,7 +77,8 @@ void loop() {
   if (!complete) return;
   complete = false;
   if (strcmp(message, "getPercepts") == 0) {
-    answer(String("led(") + (digitalRead(LED_PIN) ? "on" : "off") + ");performed(" + performed + ");last(" + last + ");");
+    answer(String("led(") + (digitalRead(LED_PIN) ? "on" : "off") + ");performed(" + performed + ");last(" + last +
+           ");");
   } else {
     perform(message);
   }

@@ -34,6 +34,4 @@ void setup() {
   board.begin(115200);
 }
 
-void loop() {
-  board.run();
-}
+void loop() { board.run(); }
