@@ -19,12 +19,16 @@ public final class Benchmarks {
         }
         Report report = new Report();
         for (Subject subject : SUBJECTS) {
-            if (!wanted.isEmpty() && !wanted.contains(subject.name())) continue;
+            if (!wanted.isEmpty() && !wanted.contains(subject.name())) {
+                continue;
+            }
             System.err.println("bench: " + subject.name());
             report.add(subject, subject.measure());
         }
         System.out.println(report.text());
-        if (wanted.isEmpty()) report.write(Machine.ROOT.resolve("docs/performance.md"));
+        if (wanted.isEmpty()) {
+            report.write(Machine.ROOT.resolve("docs/performance.md"));
+        }
         // Agents and sessions run on threads that nothing else ends.
         System.exit(0);
     }

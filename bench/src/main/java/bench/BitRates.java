@@ -30,7 +30,9 @@ final class BitRates implements Subject {
 
     private static int highest(String sketch) throws Exception {
         int rate = HIGHEST;
-        while (rate > 0 && loses(sketch, rate)) rate -= STEP;
+        while (rate > 0 && loses(sketch, rate)) {
+            rate -= STEP;
+        }
         return rate;
     }
 

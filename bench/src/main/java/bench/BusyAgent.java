@@ -57,7 +57,9 @@ public final class BusyAgent implements Subject {
     public List<Row> measure() throws Exception {
         Map<Kind, Double> best = new EnumMap<>(Kind.class);
         for (int round = 0; round < ROUNDS; round++) {
-            for (Kind kind : Kind.values()) best.merge(kind, cyclesOf(kind), Math::max);
+            for (Kind kind : Kind.values()) {
+                best.merge(kind, cyclesOf(kind), Math::max);
+            }
         }
         double plain = best.get(Kind.PLAIN);
         return List.of(row("at once", best.get(Kind.AT_ONCE), plain), row("after 50 ms", best.get(Kind.LATE), plain),
@@ -81,7 +83,9 @@ public final class BusyAgent implements Subject {
         LocalAgArch agent = plain ? Agents.start("busy", PROGRAM) : Agents.start("busy", WITH_BOARD, MemoryDiffuser.class);
         Thread.sleep(WARM_UP.toMillis());
         Samples cycles = new Samples();
-        for (int i = 0; i < WINDOWS; i++) cycles.add(cyclesASecond(agent));
+        for (int i = 0; i < WINDOWS; i++) {
+            cycles.add(cyclesASecond(agent));
+        }
         System.out.println(cycles.greatest());
         System.exit(0);
     }

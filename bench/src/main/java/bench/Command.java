@@ -14,7 +14,9 @@ final class Command {
         List<String> command = Stream.of(words).map(String::valueOf).toList();
         Process process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         List<String> lines = process.inputReader().lines().toList();
-        if (process.waitFor() != 0) throw new IOException(String.join(" ", command) + " ended with " + process.exitValue());
+        if (process.waitFor() != 0) {
+            throw new IOException(String.join(" ", command) + " ended with " + process.exitValue());
+        }
         return lines;
     }
 }

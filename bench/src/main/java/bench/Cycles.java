@@ -47,7 +47,9 @@ final class Cycles implements Subject {
         String what = line.group(1);
         double cycles = Double.parseDouble(line.group(2));
         Target target = TARGETS.get(what);
-        if (target == null) return Row.of(what, Row.text(cycles == Math.rint(cycles) ? "%.0f cycles" : "%.1f cycles", cycles));
+        if (target == null) {
+            return Row.of(what, Row.text(cycles == Math.rint(cycles) ? "%.0f cycles" : "%.1f cycles", cycles));
+        }
         Row row = target.reference == 0 ? Row.of(what, Row.text("%.0f cycles", cycles))
             : Row.cited(what, "%.0f cycles", cycles, target.reference, target.cited);
         return row.goal("≤ " + target.goal);

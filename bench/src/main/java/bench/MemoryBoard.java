@@ -64,7 +64,9 @@ final class MemoryBoard implements LinkOpener {
             while (true) {
                 int count = line.read(buffer, Duration.ofSeconds(1));
                 for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
-                    if (!silent && result instanceof PacketDecoder.Found found) answer(line, found.packet());
+                    if (!silent && result instanceof PacketDecoder.Found found) {
+                        answer(line, found.packet());
+                    }
                 }
             }
         } catch (LinkException closed) {
@@ -74,7 +76,9 @@ final class MemoryBoard implements LinkOpener {
     }
 
     private void answer(Link line, Packet request) throws LinkException {
-        if (!delay.isZero()) LockSupport.parkNanos(delay.toNanos());
+        if (!delay.isZero()) {
+            LockSupport.parkNanos(delay.toNanos());
+        }
         Bytes message = switch (request.frame().message().at(0)) {
             case 'P' -> percepts();
             case 'C' -> NO_ACTIONS;

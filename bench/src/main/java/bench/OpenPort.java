@@ -34,7 +34,9 @@ final class OpenPort implements Subject {
         try (Emulator emulator = new Emulator.Scenario().board("board", "Station", Map.of("resetOnOpen", false))
             .start(Files.createTempDirectory("javino-bench"))) {
             open(emulator);
-            for (int i = 0; i < TIMES; i++) milliseconds.add(open(emulator));
+            for (int i = 0; i < TIMES; i++) {
+                milliseconds.add(open(emulator));
+            }
         }
         return List.of(
             Row.cited("opening a live board's port, median", "%.0f ms", milliseconds.median(), 3036, "the paper's software").goal("≤ 100 ms"),

@@ -39,8 +39,12 @@ final class Probe {
     static Probe run(String sketch, int bitRate, int senders, int receivers, double seconds) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("javino-bench");
         List<Map<String, Object>> boards = new ArrayList<>();
-        for (int i = 0; i < senders; i++) boards.add(board("tx" + i, sketch, folder, bitRate, Map.of("type", "digital", "pin", SENDER_PIN, "level", List.of(List.of(0, 1)))));
-        for (int i = 0; i < receivers; i++) boards.add(board("rx" + i, sketch, folder, bitRate, Map.of()));
+        for (int i = 0; i < senders; i++) {
+            boards.add(board("tx" + i, sketch, folder, bitRate, Map.of("type", "digital", "pin", SENDER_PIN, "level", List.of(List.of(0, 1)))));
+        }
+        for (int i = 0; i < receivers; i++) {
+            boards.add(board("rx" + i, sketch, folder, bitRate, Map.of()));
+        }
         Path scenario = Files.writeString(folder.resolve("scenario.json"),
             new Gson().toJson(Map.of("radio", Map.of("bitRate", bitRate), "boards", boards)));
         List<String> lines = Command.run(Machine.program("probe"), scenario, folder, seconds);
@@ -55,7 +59,9 @@ final class Probe {
         eeprom[EEPROM_LENGTH - 1] = (byte) (bitRate >> 8);
         Files.write(folder.resolve(name), eeprom);
         Map<String, Object> board = new LinkedHashMap<>(Map.of("name", name, "firmware", Machine.firmware(sketch).toString(), "eeprom", name));
-        if (!sensor.isEmpty()) board.put("sensors", List.of(sensor));
+        if (!sensor.isEmpty()) {
+            board.put("sensors", List.of(sensor));
+        }
         return board;
     }
 
@@ -63,7 +69,9 @@ final class Probe {
     double load(String board, List<Integer> vectors) {
         double cycles = trace.stream().filter(event -> event.is("interrupts", board) && vectors.contains(event.number("vector")))
             .mapToDouble(event -> event.number("cycles")).sum();
-        if (cycles == 0) throw new IllegalStateException("of the interrupts " + vectors + " none has run on " + board);
+        if (cycles == 0) {
+            throw new IllegalStateException("of the interrupts " + vectors + " none has run on " + board);
+        }
         return 100 * cycles / (seconds * CYCLES_PER_SECOND);
     }
 

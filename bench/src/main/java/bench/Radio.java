@@ -61,7 +61,9 @@ final class Radio implements Subject {
             Row unicasts;
             try (Host receiver = Host.of(emulator, "receiver").as("SUPP", Map.of("SUPO", key))) {
                 try (Host sender = Host.of(emulator, "sender").as("SUPO", Map.of("SUPP", key))) {
-                    for (int i = 0; i < MESSAGES; i++) latency.add(sendOne(sender, receiver));
+                    for (int i = 0; i < MESSAGES; i++) {
+                        latency.add(sendOne(sender, receiver));
+                    }
                     packet = emulator.sentBy("sender").get(0);
                 }
                 broadcasts = goodput(emulator, "broadcast", "////");

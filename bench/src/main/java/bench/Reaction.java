@@ -79,9 +79,13 @@ final class Reaction implements Subject {
             Thread.sleep(LONG_QUIET_MILLIS + ThreadLocalRandom.current().nextInt(40));
         }
         Samples spoken = new Samples();
-        for (int i = 0; i < MESSAGES; i++) spoken.add((nanos(begun.get(i).seconds()) + clock - said.get(i)) / 1e6);
+        for (int i = 0; i < MESSAGES; i++) {
+            spoken.add((nanos(begun.get(i).seconds()) + clock - said.get(i)) / 1e6);
+        }
         Samples perceived = new Samples();
-        for (int i = 0; i < CHANGES; i++) perceived.add((await("light(" + light(i) + ")") - nanos(changeOf(i)) - clock) / 1e6);
+        for (int i = 0; i < CHANGES; i++) {
+            perceived.add((await("light(" + light(i) + ")") - nanos(changeOf(i)) - clock) / 1e6);
+        }
         return List.of(
             Row.of("percept: pin to belief event, median (longest)", both(perceived)).goal("≤ 30 ms"),
             Row.of(".diffuse to first bit on air, median (longest)", both(spoken)).goal("≤ 30 ms"));
@@ -99,7 +103,9 @@ final class Reaction implements Subject {
     private static long await(String what) throws InterruptedException {
         while (true) {
             note.Note next = note.next();
-            if (next.what().equals(what)) return next.nanos();
+            if (next.what().equals(what)) {
+                return next.nanos();
+            }
         }
     }
 

@@ -37,7 +37,9 @@ record Row(String what, String ours, String reference, String ratio, String goal
     }
 
     private static String ratioText(double quotient) {
-        if (!Double.isFinite(quotient)) return "";
+        if (!Double.isFinite(quotient)) {
+            return "";
+        }
         return text(quotient == 0 || quotient >= 0.1 ? "%.2f" : "%.4f", quotient);
     }
 

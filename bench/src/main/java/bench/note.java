@@ -27,7 +27,9 @@ public final class note extends DefaultInternalAction {
     /** The next one, waited for. */
     static Note next() throws InterruptedException {
         Note next = NOTES.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        if (next == null) throw new IllegalStateException("the agent noted nothing more");
+        if (next == null) {
+            throw new IllegalStateException("the agent noted nothing more");
+        }
         return next;
     }
 }

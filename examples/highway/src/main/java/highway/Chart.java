@@ -43,8 +43,12 @@ final class Chart {
             <title>The highway: what five agents said, sent and did</title>
             <rect width="%1$d" height="%2$d" fill="white"/>
             """, WIDTH, height));
-        for (Device device : Device.values()) svg.append(lifeline(device, height));
-        for (int row = 0; row < evidence.size(); row++) svg.append(row(evidence.get(row), HEAD + ROW * (row + 1)));
+        for (Device device : Device.values()) {
+            svg.append(lifeline(device, height));
+        }
+        for (int row = 0; row < evidence.size(); row++) {
+            svg.append(row(evidence.get(row), HEAD + ROW * (row + 1)));
+        }
         return svg.append("</svg>\n").toString();
     }
 
@@ -60,10 +64,14 @@ final class Chart {
 
     private static String row(Observation seen, int y) {
         // Of what an agent says it is only known between which events it was.
-        if (seen instanceof Said said) return box(said.device(), "“" + said.text() + "”", y, "white");
+        if (seen instanceof Said said) {
+            return box(said.device(), "“" + said.text() + "”", y, "white");
+        }
         String time = String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",
             y + 4, seen.seconds());
-        if (seen instanceof Pin pin) return time + box(pin.device(), pin.words(), y, "#eee");
+        if (seen instanceof Pin pin) {
+            return time + box(pin.device(), pin.words(), y, "#eee");
+        }
         return seen instanceof Aired aired ? time + arrows(aired, y) : "";
     }
 

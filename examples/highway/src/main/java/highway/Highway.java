@@ -43,7 +43,9 @@ public final class Highway implements Callable<Integer> {
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
-        if (!scenario.agentsStarted()) return CommandLine.ExitCode.SOFTWARE;
+        if (!scenario.agentsStarted()) {
+            return CommandLine.ExitCode.SOFTWARE;
+        }
         timeline.table(scenario.behaviours());
         Replay model = scenario.model();
         timeline.verdict(model.verdict(), model.refusal().isEmpty());

@@ -49,8 +49,12 @@ final class Options {
 
     List<String> emulatorCommand() {
         List<String> command = new ArrayList<>(List.of(emulator.toString(), "highway.json", "--trace", "-", "--seed", "" + seed));
-        if (radioBitErrorRate != null) command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
-        if (radioRange != null) command.addAll(List.of("--set", "radio.range=" + radioRange));
+        if (radioBitErrorRate != null) {
+            command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
+        }
+        if (radioRange != null) {
+            command.addAll(List.of("--set", "radio.range=" + radioRange));
+        }
         return command;
     }
 

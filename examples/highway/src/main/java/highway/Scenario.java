@@ -92,7 +92,9 @@ final class Scenario implements AutoCloseable {
     private void lockFolder() throws IOException, BrokenOffException {
         Files.createDirectories(Path.of("build"));
         lock = FileChannel.open(Path.of("build", "lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        if (lock.tryLock() == null) throw new BrokenOffException("another run in this folder has not ended yet");
+        if (lock.tryLock() == null) {
+            throw new BrokenOffException("another run in this folder has not ended yet");
+        }
     }
 
     private void readTrace(String line) {
@@ -133,7 +135,9 @@ final class Scenario implements AutoCloseable {
         agentsStarted = true;
         timeline.note("five agents, each in a Java virtual machine of its own");
         for (Device device : Device.values()) {
-            if (device != Device.BUS) startAgent(device);
+            if (device != Device.BUS) {
+                startAgent(device);
+            }
         }
         waitFor("four agents to be ready", () -> ready.size() == Device.values().length - 1);
         startAgent(Device.BUS);
@@ -146,7 +150,9 @@ final class Scenario implements AutoCloseable {
 
     /** Keeps the boards running until the launcher is ended. */
     void stay() throws InterruptedException, BrokenOffException {
-        while (true) takeHappening(Long.MAX_VALUE);
+        while (true) {
+            takeHappening(Long.MAX_VALUE);
+        }
     }
 
     private void startAgent(Device device) throws IOException {
@@ -170,14 +176,18 @@ final class Scenario implements AutoCloseable {
         for (Map.Entry<String, List<String>> command : commands.entrySet()) {
             launch(command.getValue(), line -> timeline.note(command.getKey() + line), status -> {
                 running.decrementAndGet();
-                if (status != 0) failure = name + " has ended with status " + status;
+                if (status != 0) {
+                    failure = name + " has ended with status " + status;
+                }
             });
         }
         waitFor(name + " to end", () -> running.get() == 0);
     }
 
     private synchronized void launch(List<String> command, Consumer<String> line, IntConsumer ended) throws IOException {
-        if (closed) throw new IOException("the run is being ended");
+        if (closed) {
+            throw new IOException("the run is being ended");
+        }
         children.add(Child.start(command,
             text -> happenings.add(() -> line.accept(text)),
             status -> happenings.add(() -> ended.accept(status))));
@@ -186,21 +196,31 @@ final class Scenario implements AutoCloseable {
     private void see(Observation observation) {
         timeline.show(observation);
         boolean evidence = false;
-        for (Behaviour behaviour : behaviours) evidence |= behaviour.see(observation);
-        if (evidence) chart.add(observation);
-        if (observation instanceof Observation.Said said && said.text().equals("Ready")) ready.add(said.device());
+        for (Behaviour behaviour : behaviours) {
+            evidence |= behaviour.see(observation);
+        }
+        if (evidence) {
+            chart.add(observation);
+        }
+        if (observation instanceof Observation.Said said && said.text().equals("Ready")) {
+            ready.add(said.device());
+        }
     }
 
     private void waitFor(String what, BooleanSupplier condition)
             throws InterruptedException, BrokenOffException {
-        if (!until(condition)) throw new BrokenOffException("waited " + options.timeout() + " s for " + what + " in vain");
+        if (!until(condition)) {
+            throw new BrokenOffException("waited " + options.timeout() + " s for " + what + " in vain");
+        }
     }
 
     /** Whether the condition came true in time. */
     private boolean until(BooleanSupplier condition) throws InterruptedException, BrokenOffException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout());
         while (!condition.getAsBoolean()) {
-            if (System.nanoTime() >= end) return false;
+            if (System.nanoTime() >= end) {
+                return false;
+            }
             takeHappening(TimeUnit.MILLISECONDS.toNanos(50));
         }
         return true;
@@ -208,8 +228,12 @@ final class Scenario implements AutoCloseable {
 
     private void takeHappening(long nanos) throws InterruptedException, BrokenOffException {
         Runnable happening = happenings.poll(nanos, TimeUnit.NANOSECONDS);
-        if (happening != null) happening.run();
-        if (failure != null) throw new BrokenOffException(failure);
+        if (happening != null) {
+            happening.run();
+        }
+        if (failure != null) {
+            throw new BrokenOffException(failure);
+        }
     }
 
     /** Ends all that runs; called at the end, and by the virtual machine where that comes first (Ctrl-C). */
@@ -218,6 +242,8 @@ final class Scenario implements AutoCloseable {
         closed = true;
         children.forEach(Child::end);
         children.forEach(Child::awaitEnd);
-        if (record != null) record.close();
+        if (record != null) {
+            record.close();
+        }
     }
 }

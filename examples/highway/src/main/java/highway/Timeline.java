@@ -39,10 +39,18 @@ final class Timeline {
     }
 
     private String line(Observation seen) {
-        if (seen instanceof Said said) return who(said.device()) + "says   " + said.text();
-        if (seen instanceof Aired aired) return who(aired.origin()) + "sends  " + packet(aired);
-        if (seen instanceof Acknowledged answer) return who(answer.origin()) + paint(GREY, "acks   " + answer.answers());
-        if (seen instanceof Pin pin) return who(pin.device()) + paint(GREY, pin.words());
+        if (seen instanceof Said said) {
+            return who(said.device()) + "says   " + said.text();
+        }
+        if (seen instanceof Aired aired) {
+            return who(aired.origin()) + "sends  " + packet(aired);
+        }
+        if (seen instanceof Acknowledged answer) {
+            return who(answer.origin()) + paint(GREY, "acks   " + answer.answers());
+        }
+        if (seen instanceof Pin pin) {
+            return who(pin.device()) + paint(GREY, pin.words());
+        }
         Spoilt spoilt = (Spoilt) seen;
         return who(spoilt.device()) + paint(RED, "loses  " + spoilt.why());
     }
@@ -67,7 +75,9 @@ final class Timeline {
             Behaviour behaviour = behaviours.get(row);
             String mark = behaviour.observed() ? paint(GREEN, "✓") : paint(RED, "✗");
             out.println(String.format(" %d  %s%s %s", row + 1, who(behaviour.device), mark, behaviour.text));
-            for (String missing : behaviour.missing()) out.println(paint(RED, "                 " + missing));
+            for (String missing : behaviour.missing()) {
+                out.println(paint(RED, "                 " + missing));
+            }
         }
         long observed = behaviours.stream().filter(Behaviour::observed).count();
         out.println();

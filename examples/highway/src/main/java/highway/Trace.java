@@ -25,7 +25,9 @@ final class Trace {
      * @throws JsonParseException if it is no event: a message of the emulator, or cut off
      */
     Optional<Observation> read(String line) {
-        if (!line.startsWith("{")) throw new JsonParseException(line);
+        if (!line.startsWith("{")) {
+            throw new JsonParseException(line);
+        }
         JsonObject event = JsonParser.parseString(line).getAsJsonObject();
         seconds = event.get("t").getAsDouble();
         return switch (text(event, "event")) {

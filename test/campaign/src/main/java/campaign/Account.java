@@ -36,7 +36,9 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
             switch (words[0]) {
                 case "offered" -> offered.add(words[1]);
                 case "ended" -> {
-                    if (words[2].equals("DELIVERED")) delivered.add(words[1]);
+                    if (words[2].equals("DELIVERED")) {
+                        delivered.add(words[1]);
+                    }
                 }
                 case "stuck" -> stuck += Long.parseLong(words[1]);
                 default -> { }
@@ -63,8 +65,12 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
         int run = 0;
         for (String line : receiver.lines()) {
             String[] words = line.split(" ");
-            if (HostLog.isRun(line)) run++;
-            if (words[0].equals("received")) handed.computeIfAbsent(words[1], any -> new ArrayList<>()).add(new Handed(run, words[2]));
+            if (HostLog.isRun(line)) {
+                run++;
+            }
+            if (words[0].equals("received")) {
+                handed.computeIfAbsent(words[1], any -> new ArrayList<>()).add(new Handed(run, words[2]));
+            }
         }
         return handed;
     }

@@ -27,7 +27,9 @@ final class Air implements Consumer<TraceEvent> {
     public synchronized void accept(TraceEvent event) {
         now = event.seconds();
         nonces.see(event);
-        if (!event.name().equals("rf-tx")) return;
+        if (!event.name().equals("rf-tx")) {
+            return;
+        }
         double seconds = event.fields().get("end").getAsDouble() - event.fields().get("start").getAsDouble();
         usages.merge(event.board(), new Usage(1, seconds), Usage::plus);
     }

@@ -62,7 +62,9 @@ final class Attacker implements AutoCloseable {
                     timetable.await(timetable.now() - Math.log(1 - random.nextDouble()) * pause, emulator);
                 }
             } catch (LinkException | InterruptedException | AssertionError broken) {
-                if (!ended) failure = post.name() + ": " + broken.getMessage();
+                if (!ended) {
+                    failure = post.name() + ": " + broken.getMessage();
+                }
             }
         }, "attacker");
         thread.start();

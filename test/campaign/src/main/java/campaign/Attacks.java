@@ -53,7 +53,9 @@ final class Attacks implements Campaign {
             List<Line> lines = process.inputReader().lines().map(Line::parse)
                 .peek(line -> report.progress("%s: %d tries, %d accepted", line.name, line.tries, line.accepted)).toList();
             // 1 says that something was accepted or lost, which the lines say too.
-            if (!process.waitFor(1, TimeUnit.MINUTES) || process.exitValue() > 1) throw new IOException("the attacks on the PC ended early");
+            if (!process.waitFor(1, TimeUnit.MINUTES) || process.exitValue() > 1) {
+                throw new IOException("the attacks on the PC ended early");
+            }
             return lines;
         } finally {
             process.destroyForcibly();

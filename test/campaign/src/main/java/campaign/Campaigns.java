@@ -42,9 +42,13 @@ public final class Campaigns implements Callable<Integer> {
     public Integer call() throws Exception {
         List<String> known = ALL.stream().map(Campaign::name).toList();
         for (String name : only) {
-            if (!known.contains(name)) return misused("there is no campaign '" + name + "', but " + String.join(", ", known));
+            if (!known.contains(name)) {
+                return misused("there is no campaign '" + name + "', but " + String.join(", ", known));
+            }
         }
-        if (minutes < 1) return misused("--minutes must be at least 1, not " + minutes);
+        if (minutes < 1) {
+            return misused("--minutes must be at least 1, not " + minutes);
+        }
         return run(known);
     }
 
@@ -58,7 +62,9 @@ public final class Campaigns implements Callable<Integer> {
         Settings settings = new Settings(seed, false, Duration.ofMinutes(minutes), root);
         List<String> violations = new ArrayList<>();
         for (Campaign campaign : ALL) {
-            if (!only.isEmpty() && !only.contains(campaign.name())) continue;
+            if (!only.isEmpty() && !only.contains(campaign.name())) {
+                continue;
+            }
             Report report = new Report(campaign.name(), System.err);
             try {
                 campaign.run(settings, report);
@@ -71,7 +77,9 @@ public final class Campaigns implements Callable<Integer> {
             document.write();
             violations.addAll(report.violations());
         }
-        if (!violations.isEmpty()) System.err.println("campaign: violated: " + String.join("; ", violations));
+        if (!violations.isEmpty()) {
+            System.err.println("campaign: violated: " + String.join("; ", violations));
+        }
         return violations.isEmpty() ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
     }
 

@@ -22,10 +22,14 @@ final class Closing implements AutoCloseable {
             try {
                 open.pop().close();
             } catch (Exception | AssertionError failed) {
-                if (failure == null) failure = new IOException("not all could be closed: " + failed.getMessage());
+                if (failure == null) {
+                    failure = new IOException("not all could be closed: " + failed.getMessage());
+                }
                 failure.addSuppressed(failed);
             }
         }
-        if (failure != null) throw failure;
+        if (failure != null) {
+            throw failure;
+        }
     }
 }

@@ -23,7 +23,9 @@ final class Contents {
      */
     static Content of(int number, int length) {
         StringBuilder text = new StringBuilder(BEFORE).append(Table.text("%0" + DIGITS + "d", number));
-        if (length > SHORTEST) text.append(",\"").append(filler(number, length - SHORTEST - 3)).append('"');
+        if (length > SHORTEST) {
+            text.append(",\"").append(filler(number, length - SHORTEST - 3)).append('"');
+        }
         try {
             return Content.decode(Bytes.ofText(text.append(')').toString()));
         } catch (ProtocolException impossible) {
@@ -34,7 +36,9 @@ final class Contents {
     /** The number that a content carries, or -1 where it is not, to the byte, what {@link #of} made of one. */
     static int number(Content content) {
         String text = content.toString();
-        if (!text.matches("tell;m\\(\\d{" + DIGITS + "}.*")) return -1;
+        if (!text.matches("tell;m\\(\\d{" + DIGITS + "}.*")) {
+            return -1;
+        }
         int number = Integer.parseInt(text.substring(BEFORE.length(), BEFORE.length() + DIGITS));
         return text.equals(of(number, text.length()).toString()) ? number : -1;
     }

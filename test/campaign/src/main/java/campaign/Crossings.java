@@ -14,13 +14,21 @@ final class Crossings {
 
     /** Takes notice of an event of the trace. */
     synchronized void see(TraceEvent event) {
-        if (!event.name().equals("rf-tx")) return;
+        if (!event.name().equals("rf-tx")) {
+            return;
+        }
         Packet packet = new Packet(event.fields().get("start").getAsDouble(), event.fields().get("end").getAsDouble(), false);
         for (Map.Entry<String, Packet> each : last.entrySet()) {
             Packet other = each.getValue();
-            if (each.getKey().equals(event.board()) || other.end < packet.start || packet.end < other.start) continue;
-            if (!other.crossed) crossed.merge(each.getKey(), 1L, Long::sum);
-            if (!packet.crossed) crossed.merge(event.board(), 1L, Long::sum);
+            if (each.getKey().equals(event.board()) || other.end < packet.start || packet.end < other.start) {
+                continue;
+            }
+            if (!other.crossed) {
+                crossed.merge(each.getKey(), 1L, Long::sum);
+            }
+            if (!packet.crossed) {
+                crossed.merge(event.board(), 1L, Long::sum);
+            }
             packet = new Packet(packet.start, packet.end, true);
             each.setValue(new Packet(other.start, other.end, true));
         }

@@ -49,7 +49,9 @@ final class Delivery implements Campaign {
             result.row(table, each, LONG, result.longs, result.longAir);
             all = all.plus(result.shorts).plus(result.longs);
             repeated += result.repeated;
-            if (each.rate == AIM_RATE) reached = result.shorts.delivered() >= AIM_SHARE * result.shorts.offered();
+            if (each.rate == AIM_RATE) {
+                reached = result.shorts.delivered() >= AIM_SHARE * result.shorts.offered();
+            }
         }
         report.table(table);
         report.aim("99.9 % of 16-byte unicasts at a bit error rate of 1e-3", reached);
@@ -76,14 +78,18 @@ final class Delivery implements Campaign {
         try (Closing closing = new Closing()) {
             Field field = closing.add(Field.start(scenario, Collections.nCopies(shorts + longs, new Field.Cell("Station", 2))));
             List<Pair> pairs = new ArrayList<>();
-            for (int i = 0; i < shorts + longs; i++) pairs.add(closing.add(new Pair(field, i, i < shorts ? SHORT : LONG)));
+            for (int i = 0; i < shorts + longs; i++) {
+                pairs.add(closing.add(new Pair(field, i, i < shorts ? SHORT : LONG)));
+            }
             double end = air.now() + each.seconds;
             List<Stream> streams = new ArrayList<>();
             for (int i = 0; i < pairs.size(); i++) {
                 int messages = i < shorts ? each.messages / shorts : each.longMessages / longs;
                 streams.add(pairs.get(i).stream(WINDOW, messages, () -> air.now() < end));
             }
-            for (Stream stream : streams) stream.await(PATIENCE_SECONDS);
+            for (Stream stream : streams) {
+                stream.await(PATIENCE_SECONDS);
+            }
             List<Pair> shortPairs = pairs.subList(0, shorts);
             List<Pair> longPairs = pairs.subList(shorts, pairs.size());
             report.progress("bit error rate %.0e: %d of %d short and %d of %d long unicasts delivered, %.0f s emulated", each.rate,

@@ -27,7 +27,9 @@ public final class Document {
     public Document(Path file, List<String> order) throws IOException {
         this.file = file;
         order.forEach(name -> sections.put(name, null));
-        if (!Files.exists(file)) return;
+        if (!Files.exists(file)) {
+            return;
+        }
         String[] parts = Files.readString(file).split(SECTION);
         for (int i = 1; i < parts.length; i++) {
             int end = parts[i].indexOf('\n');
@@ -44,7 +46,9 @@ public final class Document {
     public void write() throws IOException {
         StringBuilder text = new StringBuilder(HEAD);
         sections.forEach((name, section) -> {
-            if (section != null) text.append(SECTION).append(name).append("\n\n").append(section).append('\n');
+            if (section != null) {
+                text.append(SECTION).append(name).append("\n\n").append(section).append('\n');
+            }
         });
         Files.createDirectories(file.getParent());
         Files.writeString(file, text);

@@ -58,7 +58,9 @@ record Fault(Kind kind, int pair, int side, double second, int writes) {
 
     /** When the cause ended, if an event of the trace, the first such one after its beginning, shows that it has. */
     OptionalDouble end(TraceEvent event, String board) {
-        if (event.seconds() <= second) return OptionalDouble.empty();
+        if (event.seconds() <= second) {
+            return OptionalDouble.empty();
+        }
         if (kind == Kind.JAM) {
             double end = second + JAMMED_SECONDS;
             return event.seconds() > end ? OptionalDouble.of(end) : OptionalDouble.empty();

@@ -104,7 +104,9 @@ final class FaultField implements AutoCloseable {
     synchronized boolean await(double second, Report report) throws InterruptedException {
         double told = air.now();
         while (air.now() < second) {
-            if (!field.emulator().process().isAlive()) return false;
+            if (!field.emulator().process().isAlive()) {
+                return false;
+            }
             if (air.now() - told >= 30) {
                 told = air.now();
                 report.progress("%.0f of %.0f s, %d faults over", told, second, recoveries.stream().filter(Recovery::ended).count());
@@ -116,15 +118,21 @@ final class FaultField implements AutoCloseable {
 
     /** Has the hosts wait for what is under way, and end. */
     void finishHosts() throws IOException {
-        for (HostProcess host : hosts) host.finish();
-        for (HostProcess host : hosts) host.close();
+        for (HostProcess host : hosts) {
+            host.finish();
+        }
+        for (HostProcess host : hosts) {
+            host.close();
+        }
     }
 
     /** How many boards do not have their id, their key, or one of the two keys that replaced each other. */
     long spoiltBoards() {
         long spoilt = 0;
         for (List<Field.Post> pair : posts) {
-            for (int side = 0; side < 2; side++) spoilt += isIntact(pair.get(side), pair.get(1 - side)) ? 0 : 1;
+            for (int side = 0; side < 2; side++) {
+                spoilt += isIntact(pair.get(side), pair.get(1 - side)) ? 0 : 1;
+            }
         }
         return spoilt;
     }

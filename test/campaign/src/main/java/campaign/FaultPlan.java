@@ -23,7 +23,9 @@ final class FaultPlan {
     static List<Fault> of(long seed, int pairs, int each, double begin) {
         Random random = new Random(seed);
         List<Fault.Kind> kinds = new ArrayList<>();
-        for (Fault.Kind kind : Fault.Kind.values()) kinds.addAll(Collections.nCopies(each, kind));
+        for (Fault.Kind kind : Fault.Kind.values()) {
+            kinds.addAll(Collections.nCopies(each, kind));
+        }
         Collections.shuffle(kinds, random);
         List<Fault> faults = new ArrayList<>();
         for (int i = 0; i < kinds.size(); i++) {

@@ -37,7 +37,9 @@ final class Faults implements Campaign {
     private static void describe(FaultField field, long spoilt, Report report) throws Exception {
         List<Recovery> all = field.recoveries();
         Table table = new Table("fault", "times", "answered, median", "answered, longest", "first, median", "first, longest", "both, median", "both, longest", "answered within 2 s", "first within 2 s", "both within 2 s");
-        for (Fault.Kind kind : Fault.Kind.values()) row(table, kind, all.stream().filter(each -> each.fault().kind() == kind).toList());
+        for (Fault.Kind kind : Fault.Kind.values()) {
+            row(table, kind, all.stream().filter(each -> each.fault().kind() == kind).toList());
+        }
         report.table(table);
         Account account = field.account();
         report.table(new Table("messages", "sent", "reported delivered", "again to a host's next run").row("all hosts", account.offered(),

@@ -83,7 +83,9 @@ final class Floods {
         Air air = new Air();
         Timetable timetable = new Timetable();
         Emulator.Scenario scenario = timetable.scenario(settings.seed() + cases.get(0).run, air);
-        for (int cell = 0; cell < cases.size(); cell++) Attacker.join(scenario, cell);
+        for (int cell = 0; cell < cases.size(); cell++) {
+            Attacker.join(scenario, cell);
+        }
         try (Closing closing = new Closing()) {
             closing.add(timetable);
             Field field = closing.add(Field.start(scenario, Attacker.pairs(cases.size())));
@@ -94,17 +96,25 @@ final class Floods {
                 attackers.add(closing.add(new Attacker(field, cell)));
             }
             double begun = timetable.now();
-            for (int cell = 0; cell < cases.size(); cell++) begin(cases.get(cell), pairs.get(cell), attackers.get(cell), timetable, field, settings);
+            for (int cell = 0; cell < cases.size(); cell++) {
+                begin(cases.get(cell), pairs.get(cell), attackers.get(cell), timetable, field, settings);
+            }
             List<Stream> streams = pairs.stream().map(pair -> pair.stream(2, Integer.MAX_VALUE, () -> timetable.now() < begun + seconds)).toList();
-            for (Stream stream : streams) stream.await(PATIENCE_SECONDS);
+            for (Stream stream : streams) {
+                stream.await(PATIENCE_SECONDS);
+            }
             double lasted = timetable.now() - begun;
             attackers.forEach(Attacker::close);
-            for (int cell = 0; cell < cases.size(); cell++) note(cases.get(cell), pairs.get(cell), attackers.get(cell), air, lasted, report);
+            for (int cell = 0; cell < cases.size(); cell++) {
+                note(cases.get(cell), pairs.get(cell), attackers.get(cell), air, lasted, report);
+            }
         }
     }
 
     private static void begin(Case each, Pair pair, Attacker attacker, Timetable timetable, Field field, Settings settings) {
-        if (each.kind == Kind.NONE) return;
+        if (each.kind == Kind.NONE) {
+            return;
+        }
         attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed() + each.run), each.kind.forger(pair, attacker.post()));
     }
 

@@ -39,7 +39,9 @@ final class Fuzzing implements Campaign {
                 List<Target> targets = settings.choose(side, side.subList(0, 1));
                 both.add(sides.submit(() -> run(targets, settings, report)));
             }
-            for (Future<List<Result>> side : both) results.addAll(side.get());
+            for (Future<List<Result>> side : both) {
+                results.addAll(side.get());
+            }
         } finally {
             sides.shutdownNow();
         }
@@ -61,7 +63,9 @@ final class Fuzzing implements Campaign {
 
     private static void describe(List<Result> results, Report report) {
         Table table = new Table("target", "time", "inputs", "edges");
-        for (Result each : results) table.row(each.target.name(), each.seconds + " s", each.run.executed(), each.run.covered());
+        for (Result each : results) {
+            table.row(each.target.name(), each.seconds + " s", each.run.executed(), each.run.covered());
+        }
         report.table(table);
         report.never("an input that fails", results.stream().filter(each -> !each.run.failure().isEmpty()).count());
     }

@@ -42,8 +42,12 @@ final class HostProcess implements AutoCloseable {
     public synchronized void close() throws IOException {
         finish();
         try {
-            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) throw new IOException("a host did not end: " + command);
-            if (process.exitValue() != 0) throw new IOException("a host ended with " + process.exitValue() + ": " + command);
+            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                throw new IOException("a host did not end: " + command);
+            }
+            if (process.exitValue() != 0) {
+                throw new IOException("a host ended with " + process.exitValue() + ": " + command);
+            }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         } finally {

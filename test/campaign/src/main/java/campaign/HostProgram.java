@@ -70,12 +70,16 @@ final class HostProgram implements BoardListener {
     private void run(Address spare) throws IOException, InterruptedException {
         board.radio(true);
         clock.execute(() -> {
-            for (int i = 0; i < WINDOW; i++) send();
+            for (int i = 0; i < WINDOW; i++) {
+                send();
+            }
         });
         clock.scheduleWithFixedDelay(() -> replaceKey(spare), 0, BETWEEN_KEYS.toMillis(), TimeUnit.MILLISECONDS);
         System.in.readAllBytes();
         ending = true;
-        if (!idle.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) log.write("stuck " + idle.getCount());
+        if (!idle.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            log.write("stuck " + idle.getCount());
+        }
         board.close();
         log.write("end");
     }

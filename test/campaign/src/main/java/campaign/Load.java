@@ -64,7 +64,9 @@ final class Load implements Campaign {
         List<Case> cases = new ArrayList<>();
         for (double load : settings.choose(List.of(0.1, 0.25, 0.5, 0.75, 1.0), List.of(AIM_LOAD))) {
             for (String sketch : List.of(WITH, WITHOUT)) {
-                for (int boards : settings.choose(List.of(20, 10, 5, 2), List.of(4))) cases.add(new Case(boards, load, sketch));
+                for (int boards : settings.choose(List.of(20, 10, 5, 2), List.of(4))) {
+                    cases.add(new Case(boards, load, sketch));
+                }
             }
         }
         return cases;
@@ -75,7 +77,9 @@ final class Load implements Campaign {
         List<List<Case>> groups = new ArrayList<>();
         for (Case each : cases) {
             List<Case> group = groups.stream().filter(some -> boards(some) + each.boards <= Field.MOST_BOARDS).findFirst().orElse(null);
-            if (group == null) groups.add(group = new ArrayList<>());
+            if (group == null) {
+                groups.add(group = new ArrayList<>());
+            }
             group.add(each);
         }
         return groups;
@@ -93,13 +97,17 @@ final class Load implements Campaign {
             closing.add(timetable);
             Field field = closing.add(Field.start(scenario, group.stream().map(Case::cell).toList()));
             List<Ring> rings = new ArrayList<>();
-            for (int cell = 0; cell < group.size(); cell++) rings.add(closing.add(new Ring(field, cell, LENGTH, POLL)));
+            for (int cell = 0; cell < group.size(); cell++) {
+                rings.add(closing.add(new Ring(field, cell, LENGTH, POLL)));
+            }
             double seconds = settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS);
             double end = timetable.now() + seconds;
             for (int cell = 0; cell < group.size(); cell++) {
                 rings.get(cell).offer(timetable, settings.seed() + cell, group.get(cell).secondsBetween(), end);
             }
-            if (!timetable.await(end, field.emulator().process())) throw new java.io.IOException("the emulator ended: " + field.emulator().complaints());
+            if (!timetable.await(end, field.emulator().process())) {
+                throw new java.io.IOException("the emulator ended: " + field.emulator().complaints());
+            }
             awaitEnds(rings);
             for (int cell = 0; cell < group.size(); cell++) {
                 Ring ring = rings.get(cell);

@@ -45,7 +45,9 @@ final class Memory {
 
     private long resident() throws IOException {
         for (String line : Files.readAllLines(Path.of("/proc/" + emulator.pid() + "/status"))) {
-            if (line.startsWith("VmRSS:")) return Long.parseLong(line.replaceAll("\\D", "")) * 1024;
+            if (line.startsWith("VmRSS:")) {
+                return Long.parseLong(line.replaceAll("\\D", "")) * 1024;
+            }
         }
         throw new IOException("the emulator has ended");
     }

@@ -26,12 +26,20 @@ final class Nonces {
 
     /** Takes notice of an event of the trace. */
     synchronized void see(TraceEvent event) {
-        if (!event.name().equals("rf-tx")) return;
+        if (!event.name().equals("rf-tx")) {
+            return;
+        }
         byte[] payload = HexFormat.of().parseHex(event.text("payload"));
-        if (payload.length < MESSAGE) return;
+        if (payload.length < MESSAGE) {
+            return;
+        }
         // The first piece holds the header and the nonce of the whole; of the others the first tells nothing new.
-        if (isFirstPiece(payload)) payload = Arrays.copyOfRange(payload, MESSAGE, payload.length);
-        if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+' || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') return;
+        if (isFirstPiece(payload)) {
+            payload = Arrays.copyOfRange(payload, MESSAGE, payload.length);
+        }
+        if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+' || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') {
+            return;
+        }
         enter(payload);
     }
 
@@ -43,12 +51,20 @@ final class Nonces {
         String origin = new String(frame, ORIGIN, ORIGIN, java.nio.charset.StandardCharsets.US_ASCII);
         TreeMap<Long, Integer> nonces = seen.computeIfAbsent(origin, any -> new TreeMap<>());
         long nonce = 0;
-        for (int i = 0; i < NONCE_LENGTH; i++) nonce = nonce << 8 | frame[MESSAGE + i] & 0xff;
+        for (int i = 0; i < NONCE_LENGTH; i++) {
+            nonce = nonce << 8 | frame[MESSAGE + i] & 0xff;
+        }
         boolean forgotten = nonces.size() == REMEMBERED && nonce < nonces.firstKey();
         Integer before = nonces.putIfAbsent(nonce, Arrays.hashCode(frame));
-        if (before == null) sealed++;
-        if (forgotten || before != null && before != Arrays.hashCode(frame)) repeated++;
-        if (nonces.size() > REMEMBERED) nonces.pollFirstEntry();
+        if (before == null) {
+            sealed++;
+        }
+        if (forgotten || before != null && before != Arrays.hashCode(frame)) {
+            repeated++;
+        }
+        if (nonces.size() > REMEMBERED) {
+            nonces.pollFirstEntry();
+        }
     }
 
     /** How many different nonces were seen. */

@@ -9,7 +9,9 @@ final class Pace {
 
     /** Takes notice of the count at a time; times rise. */
     synchronized void see(double seconds, long now) {
-        if (now != count || Double.isNaN(since)) since = seconds;
+        if (now != count || Double.isNaN(since)) {
+            since = seconds;
+        }
         count = now;
         longest = Math.max(longest, seconds - since);
     }

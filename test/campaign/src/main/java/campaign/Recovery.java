@@ -37,12 +37,24 @@ final class Recovery {
 
     /** Takes notice of an event of the trace. */
     void see(TraceEvent event) {
-        if (end == NEVER) end = fault.end(event, hit.name()).orElse(NEVER);
-        if (end == NEVER || event.seconds() <= end || !isAnswer(event)) return;
-        if (concerns(event)) answered = Math.min(answered, event.seconds());
-        if (!isDelivered(event)) return;
-        if (event.board().equals(hit.name())) hitDelivers = Math.min(hitDelivers, event.seconds());
-        if (event.board().equals(other.name())) otherDelivers = Math.min(otherDelivers, event.seconds());
+        if (end == NEVER) {
+            end = fault.end(event, hit.name()).orElse(NEVER);
+        }
+        if (end == NEVER || event.seconds() <= end || !isAnswer(event)) {
+            return;
+        }
+        if (concerns(event)) {
+            answered = Math.min(answered, event.seconds());
+        }
+        if (!isDelivered(event)) {
+            return;
+        }
+        if (event.board().equals(hit.name())) {
+            hitDelivers = Math.min(hitDelivers, event.seconds());
+        }
+        if (event.board().equals(other.name())) {
+            otherDelivers = Math.min(otherDelivers, event.seconds());
+        }
     }
 
     private boolean concerns(TraceEvent event) {

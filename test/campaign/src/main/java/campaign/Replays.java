@@ -37,10 +37,14 @@ final class Replays {
             closing.add(timetable);
             Field field = closing.add(Field.start(scenario, Attacker.pairs(count)));
             List<Scene> scenes = new ArrayList<>();
-            for (int cell = 0; cell < count; cell++) scenes.add(closing.add(new Scene(field, cell, messages, resetAt, timetable, recorder)));
+            for (int cell = 0; cell < count; cell++) {
+                scenes.add(closing.add(new Scene(field, cell, messages, resetAt, timetable, recorder)));
+            }
             List<Thread> threads = scenes.stream().map(scene -> new Thread(scene::play, "replay")).toList();
             threads.forEach(Thread::start);
-            for (Thread thread : threads) thread.join();
+            for (Thread thread : threads) {
+                thread.join();
+            }
             describe(scenes, report);
         }
     }
@@ -64,7 +68,9 @@ final class Replays {
         private final Map<String, List<byte[]>> packets = new HashMap<>();
 
         synchronized void see(TraceEvent event) {
-            if (!event.name().equals("rf-tx")) return;
+            if (!event.name().equals("rf-tx")) {
+                return;
+            }
             packets.computeIfAbsent(event.board(), board -> new ArrayList<>()).add(HexFormat.of().parseHex(event.text("payload")));
         }
 
@@ -117,12 +123,18 @@ final class Replays {
         private void exchange() throws InterruptedException {
             long offered = pair.ledger().sum().offered();
             long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-            if (!pair.stream(1, (int) offered + messages, end).await(PATIENCE_SECONDS)) throw new AssertionError("the exchange stands still");
+            if (!pair.stream(1, (int) offered + messages, end).await(PATIENCE_SECONDS)) {
+                throw new AssertionError("the exchange stands still");
+            }
         }
 
         private void awaitBoot(double seconds) throws InterruptedException {
-            if (timetable.now() >= seconds) throw new AssertionError("the boards were reset before all was replayed");
-            if (!timetable.await(seconds + 1, field.emulator().process())) throw new AssertionError("the emulator ended");
+            if (timetable.now() >= seconds) {
+                throw new AssertionError("the boards were reset before all was replayed");
+            }
+            if (!timetable.await(seconds + 1, field.emulator().process())) {
+                throw new AssertionError("the emulator ended");
+            }
         }
 
         /** Sends again what was sent last: more than one exchange, so that some is from before the last boot. */

@@ -51,7 +51,9 @@ public final class Report {
     public void never(String what, long count) {
         aims.add("- never: " + what + ": " + count + (count == 0 ? "" : " (**violated**)"));
         screen.add("never: " + what + ": " + count);
-        if (count != 0) violations.add(name + ": " + what + ": " + count);
+        if (count != 0) {
+            violations.add(name + ": " + what + ": " + count);
+        }
     }
 
     /** What was violated; empty if all held. */
@@ -67,7 +69,9 @@ public final class Report {
     /** The section of the document, without its head. */
     public String markdown() {
         List<String> parts = new ArrayList<>(markdown);
-        if (!aims.isEmpty()) parts.add(String.join("\n", aims));
+        if (!aims.isEmpty()) {
+            parts.add(String.join("\n", aims));
+        }
         return String.join("\n\n", parts);
     }
 }

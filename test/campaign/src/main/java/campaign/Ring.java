@@ -16,7 +16,9 @@ final class Ring implements AutoCloseable {
     /** @param length of each content, in bytes. */
     Ring(Field field, int cell, int length, Duration poll) {
         posts = field.cell(cell);
-        for (int i = 0; i < posts.size(); i++) ledgers.add(new Ledger(length));
+        for (int i = 0; i < posts.size(); i++) {
+            ledgers.add(new Ledger(length));
+        }
         for (int i = 0; i < posts.size(); i++) {
             Field.Post before = posts.get((i + posts.size() - 1) % posts.size());
             Ledger incoming = ledgers.get((i + posts.size() - 1) % posts.size());

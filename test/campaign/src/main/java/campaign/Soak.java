@@ -82,7 +82,9 @@ final class Soak implements Campaign {
                 longs.delivered(), memory.sample());
         }
         boolean ended = true;
-        for (Stream stream : streams) ended &= stream.await(PATIENCE_SECONDS);
+        for (Stream stream : streams) {
+            ended &= stream.await(PATIENCE_SECONDS);
+        }
         return ended;
     }
 

@@ -24,7 +24,9 @@ final class Stream {
         this.ledger = ledger;
         this.goOn = goOn;
         this.ended = new CountDownLatch(window);
-        for (int i = 0; i < window; i++) begin();
+        for (int i = 0; i < window; i++) {
+            begin();
+        }
     }
 
     private void begin() {

@@ -22,7 +22,9 @@ public final class Table {
      * @throws IllegalArgumentException if it has not as many cells as there are heads.
      */
     public Table row(Object... cells) {
-        if (cells.length != rows.get(0).size()) throw new IllegalArgumentException(cells.length + " cells for " + rows.get(0));
+        if (cells.length != rows.get(0).size()) {
+            throw new IllegalArgumentException(cells.length + " cells for " + rows.get(0));
+        }
         rows.add(java.util.Arrays.stream(cells).map(String::valueOf).toList());
         return this;
     }
@@ -53,7 +55,9 @@ public final class Table {
 
     /** A share in percent, with as many places as tell 99.9 from 99.99; "-" of nothing. */
     public static String percent(long part, long whole) {
-        if (whole == 0) return "-";
+        if (whole == 0) {
+            return "-";
+        }
         double share = 100.0 * part / whole;
         return part == whole || part == 0 ? text("%.0f %%", share) : text(share >= 99 || share < 1 ? "%.3f %%" : "%.1f %%", share);
     }

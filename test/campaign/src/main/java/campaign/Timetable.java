@@ -34,7 +34,9 @@ final class Timetable implements AutoCloseable {
     /** Takes notice of an event of the trace. */
     synchronized void see(TraceEvent event) {
         now = event.seconds();
-        while (!entries.isEmpty() && entries.peek().second <= now) performer.execute(entries.poll().what);
+        while (!entries.isEmpty() && entries.peek().second <= now) {
+            performer.execute(entries.poll().what);
+        }
         notifyAll();
     }
 
@@ -50,7 +52,9 @@ final class Timetable implements AutoCloseable {
 
     /** Waits until an emulated time; false if the emulator ended before. */
     synchronized boolean await(double second, ProcessHandle emulator) throws InterruptedException {
-        while (now < second && emulator.isAlive()) wait(1000);
+        while (now < second && emulator.isAlive()) {
+            wait(1000);
+        }
         return now >= second;
     }
 

@@ -17,9 +17,13 @@ final class Transmissions {
         synchronized (this) {
             // A future that was complete before it was looked at may be overtaken by the transmission's end.
             outcome = early.remove(number);
-            if (outcome == null) underWay.put(number, end);
+            if (outcome == null) {
+                underWay.put(number, end);
+            }
         }
-        if (outcome != null) end.accept(outcome);
+        if (outcome != null) {
+            end.accept(outcome);
+        }
     }
 
     /** The session says how it ended. */
@@ -27,8 +31,12 @@ final class Transmissions {
         Consumer<Outcome> end;
         synchronized (this) {
             end = underWay.remove(number);
-            if (end == null) early.put(number, outcome);
+            if (end == null) {
+                early.put(number, outcome);
+            }
         }
-        if (end != null) end.accept(outcome);
+        if (end != null) {
+            end.accept(outcome);
+        }
     }
 }

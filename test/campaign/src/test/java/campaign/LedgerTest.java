@@ -18,7 +18,9 @@ class LedgerTest {
 
     @BeforeEach
     void offerThree() {
-        for (int number = 0; number < 3; number++) assertEquals(number, ledger.next());
+        for (int number = 0; number < 3; number++) {
+            assertEquals(number, ledger.next());
+        }
     }
 
     @Test

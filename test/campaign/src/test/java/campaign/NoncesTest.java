@@ -64,7 +64,9 @@ class NoncesTest {
 
     @Test
     void see_nonceFarBelowAllRemembered_isRepeated() {
-        for (int nonce = 100; nonce <= 100 + REMEMBERED; nonce++) send("SUPOROMA", nonce, "content and tag");
+        for (int nonce = 100; nonce <= 100 + REMEMBERED; nonce++) {
+            send("SUPOROMA", nonce, "content and tag");
+        }
         assertEquals(0, nonces.repeated());
         send("SUPOROMA", 99, "content and tag");
         assertEquals(1, nonces.repeated());

@@ -35,7 +35,9 @@ class SmallCampaignsTest {
             assertFalse(report.screen().contains("NaN"), report::screen);
             held = true;
         } finally {
-            if (!held) System.err.print(progress.toString(StandardCharsets.UTF_8));
+            if (!held) {
+                System.err.print(progress.toString(StandardCharsets.UTF_8));
+            }
         }
     }
 }

@@ -123,7 +123,9 @@ public final class Emulator implements AutoCloseable {
         /** Starts the emulator in a folder, where EEPROM files of earlier runs are taken up. */
         public Emulator start(Path folder) throws IOException, InterruptedException {
             Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
-            if (!faults.isEmpty()) scenario.put("faults", faults);
+            if (!faults.isEmpty()) {
+                scenario.put("faults", faults);
+            }
             Path file = folder.resolve("scenario.json");
             Files.createDirectories(folder.resolve("eeprom"));
             Files.writeString(file, new Gson().toJson(scenario));
@@ -165,24 +167,32 @@ public final class Emulator implements AutoCloseable {
     private void traced(String line) {
         TraceEvent event = TraceEvent.parse(line);
         model.line(line);
-        if (model.refusal().isEmpty()) remember(line);
+        if (model.refusal().isEmpty()) {
+            remember(line);
+        }
         listener.accept(event);
         keep(event);
     }
 
     private void remember(String line) {
         latest.add(line);
-        if (latest.size() > LATEST_LINES) latest.remove();
+        if (latest.size() > LATEST_LINES) {
+            latest.remove();
+        }
     }
 
     private synchronized void keep(TraceEvent event) {
-        if (keeping) trace.add(event);
+        if (keeping) {
+            trace.add(event);
+        }
         notifyAll();
     }
 
     private synchronized void keep(boolean wanted) {
         keeping = wanted;
-        if (!wanted) trace.clear();
+        if (!wanted) {
+            trace.clear();
+        }
     }
 
     /** The emulator's process, to see what it takes. */
@@ -229,10 +239,14 @@ public final class Emulator implements AutoCloseable {
         int found = 0;
         while (true) {
             for (; next < trace.size(); next++) {
-                if (wanted.test(trace.get(next)) && ++found == nth) return trace.get(next);
+                if (wanted.test(trace.get(next)) && ++found == nth) {
+                    return trace.get(next);
+                }
             }
             long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-            if (left <= 0 || !process.isAlive() && next == trace.size()) throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints);
+            if (left <= 0 || !process.isAlive() && next == trace.size()) {
+                throw new AssertionError(what + ": seen " + found + " of " + nth + "\n" + complaints);
+            }
             wait(left);
         }
     }
@@ -261,12 +275,18 @@ public final class Emulator implements AutoCloseable {
         process.toHandle().destroy();
         RUNNING.remove(process);
         try {
-            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
+            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                process.destroyForcibly();
+            }
             int status = process.waitFor();
             reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
-            if (status != 0) throw new AssertionError("the emulator ended with " + status + ": " + complaints);
+            if (status != 0) {
+                throw new AssertionError("the emulator ended with " + status + ": " + complaints);
+            }
             model.finish();
-            if (model.refusal().isPresent()) throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
+            if (model.refusal().isPresent()) {
+                throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
+            }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }

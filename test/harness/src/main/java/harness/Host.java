@@ -93,7 +93,9 @@ public final class Host implements AutoCloseable {
     public void send(String to, String content) throws InterruptedException {
         int number = get(board.transmit(Address.parse(to), content(content)));
         Integer ended = sent.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        if (ended == null || ended != number) throw new AssertionError("transmission " + number + ", but " + ended + " ended");
+        if (ended == null || ended != number) {
+            throw new AssertionError("transmission " + number + ", but " + ended + " ended");
+        }
     }
 
     private static Content content(String text) {
@@ -107,7 +109,9 @@ public final class Host implements AutoCloseable {
     /** The next message that came, waited for. */
     public ReceivedMessage message() throws InterruptedException {
         ReceivedMessage message = messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        if (message == null) throw new AssertionError("no message came");
+        if (message == null) {
+            throw new AssertionError("no message came");
+        }
         return message;
     }
 
@@ -120,8 +124,12 @@ public final class Host implements AutoCloseable {
     public List<String> percepts(Predicate<List<String>> wanted) throws InterruptedException {
         while (true) {
             List<String> now = percepts.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-            if (now == null) throw new AssertionError("no such percepts came");
-            if (wanted.test(now)) return now;
+            if (now == null) {
+                throw new AssertionError("no such percepts came");
+            }
+            if (wanted.test(now)) {
+                return now;
+            }
         }
     }
 

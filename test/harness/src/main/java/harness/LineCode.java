@@ -34,7 +34,9 @@ public final class LineCode {
             for (int bit = 0; bit < 8; bit++) {
                 boolean low = ((crc ^ bytes[i] >> bit) & 1) != 0;
                 crc >>>= 1;
-                if (low) crc ^= 0x8408;
+                if (low) {
+                    crc ^= 0x8408;
+                }
             }
         }
         return ~crc & 0xffff;
@@ -54,13 +56,19 @@ public final class LineCode {
     public static byte[] payload(String bits) {
         // The carrier is off before and after: leading and trailing zeros do not show at the pin.
         String sent = "0" + bits + "0".repeat(12);
-        if (!sent.startsWith(PREAMBLE)) throw new AssertionError("no preamble: " + bits);
+        if (!sent.startsWith(PREAMBLE)) {
+            throw new AssertionError("no preamble: " + bits);
+        }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         int count = byteAt(sent, 0);
-        for (int i = 0; i < count; i++) bytes.write(byteAt(sent, i));
+        for (int i = 0; i < count; i++) {
+            bytes.write(byteAt(sent, i));
+        }
         byte[] packet = bytes.toByteArray();
         int crc = crc(packet, count - 2);
-        if ((packet[count - 2] & 0xff) != (crc & 0xff) || (packet[count - 1] & 0xff) != crc >> 8) throw new AssertionError("bad CRC");
+        if ((packet[count - 2] & 0xff) != (crc & 0xff) || (packet[count - 1] & 0xff) != crc >> 8) {
+            throw new AssertionError("bad CRC");
+        }
         return java.util.Arrays.copyOfRange(packet, 1, count - 2);
     }
 
@@ -72,7 +80,9 @@ public final class LineCode {
     private static int nibble(String sixBits) {
         int symbol = Integer.parseInt(new StringBuilder(sixBits).reverse().toString(), 2);
         for (int nibble = 0; nibble < 16; nibble++) {
-            if (SYMBOLS[nibble] == symbol) return nibble;
+            if (SYMBOLS[nibble] == symbol) {
+                return nibble;
+            }
         }
         throw new AssertionError("no symbol: " + sixBits);
     }

@@ -31,7 +31,9 @@ public final class Monitor implements AutoCloseable {
         ByteArrayOutputStream line = new ByteArrayOutputStream();
         byte[] next = new byte[1];
         while (link.read(next, PATIENCE) == 1) {
-            if (next[0] == '\n') return line.toString(StandardCharsets.UTF_8).stripTrailing();
+            if (next[0] == '\n') {
+                return line.toString(StandardCharsets.UTF_8).stripTrailing();
+            }
             line.write(next[0]);
         }
         throw new AssertionError("the board prints no line; so far: " + line.toString(StandardCharsets.UTF_8));

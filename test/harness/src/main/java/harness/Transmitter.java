@@ -32,7 +32,9 @@ public final class Transmitter implements AutoCloseable {
         System.arraycopy(packet, 0, request, 1, packet.length);
         link.write(request);
         byte[] answer = new byte[1];
-        if (link.read(answer, Duration.ofSeconds(60)) != 1 || answer[0] != SENT) throw new AssertionError("the transmitter is silent");
+        if (link.read(answer, Duration.ofSeconds(60)) != 1 || answer[0] != SENT) {
+            throw new AssertionError("the transmitter is silent");
+        }
     }
 
     @Override

@@ -32,7 +32,9 @@ final class AgentProcess implements AutoCloseable {
     /** The same with agents of other names. */
     static AgentProcess start(String name, List<String> agents, Path folder) throws IOException {
         copy(name + ".mas2j", folder);
-        for (String agent : agents) copy(agent + ".asl", folder);
+        for (String agent : agents) {
+            copy(agent + ".asl", folder);
+        }
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         return start(new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
             "jason.infra.local.RunLocalMAS", name + ".mas2j",
@@ -59,7 +61,9 @@ final class AgentProcess implements AutoCloseable {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (lines.stream().filter(line -> line.endsWith(words)).count() < nth) {
             long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
-            if (left <= 0) throw new AssertionError("not " + nth + " times '" + words + "':\n" + String.join("\n", lines));
+            if (left <= 0) {
+                throw new AssertionError("not " + nth + " times '" + words + "':\n" + String.join("\n", lines));
+            }
             wait(left);
         }
     }
@@ -77,7 +81,9 @@ final class AgentProcess implements AutoCloseable {
     public void close() {
         process.toHandle().destroy();
         try {
-            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
+            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+                process.destroyForcibly();
+            }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }

@@ -122,7 +122,9 @@ class CounterexampleTest {
         long before = support.counter(counter);
         for (int play = 0; play < MOST_PLAYS; play++) {
             thief.send(frame);
-            if (support.counter(counter) > before) return;
+            if (support.counter(counter) > before) {
+                return;
+            }
         }
         throw new AssertionError(counter + " did not rise");
     }
@@ -155,7 +157,9 @@ class CounterexampleTest {
         String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         int bits = (sealed[NONCE_END - 2] & 0xF) << 8 | sealed[NONCE_END - 1] & 0xFF;
         String address = "+K" + digits.charAt(bits >> 6) + digits.charAt(bits & 63);
-        if (address.length() != ADDRESS_LENGTH) throw new AssertionError(address);
+        if (address.length() != ADDRESS_LENGTH) {
+            throw new AssertionError(address);
+        }
         return address;
     }
 }

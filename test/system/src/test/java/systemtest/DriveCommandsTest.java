@@ -57,7 +57,9 @@ class DriveCommandsTest {
     /** Reads on to the first line with these words. */
     private static void await(BufferedReader lines, String words) throws IOException {
         String line = lines.readLine();
-        while (line != null && !line.contains(words)) line = lines.readLine();
+        while (line != null && !line.contains(words)) {
+            line = lines.readLine();
+        }
         assertTrue(line != null, "no line has " + words);
     }
 

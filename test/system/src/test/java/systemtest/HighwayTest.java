@@ -97,7 +97,9 @@ class HighwayTest {
         Optional<Path> home = NewerJava.home();
         String skipped = "skipped: the highway with " + jason.getFileName()
             + " needs Java 21 or newer, beside " + JAVA + " or named by JAVA_HOME_21_X64";
-        if (home.isEmpty()) System.out.println(skipped);
+        if (home.isEmpty()) {
+            System.out.println(skipped);
+        }
         assumeTrue(home.isPresent(), skipped);
         copyScenario();
         Run run = follow(start(home.get(), classPathWith(jason), EMULATOR));

@@ -75,13 +75,17 @@ class KeysTest {
     private static void speak(Emulator emulator, String prefix) throws InterruptedException {
         Map<String, Host> hosts = new LinkedHashMap<>();
         try {
-            for (String board : IDS.keySet()) hosts.put(board, open(emulator, board));
+            for (String board : IDS.keySet()) {
+                hosts.put(board, open(emulator, board));
+            }
             for (String from : IDS.keySet()) {
                 for (String to : IDS.keySet()) {
                     String text = "tell;" + prefix + from + to;
                     hosts.get(from).send(from.equals(to) ? "//SU" : IDS.get(to), text);
                     for (String at : IDS.keySet()) {
-                        if (at.equals(from) || !to.equals(from) && !at.equals(to)) continue;
+                        if (at.equals(from) || !to.equals(from) && !at.equals(to)) {
+                            continue;
+                        }
                         assertEquals(text, hosts.get(at).message().content().toString());
                     }
                 }
@@ -101,7 +105,9 @@ class KeysTest {
         Set<String> nonces = new HashSet<>();
         for (byte[] packet : packets) {
             boolean sealed = packet.length > NONCE_END && packet[0] != '+' && new String(packet, 4, 4, java.nio.charset.StandardCharsets.US_ASCII).equals(origin);
-            if (sealed) nonces.add(HexFormat.of().formatHex(packet, NONCE_AT, NONCE_END));
+            if (sealed) {
+                nonces.add(HexFormat.of().formatHex(packet, NONCE_AT, NONCE_END));
+            }
         }
         return nonces;
     }
@@ -112,7 +118,9 @@ class KeysTest {
         assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO", "--pair", "SUPP,SUHO", "--group", "SU"));
         List<byte[]> recorded;
         try (Emulator emulator = scenario().start(folder)) {
-            for (String board : IDS.keySet()) assertDone(provision(emulator, board));
+            for (String board : IDS.keySet()) {
+                assertDone(provision(emulator, board));
+            }
             speak(emulator, "a");
             recorded = record(emulator);
         }
@@ -126,7 +134,9 @@ class KeysTest {
             List<String> early = provision(emulator, "police");
             assertTrue(early.get(early.size() - 2).contains("nothing can be done with SUPO yet"), early.toString());
             for (int round = 0; round < 3; round++) {
-                for (String board : List.of("support", "hospital", "police")) provision(emulator, board);
+                for (String board : List.of("support", "hospital", "police")) {
+                    provision(emulator, board);
+                }
             }
             assertFalse(Files.readString(folder.resolve("keys")).contains("next"), "the renewal is finished");
             speak(emulator, "b");
@@ -147,8 +157,12 @@ class KeysTest {
     private static void replay(Emulator emulator, List<byte[]> recorded) throws Exception {
         List<Host> hosts = new ArrayList<>();
         try (Transmitter thief = Transmitter.of(emulator, "thief")) {
-            for (String board : IDS.keySet()) hosts.add(open(emulator, board));
-            for (byte[] packet : recorded) thief.send(packet);
+            for (String board : IDS.keySet()) {
+                hosts.add(open(emulator, board));
+            }
+            for (byte[] packet : recorded) {
+                thief.send(packet);
+            }
             for (Host host : hosts) {
                 Host.get(host.board.statistics());
                 assertEquals(List.of(), host.messages());
@@ -171,7 +185,9 @@ class KeysTest {
     private List<Address> partners(String board) {
         List<Address> partners = new ArrayList<>(List.of(Address.parse("//SU")));
         IDS.forEach((other, id) -> {
-            if (!other.equals(board)) partners.add(Address.parse(id));
+            if (!other.equals(board)) {
+                partners.add(Address.parse(id));
+            }
         });
         return partners;
     }
@@ -179,7 +195,9 @@ class KeysTest {
     /** A unicast to each other board, which are not waited for. */
     private void sendFrom(String board) throws Exception {
         for (String to : IDS.keySet()) {
-            if (to.equals(board)) continue;
+            if (to.equals(board)) {
+                continue;
+            }
             String text = "tell;n" + sent++;
             unicasts.put(text, hosts.get(board).board.send(Address.parse(IDS.get(to)), Content.parse(text)));
             expected.computeIfAbsent(to, any -> new HashSet<>()).add(text);
@@ -193,7 +211,9 @@ class KeysTest {
                 step.get().get();
                 return;
             } catch (ExecutionException e) {
-                if (!(e.getCause() instanceof RequestFailedException refused) || refused.status() != Status.BUSY) throw e;
+                if (!(e.getCause() instanceof RequestFailedException refused) || refused.status() != Status.BUSY) {
+                    throw e;
+                }
                 Thread.sleep(BUSY_PAUSE_MILLIS);
             }
         }
@@ -201,8 +221,12 @@ class KeysTest {
 
     private void round(List<String> order, java.util.function.BiFunction<Host, Address, CompletableFuture<?>> step) throws Exception {
         for (String board : order) {
-            for (String sender : IDS.keySet()) sendFrom(sender);
-            for (Address partner : partners(board)) take(() -> step.apply(hosts.get(board), partner));
+            for (String sender : IDS.keySet()) {
+                sendFrom(sender);
+            }
+            for (Address partner : partners(board)) {
+                take(() -> step.apply(hosts.get(board), partner));
+            }
             multicastFrom(board);
         }
     }
@@ -213,7 +237,9 @@ class KeysTest {
         String text = "tell;n" + sent++;
         assertEquals(Outcome.SENT, Host.get(hosts.get(board).board.send(Address.parse("//SU"), Content.parse(text))));
         for (String to : IDS.keySet()) {
-            if (!to.equals(board)) assertEquals(text, hosts.get(to).message().content().toString(), to);
+            if (!to.equals(board)) {
+                assertEquals(text, hosts.get(to).message().content().toString(), to);
+            }
         }
     }
 
@@ -239,7 +265,9 @@ class KeysTest {
             round(List.of("police", "support", "hospital"), (host, with) -> host.board.renewKey(with, NEW));
             round(List.of("support", "hospital", "police"), (host, with) -> host.board.useKey(with));
             round(List.of("hospital", "police", "support"), (host, with) -> host.board.finishRenewal(with));
-            for (String board : IDS.keySet()) multicastFrom(board);
+            for (String board : IDS.keySet()) {
+                multicastFrom(board);
+            }
             assertEquals(List.of(), hosts.values().stream().flatMap(host -> host.messages().stream()).toList());
         } finally {
             hosts.values().forEach(Host::close);

@@ -32,7 +32,9 @@ final class NewerJava {
 
     /** By the file that each Java has in its home; 0 where there is none, or no program to start. */
     private static int version(Path home) {
-        if (!Files.isExecutable(home.resolve("bin/java"))) return 0;
+        if (!Files.isExecutable(home.resolve("bin/java"))) {
+            return 0;
+        }
         try (Reader release = Files.newBufferedReader(home.resolve("release"))) {
             Properties properties = new Properties();
             properties.load(release);

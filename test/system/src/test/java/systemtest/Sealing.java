@@ -30,7 +30,9 @@ final class Sealing {
         block[12] = (byte) 0x80;
         block[13] = (byte) 0x80;
         byte[] subkey = twice(twice(aes(key, new byte[BLOCK])));
-        for (int i = 0; i < BLOCK; i++) block[i] ^= subkey[i];
+        for (int i = 0; i < BLOCK; i++) {
+            block[i] ^= subkey[i];
+        }
         return aes(key, block);
     }
 
@@ -40,7 +42,9 @@ final class Sealing {
             int carry = i + 1 < BLOCK ? (block[i + 1] & 0xff) >> 7 : 0;
             doubled[i] = (byte) (block[i] << 1 | carry);
         }
-        if (block[0] < 0) doubled[BLOCK - 1] ^= (byte) 0x87;
+        if (block[0] < 0) {
+            doubled[BLOCK - 1] ^= (byte) 0x87;
+        }
         return doubled;
     }
 

@@ -32,7 +32,9 @@ class SerialDamageTest {
             List<String> failures = new ArrayList<>();
             try (Host host = Host.over(DamagedLink.opener(SerialLink.opener(emulator.port("counter")), 4711, DAMAGED_BYTES))) {
                 host.board.percepts(true);
-                for (int number = 1; number <= ACTIONS; number++) note(host, number, failures);
+                for (int number = 1; number <= ACTIONS; number++) {
+                    note(host, number, failures);
+                }
                 assertTrue(host.board.counters().get(SessionCounter.REPEATS) > 0, "nothing was damaged");
                 host.perceptsSoFar().forEach(SerialDamageTest::assertWhole);
             }
