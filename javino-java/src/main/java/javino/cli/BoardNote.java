@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.protocol.Address;
-import javino.protocol.Nonce;
+import javino.protocol.BoardInfo;
 
 /**
  * What a keyring knows of a board.
@@ -66,7 +66,7 @@ record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
         List<String> rest = parts.subList(lost ? 1 : 0, parts.size());
         boolean hasEpoch = !rest.isEmpty() && rest.get(0).matches(EPOCH + "[0-9]{1,8}");
         int epoch = hasEpoch ? Integer.parseInt(rest.get(0).substring(EPOCH.length())) : Integer.MAX_VALUE;
-        if (epoch > Nonce.LAST_EPOCH + 1) {
+        if (epoch > BoardInfo.LAST_EPOCH + 1) {
             throw new IllegalArgumentException(FORM);
         }
         Map<Address, HeldKeys> keys = new LinkedHashMap<>();

@@ -5,7 +5,6 @@ import java.util.Map;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
-import javino.protocol.Nonce;
 import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
@@ -60,10 +59,10 @@ final class Identity {
     }
 
     void examineNonces(BoardInfo info) {
-        if (info.bootEpoch() > Nonce.LAST_EPOCH) {
+        if (info.bootEpoch() > BoardInfo.LAST_EPOCH) {
             findings.trouble("nonces", "the epochs are used up; another board, with new keys");
         } else {
-            findings.ok("nonces", "epoch " + info.bootEpoch() + " of " + Nonce.LAST_EPOCH);
+            findings.ok("nonces", "epoch " + info.bootEpoch() + " of " + BoardInfo.LAST_EPOCH);
         }
     }
 

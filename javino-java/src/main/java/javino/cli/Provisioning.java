@@ -18,7 +18,6 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
-import javino.protocol.Nonce;
 import javino.protocol.Status;
 
 /**
@@ -143,7 +142,7 @@ final class Provisioning {
     private void raiseEpoch(BoardInfo info, Keyring ring, Instant now)
             throws IOException, JavinoException, InterruptedException {
         long minutes = Math.max(0, Duration.between(FIRST_EPOCH, now).toMinutes());
-        int epoch = (int) Math.min(Nonce.LAST_EPOCH, Math.max(minutes, ring.note(id).epoch() + 1L));
+        int epoch = (int) Math.min(BoardInfo.LAST_EPOCH, Math.max(minutes, ring.note(id).epoch() + 1L));
         if (file != null) {
             Keyring.change(file, latest -> latest.note(id, latest.note(id).withEpoch(Math.max(epoch, info.bootEpoch()))));
         }

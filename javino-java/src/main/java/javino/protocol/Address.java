@@ -18,8 +18,8 @@ public record Address(int value) {
     private static final int SERIAL_VALUE = 0xFBEFBE;
 
     /** Of {@code +F}, and of {@code +K}: the first 12 bits of a piece's and of an acknowledgement's address. */
-    static final int PIECE_GROUP = 0xF85;
-    static final int ACKNOWLEDGEMENT_GROUP = 0xF8A;
+    private static final int PIECE_GROUP = 0xF85;
+    private static final int ACKNOWLEDGEMENT_GROUP = 0xF8A;
 
     /** Of {@code self}, {@code true}, {@code else} and {@code elif}: words of AgentSpeak, which no sender may be. */
     private static final int SELF = 0xB1E95F;

@@ -17,6 +17,8 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpo
 
     /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;
+    /** The last epoch that nonces have; what a board says that has none left is one more. */
+    public static final int LAST_EPOCH = 0xFFFFFE;
 
     private static final int ID_OFFSET = 1;
     private static final int BOOT_EPOCH_OFFSET = ID_OFFSET + Address.LENGTH;

@@ -14,10 +14,6 @@ public record Content(Force force, Optional<Conversation> conversation, String t
 
     /** The most bytes of a content: sealed it fits a frame, and opened one poll reply. */
     public static final int MAX_LENGTH = 494;
-    /** The most bytes that fit one radio packet as a broadcast. */
-    public static final int MAX_BROADCAST_LENGTH = RadioPacket.MAX_PAYLOAD_LENGTH - Frame.HEADER_LENGTH;
-    /** The most bytes that fit one radio packet as a sealed unicast or multicast. */
-    public static final int MAX_SEALED_LENGTH = MAX_BROADCAST_LENGTH - Envelope.OVERHEAD;
 
     private static final char DIVIDER = ';';
     private static final char CONVERSATION_MARK = '#';

@@ -63,32 +63,13 @@ public record Frame(Address destination, Address origin, Bytes message) {
         }
     }
 
-    /**
-     * The length of the whole frame that bytes begin, by its header; -1 if they do not begin with a frame's header.
-     *
-     * @param bytes at least 10.
-     */
-    static int lengthIn(Bytes bytes) {
-        int bits = Digits.parse(bytes, SIZE_OFFSET, HEADER_LENGTH);
-        boolean digits = Digits.parse(bytes, 0, Address.LENGTH) >= 0
-                && Digits.parse(bytes, Address.LENGTH, SIZE_OFFSET) >= 0 && bits >= 0;
-        return digits && bits % 8 == 0 ? HEADER_LENGTH + bits / 8 : -1;
-    }
-
     private static boolean canBeOrigin(Address address) {
         return address.kind() == Address.Kind.DEVICE || address.equals(Address.SERIAL);
     }
 
     /** Destination, origin and size: the ten bytes before the message. */
     public Bytes header() {
-        return header(destination, origin, message.length());
-    }
-
-    /** The ten bytes before a message of a given length in bytes. */
-    static Bytes header(Address destination, Address origin, int messageLength) {
-        byte[] header = new byte[HEADER_LENGTH];
-        writeHeader(header, 0, destination, origin, messageLength);
-        return Bytes.owning(header);
+        return encode().slice(0, HEADER_LENGTH);
     }
 
     /** The frame's bytes. */
@@ -105,13 +86,9 @@ public record Frame(Address destination, Address origin, Bytes message) {
 
     /** Writes the frame's bytes into an array from an index on. */
     void write(byte[] into, int at) {
-        writeHeader(into, at, destination, origin, message.length());
-        message.copyTo(into, at + HEADER_LENGTH);
-    }
-
-    private static void writeHeader(byte[] into, int at, Address destination, Address origin, int messageLength) {
         Digits.write(into, at, destination.value(), Address.LENGTH);
         Digits.write(into, at + Address.LENGTH, origin.value(), Address.LENGTH);
-        Digits.write(into, at + SIZE_OFFSET, 8 * messageLength, HEADER_LENGTH - SIZE_OFFSET);
+        Digits.write(into, at + SIZE_OFFSET, 8 * message.length(), HEADER_LENGTH - SIZE_OFFSET);
+        message.copyTo(into, at + HEADER_LENGTH);
     }
 }

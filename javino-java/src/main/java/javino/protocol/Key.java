@@ -1,12 +1,20 @@
 package javino.protocol;
 
+import java.math.BigInteger;
+import java.security.GeneralSecurityException;
 import java.security.SecureRandom;
+import javax.crypto.Cipher;
+import javax.crypto.spec.SecretKeySpec;
 
 /** A shared key of 16 bytes (SPEC 5). Its {@code toString} does not show it. */
 public final class Key {
 
     /** The number of bytes. */
     public static final int LENGTH = 16;
+
+    /** 01 ‖ "JavinoChk" ‖ 00 ‖ 0080 (NIST SP 800-108 section 4.1), with CMAC's padding of an incomplete block. */
+    private static final BigInteger CHECKED = new BigInteger("014a6176696e6f43686b000080800000", 16);
+    private static final BigInteger R128 = BigInteger.valueOf(0x87);
 
     private final Bytes bytes;
 
@@ -46,24 +54,33 @@ public final class Key {
         return bytes;
     }
 
-    /** Kenc, with which contents are enciphered (SPEC 5.2). */
-    Bytes encryption() {
-        return derive("JavinoEnc");
-    }
-
-    /** Kmac, with which frames are authenticated (SPEC 5.2). */
-    Bytes authentication() {
-        return derive("JavinoMac");
-    }
-
-    /** The check value, by which two sides see that they have the same key: 3 bytes (SPEC 5.2). */
+    /**
+     * The check value, by which two sides see that they have the same key: 3 bytes (SPEC 5.2).
+     * It is an AES-CMAC (NIST SP 800-38B section 6.2) of 13 bytes, which are one block.
+     */
     public Bytes check() {
-        return derive("JavinoChk").slice(0, 3);
+        BigInteger subkey = twice(twice(encrypt(BigInteger.ZERO)));
+        return Bytes.ofHex(hex(encrypt(CHECKED.xor(subkey)))).slice(0, 3);
     }
 
-    /** NIST SP 800-108 section 4.1, counter mode, r = 8, L = 128, empty context. */
-    private Bytes derive(String label) {
-        return Aes.cmac(bytes, Bytes.join(Bytes.of(1), Bytes.ofText(label), Bytes.of(0, 0, 0x80)));
+    /** Multiplied by x in the field of NIST SP 800-38B section 5.3. */
+    private static BigInteger twice(BigInteger block) {
+        BigInteger doubled = block.shiftLeft(1);
+        return doubled.testBit(8 * LENGTH) ? doubled.clearBit(8 * LENGTH).xor(R128) : doubled;
+    }
+
+    private BigInteger encrypt(BigInteger block) {
+        try {
+            Cipher cipher = Cipher.getInstance("AES/ECB/NoPadding");
+            cipher.init(Cipher.ENCRYPT_MODE, new SecretKeySpec(bytes.toArray(), "AES"));
+            return new BigInteger(1, cipher.doFinal(Bytes.ofHex(hex(block)).toArray()));
+        } catch (GeneralSecurityException e) {
+            throw new IllegalStateException("every JDK has AES", e);
+        }
+    }
+
+    private static String hex(BigInteger block) {
+        return String.format("%032x", block);
     }
 
     @Override

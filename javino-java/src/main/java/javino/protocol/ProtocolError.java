@@ -1,6 +1,6 @@
 package javino.protocol;
 
-/** Why received bytes were refused (SPEC 2, 3, 4.1, 5, 6, 7). */
+/** Why received bytes were refused (SPEC 2, 3, 4). */
 public enum ProtocolError {
     /** A packet is no COBS encoding (SPEC 4.1). */
     BAD_COBS,
@@ -8,7 +8,7 @@ public enum ProtocolError {
     TOO_LONG,
     /** A packet decodes to fewer than 13 bytes (SPEC 4.1), or a frame has fewer than 10 (SPEC 2). */
     TOO_SHORT,
-    /** The checksum is not that of the bytes (SPEC 4.1, 6). */
+    /** The checksum is not that of the bytes (SPEC 4.1). */
     BAD_CRC,
     /** A character of a header or address is outside the Base64 alphabet (SPEC 1, 2). */
     BAD_DIGIT,
@@ -23,17 +23,5 @@ public enum ProtocolError {
     /** A content is not {@code force;term} (SPEC 3). */
     BAD_CONTENT,
     /** A board's reply does not have the form of SPEC 4.3. */
-    BAD_REPLY,
-    /** A sealed frame is too short, or its tag is not that of its bytes (SPEC 5). */
-    BAD_TAG,
-    /** A piece is none that a frame can have, or does not fit the others (SPEC 7.1). */
-    BAD_PIECE,
-    /** An acknowledgement has an impossible length, answers another frame, or its proof is wrong (SPEC 7.3). */
-    BAD_PROOF,
-    /** A radio packet does not begin with the training and start symbols (SPEC 6). */
-    BAD_START,
-    /** A radio packet has a symbol outside the table (SPEC 6). */
-    BAD_SYMBOL,
-    /** A radio packet's count is not 4…80, or not that of its bits (SPEC 6). */
-    BAD_COUNT
+    BAD_REPLY
 }

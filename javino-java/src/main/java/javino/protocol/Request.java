@@ -158,7 +158,7 @@ public sealed interface Request {
 
         /** @throws IllegalArgumentException if the epoch is out of range. */
         public RaiseEpoch {
-            check(epoch >= 0 && epoch <= Nonce.LAST_EPOCH, "an epoch is 0…16777214", epoch);
+            check(epoch >= 0 && epoch <= BoardInfo.LAST_EPOCH, "an epoch is 0…16777214", epoch);
         }
 
         @Override

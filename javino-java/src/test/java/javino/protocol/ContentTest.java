@@ -106,9 +106,7 @@ class ContentTest {
     }
 
     @Test
-    void limits_areThoseOfTheSpec() {
-        assertEquals(67, Content.MAX_BROADCAST_LENGTH);
-        assertEquals(53, Content.MAX_SEALED_LENGTH);
+    void limit_longestContent_fitsOnePollReply() {
         assertEquals(494, Content.MAX_LENGTH);
         // Of a poll reply with one message: status and flags, type and length, number, two addresses, id.
         int besidesContent = 2 + 3 + 1 + 2 * Address.LENGTH + 3;

@@ -14,8 +14,7 @@ import javino.cli.KeyringTarget;
 public record Target(String name, List<String> command) {
 
     private static final List<Class<?>> JAVA = List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
-            ReplyTarget.class, RequestTarget.class, RadioPacketTarget.class, EnvelopeTarget.class, PieceTarget.class,
-            AcknowledgementTarget.class, KeyringTarget.class, GateTarget.class);
+            ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class);
     private static final List<String> FIRMWARE = List.of("packet_decoder", "arguments", "radio", "board");
 
     /** The decoders of the Java library, under Jazzer. */
