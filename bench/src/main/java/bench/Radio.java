@@ -12,11 +12,10 @@ import java.util.concurrent.ThreadLocalRandom;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.board.Transmission;
 import javino.link.SerialLink;
 import javino.protocol.Address;
-import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Outcome;
 
 /** From host to host over two emulated boards: how long a message takes, how long its packet is, how much gets through. */
 final class Radio implements Subject {
@@ -82,10 +81,10 @@ final class Radio implements Subject {
     /** Milliseconds that a message takes, counted from its request's last byte on the serial line. */
     private static double sendOne(Host sender, Host receiver) throws Exception {
         long begun = System.nanoTime();
-        var sent = sender.board.transmit(Address.parse("SUPP"), Content.decode(Bytes.ofText(SIXTEEN_BYTES)));
+        var sent = sender.board.transmit(Address.parse("SUPP"), Content.parse(SIXTEEN_BYTES));
         receiver.message();
         long ended = System.nanoTime();
-        sent.join();
+        sent.taken().join();
         // For the acknowledgement and a long quiet, and so that the next one comes at another moment between two polls.
         Thread.sleep(ThreadLocalRandom.current().nextInt(400, 440));
         return (ended - begun) / 1e6 - REQUEST_MILLISECONDS;
@@ -94,15 +93,12 @@ final class Radio implements Subject {
     private static Row goodput(Emulator emulator, String how, String to) throws Exception {
         Semaphore room = new Semaphore(WAITING_ON_BOARD);
         int before = emulator.sentBy("sender").size();
-        try (Board board = Board.open(SerialLink.opener(emulator.port("sender")), BoardConfig.create(), new BoardListener() {
-            @Override
-            public void transmitted(int number, Outcome outcome) {
-                room.release();
-            }
-        })) {
+        try (Board board = Board.open(SerialLink.opener(emulator.port("sender")), BoardConfig.create(), new BoardListener() { })) {
             for (int i = 0; i < LONG_MESSAGES; i++) {
                 room.acquire();
-                board.transmit(Address.parse(to), Content.decode(Bytes.ofText(LONG))).join();
+                Transmission transmission = board.transmit(Address.parse(to), Content.parse(LONG));
+                transmission.end().thenRun(room::release);
+                transmission.taken().join();
             }
             room.acquire(WAITING_ON_BOARD);
         }

@@ -14,6 +14,7 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.ReceivedMessage;
+import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
@@ -38,7 +39,6 @@ final class Device implements BoardListener {
     private final Channel channel;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
-    private final Transmissions transmissions = new Transmissions();
     private volatile Wishes wishes;
     private volatile boolean online;
     private volatile boolean legacy;
@@ -165,10 +165,16 @@ final class Device implements BoardListener {
     }
 
     /** Has the board transmit. */
-    Transmissions.Transmission transmit(Address to, Content content) {
-        Board board = session.join();
-        Transmissions.Transmission begun = transmissions.begin(() -> board.transmit(to, content));
-        return new Transmissions.Transmission(bounded(begun.taken()), begun.outcome());
+    Transmission transmit(Address to, Content content) {
+        Transmission begun = session.join().transmit(to, content);
+        return new Transmission(bounded(begun.taken()), begun.end().thenApply(this::ended));
+    }
+
+    private Outcome ended(Outcome outcome) {
+        if (outcome == Outcome.DELIVERED) {
+            channel.heard();
+        }
+        return outcome;
     }
 
     /**
@@ -254,15 +260,6 @@ final class Device implements BoardListener {
             surroundings.inbox().put(message, surroundings.agent());
             tellAgent();
         }
-    }
-
-    /** {@inheritDoc} Also after the end, with which all that is under way is undelivered. */
-    @Override
-    public void transmitted(int number, Outcome outcome) {
-        if (outcome == Outcome.DELIVERED) {
-            channel.heard();
-        }
-        transmissions.ended(number, outcome);
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 
 import jason.asSyntax.Literal;
 
+import javino.board.Transmission;
 import javino.protocol.Outcome;
 
 /** Messages on their way from the agent to the radio, and what becomes of them: counted, and told as events. */
@@ -25,8 +26,8 @@ final class Outbox {
 
     /** Sends a message; completes when the board has taken it. Its outcome is an event. */
     CompletableFuture<?> diffuse(Letter letter, Device board) {
-        Transmissions.Transmission transmission = transmit(letter, board);
-        transmission.outcome().thenAccept(outcome -> tell(letter, outcome));
+        Transmission transmission = transmit(letter, board);
+        transmission.end().thenAccept(outcome -> tell(letter, outcome));
         return transmission.taken();
     }
 
@@ -42,30 +43,30 @@ final class Outbox {
 
     /** Sends a message; completes when it is delivered, and fails if it is not. Its outcome is no event. */
     CompletableFuture<?> deliver(Letter letter, Device board) {
-        Transmissions.Transmission transmission = transmit(letter, board);
-        return transmission.taken().thenCompose(number -> transmission.outcome()).thenAccept(outcome -> {
+        Transmission transmission = transmit(letter, board);
+        return transmission.taken().thenCompose(nothing -> transmission.end()).thenAccept(outcome -> {
             if (outcome != Outcome.DELIVERED) {
                 throw new CompletionException(unacknowledged(letter).toException());
             }
         });
     }
 
-    private Transmissions.Transmission transmit(Letter letter, Device board) {
+    private Transmission transmit(Letter letter, Device board) {
         if (Destinations.isMistakable(letter.to())) {
             String group = letter.to().group();
             warnings.once(letter.to() + " is the device // of group " + group + "; for the whole group write \"//"
                     + group + "\"");
         }
-        Transmissions.Transmission transmission = board.transmit(letter.to(), letter.content());
-        return new Transmissions.Transmission(
-                transmission.taken().handle((number, thrown) -> taken(number, thrown, letter)),
-                transmission.outcome().thenApply(this::counted));
+        Transmission transmission = board.transmit(letter.to(), letter.content());
+        return new Transmission(
+                transmission.taken().handle((nothing, thrown) -> taken(thrown, letter)),
+                transmission.end().thenApply(this::counted));
     }
 
     /** A board tells how long a message may be, but not how long this one is. */
-    private static Integer taken(Integer number, Throwable thrown, Letter letter) {
+    private static Void taken(Throwable thrown, Letter letter) {
         if (thrown == null) {
-            return number;
+            return null;
         }
         Failure failure = Failure.of(thrown);
         throw new CompletionException(!failure.isTooLong() ? thrown : new Failure(failure.error(),

@@ -82,38 +82,29 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Has a content sent by radio from the board's own address. The future completes when the board has taken it over;
-     * {@link BoardListener#transmitted} tells how that ended, later.
+     * Has a content sent by radio from the board's own address.
      *
-     * @return the transmission's number, 0…255, by which the listener is told; free again once it was.
      * @throws IllegalArgumentException if the destination is the serial line.
      */
-    public CompletableFuture<Integer> transmit(Address to, Content content) {
-        return transmit(to, content, reply -> session.transmitting(reply.transmissionNumber()));
-    }
-
-    /**
-     * Has a content sent by radio from the board's own address, and waits for its end; the listener is not told of it.
-     *
-     * @return how it ended: UNDELIVERED also, whatever it was, where the board was reset or lost before it told, or the
-     *         session was closed.
-     * @throws IllegalArgumentException if the destination is the serial line.
-     */
-    public CompletableFuture<Outcome> send(Address to, Content content) {
-        CompletableFuture<Outcome> end = new CompletableFuture<>();
-        return transmit(to, content, reply -> session.transmitting(reply.transmissionNumber(), end))
-                .thenCompose(number -> end);
-    }
-
-    private CompletableFuture<Integer> transmit(Address to, Content content, Pending.Reader<Integer> reader) {
+    public Transmission transmit(Address to, Content content) {
         if (to.equals(Address.SERIAL)) {
             throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
         }
         String description = "transmit to " + to + ": " + content;
-        return ask(description, board -> {
+        CompletableFuture<Outcome> end = new CompletableFuture<>();
+        CompletableFuture<Void> taken = ask(description, board -> {
             Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
             return new Request.Transmit(to, origin, content);
-        }, reader);
+        }, reply -> {
+            session.transmitting(reply.transmissionNumber(), end);
+            return null;
+        });
+        taken.whenComplete((nothing, thrown) -> {
+            if (thrown != null) {
+                end.completeExceptionally(thrown);
+            }
+        });
+        return new Transmission(taken, end);
     }
 
     /**

@@ -2,7 +2,6 @@ package javino.board;
 
 import java.util.List;
 import javino.protocol.BoardInfo;
-import javino.protocol.Outcome;
 
 /**
  * Is told what happens on a board.
@@ -38,16 +37,6 @@ public interface BoardListener {
      * returns (or throws), the board is told at once that the message was taken, and its sender that it was delivered.
      */
     default void message(ReceivedMessage message) {
-    }
-
-    /**
-     * A transmission ended; told once for each number that {@link Board#transmit} completed with, and after it did.
-     *
-     * @param number  what {@link Board#transmit} completed with, 0…255.
-     * @param outcome how it ended: UNDELIVERED also, whatever it was, where the board was reset or lost before it
-     *                told, or the session was closed.
-     */
-    default void transmitted(int number, Outcome outcome) {
     }
 
     /**

@@ -1,10 +1,14 @@
 package javino.board;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
+import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
@@ -15,7 +19,8 @@ final class Inbox {
     private final BoardListener listener;
     private final Tally tally;
     private final Perception perception;
-    private final Transmissions transmissions;
+    /** The ends that the board is yet to tell, by numbers, which hold for one boot of the board. */
+    private final Map<Integer, CompletableFuture<Outcome>> underWay = new LinkedHashMap<>();
     private final HandedOn handedOn = new HandedOn();
     /** The board that the numbers below are of; null if it has booted since it was greeted. */
     private BoardInfo source;
@@ -28,7 +33,6 @@ final class Inbox {
         this.listener = listener;
         this.tally = tally;
         perception = new Perception(wishes, listener, tally);
-        transmissions = new Transmissions(listener, tally);
     }
 
     /** A board came online; after a boot it counts messages and transmissions anew. */
@@ -37,7 +41,7 @@ final class Inbox {
             taken = Request.Poll.NOTHING_TAKEN;
             owesTaken = false;
             handedOn.booted();
-            transmissions.abandon();
+            abandonAll();
         }
         perceptsCrowd = false;
         source = board;
@@ -56,12 +60,35 @@ final class Inbox {
 
     /** The session ends. */
     void close() {
-        transmissions.abandon();
+        abandonAll();
     }
 
-    /** The ends that are waited for. */
-    Transmissions transmissions() {
-        return transmissions;
+    /** The board has taken a transmission, and will tell its end by this number. */
+    void transmitting(int number, CompletableFuture<Outcome> end) {
+        abandon(underWay.put(number, end));
+    }
+
+    private void abandonAll() {
+        List<CompletableFuture<Outcome>> all = List.copyOf(underWay.values());
+        underWay.clear();
+        all.forEach(this::abandon);
+    }
+
+    /** The board will not tell this end any more, if there is one. */
+    private void abandon(CompletableFuture<Outcome> end) {
+        if (end != null) {
+            tally.count(SessionCounter.ABANDONED_TRANSMISSIONS);
+            end.complete(Outcome.UNDELIVERED);
+        }
+    }
+
+    private void end(PollReply.Transmission transmission) {
+        CompletableFuture<Outcome> end = underWay.remove(transmission.number());
+        if (end == null) {
+            tally.count(SessionCounter.UNKNOWN_OUTCOMES);
+        } else {
+            end.complete(transmission.outcome());
+        }
     }
 
     /** Whether messages were taken of which the board was not told yet. */
@@ -88,7 +115,7 @@ final class Inbox {
             } else if (item instanceof PollReply.Message message) {
                 takeMessage(message);
             } else if (item instanceof PollReply.Transmission transmission) {
-                transmissions.end(transmission.number(), transmission.outcome());
+                end(transmission);
             }
         }
         if (poll.percepts()) {
@@ -107,7 +134,7 @@ final class Inbox {
         answered();
         for (PollReply.Item item : reply.records()) {
             if (item instanceof PollReply.Transmission transmission) {
-                transmissions.end(transmission.number(), transmission.outcome());
+                end(transmission);
             }
         }
     }

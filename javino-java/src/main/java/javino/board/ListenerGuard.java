@@ -3,7 +3,6 @@ package javino.board;
 import java.util.List;
 import java.util.function.Consumer;
 import javino.protocol.BoardInfo;
-import javino.protocol.Outcome;
 
 /** Calls a listener so that whatever it throws is logged and counted, and goes no further. */
 final class ListenerGuard implements BoardListener {
@@ -36,11 +35,6 @@ final class ListenerGuard implements BoardListener {
     @Override
     public void message(ReceivedMessage message) {
         guard(guarded -> guarded.message(message));
-    }
-
-    @Override
-    public void transmitted(int number, Outcome outcome) {
-        guard(guarded -> guarded.transmitted(number, outcome));
     }
 
     @Override

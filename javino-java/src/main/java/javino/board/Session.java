@@ -52,15 +52,8 @@ final class Session implements Runnable {
     }
 
     /** On the session's thread, after a transmission was answered. */
-    int transmitting(int number) {
-        inbox.transmissions().begin(number);
-        return number;
-    }
-
-    /** The same, where {@code end} is to be told in the listener's place. */
-    int transmitting(int number, CompletableFuture<Outcome> end) {
-        inbox.transmissions().begin(number, end::complete);
-        return number;
+    void transmitting(int number, CompletableFuture<Outcome> end) {
+        inbox.transmitting(number, end);
     }
 
     @Override

@@ -50,7 +50,7 @@ final class SendCommand implements Callable<Integer> {
     @Override
     public Integer call() throws JavinoException, InterruptedException {
         try (Board board = port.open()) {
-            Outcome outcome = Await.result(board.send(to, content));
+            Outcome outcome = Await.result(board.transmit(to, content).end());
             spec.commandLine().getOut().println(outcome.toString().toLowerCase(Locale.ROOT));
             return outcome == Outcome.UNDELIVERED ? 1 : 0;
         }

@@ -214,9 +214,9 @@ class BoardTest extends BoardFixture {
     void transmit_withoutAndWithRfId_failsThenUsesIt() throws Exception {
         openAndAwaitOnline();
         assertEquals(Status.NO_RF_ID, failure(RequestFailedException.class,
-                board.transmit(Address.BROADCAST, HELP)).status());
+                board.transmit(Address.BROADCAST, HELP).taken()).status());
         board.setRfId(Address.parse("ROMA"));
-        assertEquals(0, board.transmit(Address.BROADCAST, HELP).get());
+        board.transmit(Address.BROADCAST, HELP).taken().get();
         String header = Bytes.ofText("////ROMABI").hex();
         assertEquals(List.of("id ROMA", "transmit " + header), fake.performed());
         assertEquals(Optional.of(Address.parse("ROMA")), board.info().orElseThrow().rfId());

@@ -181,8 +181,8 @@ class LegacyBoardTest {
 
     static Stream<Function<Board, CompletableFuture<?>>> radioRequests() {
         return Stream.of(board -> board.radio(true), board -> board.setRfId(Address.parse("ROMA")),
-                board -> board.transmit(Address.BROADCAST, BoardFixture.HELP),
-                board -> board.send(Address.parse("SUPO"), BoardFixture.HELP), Board::keys, Board::statistics);
+                board -> board.transmit(Address.BROADCAST, BoardFixture.HELP).taken(),
+                board -> board.transmit(Address.parse("SUPO"), BoardFixture.HELP).end(), Board::keys, Board::statistics);
     }
 
     @ParameterizedTest

@@ -1,13 +1,19 @@
 package javino.board;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javino.protocol.Address;
+import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Force;
@@ -28,95 +34,116 @@ class TransmissionTest extends BoardFixture {
         openAndAwaitOnline(Duration.ofMillis(2));
     }
 
+    /** Has a message transmitted, whose end is noted among what the listener is told. */
+    private Transmission transmit() throws Exception {
+        Transmission transmission = board.transmit(SUPO, HELP);
+        transmission.end().thenAccept(outcome -> listener.note("ended " + outcome));
+        transmission.taken().get();
+        return transmission;
+    }
+
     @Test
-    void transmitted_eachOutcome_isToldByItsNumber() throws Exception {
+    void transmit_endsInAnyOrder_eachGetsItsOwn() throws Exception {
         openAndAwaitOnline();
-        for (Outcome outcome : Outcome.values()) {
-            int number = board.transmit(SUPO, HELP).get();
+        List<Transmission> underWay = new ArrayList<>();
+        List<Integer> numbers = new ArrayList<>();
+        for (int number = 0; number < 30; number++) {
+            underWay.add(transmit());
+            numbers.add(number);
+        }
+        Collections.shuffle(numbers, new Random(1));
+        for (int number : numbers) {
+            assertFalse(underWay.get(number).end().isDone());
+            Outcome outcome = Outcome.values()[number % 3];
             fake.end(number, outcome);
-            assertEquals("transmitted " + number + " " + outcome, listener.next());
+            assertEquals(outcome, underWay.get(number).end().get());
         }
         assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
     }
 
     @Test
-    void send_eachOutcome_completesAndTheListenerIsNotTold() throws Exception {
-        openAndAwaitOnline();
-        for (Outcome outcome : Outcome.values()) {
-            fake.setEnds(outcome);
-            assertEquals(outcome, board.send(SUPO, HELP).get());
-        }
-        assertEquals(List.of(), listener.rest());
+    void transmit_boardTellsTheEndAtOnce_takenComesFirst() throws Exception {
+        CountDownLatch followed = new CountDownLatch(1);
+        open(new BoardListener() {
+            @Override
+            public void online(BoardInfo info) {
+                await(followed);
+            }
+        });
+        fake.setEnds(Outcome.DELIVERED);
+        board.setRfId(Address.parse("ROMA"));
+        Transmission transmission = board.transmit(SUPO, HELP);
+        List<String> order = new CopyOnWriteArrayList<>();
+        CompletableFuture<?> end = transmission.end().thenRun(() -> order.add("end"));
+        CompletableFuture<?> taken = transmission.taken().thenRun(() -> order.add("taken"));
+        followed.countDown();
+        CompletableFuture.allOf(end, taken).get();
+        assertEquals(List.of("taken", "end"), order);
     }
 
     @Test
-    void send_sessionClosed_isUndelivered() throws Exception {
-        openAndAwaitOnline();
-        CompletableFuture<Outcome> sent = board.send(SUPO, HELP);
-        // Requests are performed in order, so that of the message was.
-        board.statistics().get();
-        board.close();
-        assertEquals(Outcome.UNDELIVERED, sent.get());
-    }
-
-    @Test
-    void send_refused_fails() throws Exception {
+    void transmit_refused_bothFail() throws Exception {
         openAndAwaitOnline();
         fake.setRefusal(Status.NO_KEY);
-        assertEquals(Status.NO_KEY, failure(RequestFailedException.class, board.send(SUPO, HELP)).status());
+        Transmission transmission = board.transmit(SUPO, HELP);
+        assertEquals(Status.NO_KEY, failure(RequestFailedException.class, transmission.end()).status());
+        assertEquals(Status.NO_KEY, failure(RequestFailedException.class, transmission.taken()).status());
     }
 
     @Test
-    void transmitted_boardTellsAtOnce_comesAfterTheFuture() throws Exception {
-        openAndAwaitOnline();
-        // The board numbers from 0, and has the outcome of 0 ready before it is asked to transmit.
-        CompletableFuture<List<String>> toldBefore = new CompletableFuture<>();
-        CountDownLatch asked = new CountDownLatch(1);
-        fake.setFault(reply -> {
-            if (!fake.performed().isEmpty() && fake.performed().get(fake.performed().size() - 1).startsWith("transmit")
-                    && !toldBefore.isDone()) {
-                await(asked);
-                fake.end(0, Outcome.SENT);
-                fake.setFault(same -> same);
-            }
-            return reply;
-        });
-        board.transmit(Address.BROADCAST, HELP).thenRun(() -> toldBefore.complete(listener.rest()));
-        asked.countDown();
-        assertEquals(List.of(), toldBefore.get());
-        assertEquals("transmitted 0 SENT", listener.next());
+    void transmit_closedBeforeTheBoardCame_bothFail() {
+        port.unplug();
+        open(listener);
+        Transmission transmission = board.transmit(SUPO, HELP);
+        board.close();
+        failure(BoardOfflineException.class, transmission.taken());
+        failure(BoardOfflineException.class, transmission.end());
     }
 
     @Test
-    void reset_transmissionsUnderWay_areToldUndeliveredBeforeTheBoardIsOnlineAgain() throws Exception {
+    void transmit_numberComesAgain_formerIsUndelivered() throws Exception {
         openAndAwaitOnline();
-        board.transmit(SUPO, HELP).get();
-        board.transmit(Address.BROADCAST, HELP).get();
-        fake.reset();
-        assertEquals(List.of("offline fake: the board was reset", "transmitted 0 UNDELIVERED",
-                "transmitted 1 UNDELIVERED", "online 2"), listener.until("online"));
-        assertEquals(2, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
-        assertEquals(0, board.transmit(SUPO, HELP).get());
+        Transmission former = transmit();
+        for (int number = 1; number < 256; number++) {
+            transmit();
+        }
+        assertFalse(former.end().isDone());
+        Transmission latter = transmit();
+        assertEquals(Outcome.UNDELIVERED, former.end().get());
         fake.end(0, Outcome.DELIVERED);
-        assertEquals("transmitted 0 DELIVERED", listener.next());
+        assertEquals(Outcome.DELIVERED, latter.end().get());
+    }
+
+    @Test
+    void reset_transmissionsUnderWay_areUndeliveredBeforeTheBoardIsOnlineAgain() throws Exception {
+        openAndAwaitOnline();
+        transmit();
+        transmit();
+        fake.reset();
+        assertEquals(List.of("offline fake: the board was reset", "ended UNDELIVERED",
+                "ended UNDELIVERED", "online 2"), listener.until("online"));
+        assertEquals(2, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
+        transmit();
+        fake.end(0, Outcome.DELIVERED);
+        assertEquals("ended DELIVERED", listener.next());
     }
 
     @Test
     void reset_bootEpochAtItsEnd_isNoticedAllTheSame() throws Exception {
         fake.setBootEpoch(0xFFFFFF);
         openAndAwaitOnline();
-        board.transmit(SUPO, HELP).get();
+        transmit();
         fake.reset();
-        assertEquals(List.of("offline fake: the board was reset", "transmitted 0 UNDELIVERED",
+        assertEquals(List.of("offline fake: the board was reset", "ended UNDELIVERED",
                 "online " + 0xFFFFFF), listener.until("online"));
     }
 
     @Test
-    void close_transmissionsUnderWay_areToldUndelivered() throws Exception {
+    void close_transmissionsUnderWay_areUndelivered() throws Exception {
         openAndAwaitOnline();
-        board.transmit(SUPO, HELP).get();
+        transmit();
         board.close();
-        assertEquals(List.of("transmitted 0 UNDELIVERED"), listener.rest());
+        assertEquals(List.of("ended UNDELIVERED"), listener.rest());
         assertEquals(1, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
     }
 
@@ -124,7 +151,7 @@ class TransmissionTest extends BoardFixture {
     void link_lostWithTheReplyThatToldAnOutcome_isToldItOnce() throws Exception {
         openAndAwaitOnline();
         board.radio(true).get();
-        board.transmit(SUPO, HELP).get();
+        transmit();
         AtomicBoolean greeted = new AtomicBoolean();
         fake.setLoses(message -> {
             greeted.compareAndSet(false, message.at(0) == 'H');
@@ -134,7 +161,7 @@ class TransmissionTest extends BoardFixture {
         fake.end(0, Outcome.DELIVERED);
         // Between the hello and the next poll the radio is opened again: that must not make the board forget it.
         assertEquals(List.of("offline fake: the board left a request unanswered", "online 1",
-                "transmitted 0 DELIVERED"), listener.until("transmitted"));
+                "ended DELIVERED"), listener.until("ended"));
         fake.awaitPolls(2);
         assertEquals(List.of(), listener.rest());
     }
@@ -142,12 +169,12 @@ class TransmissionTest extends BoardFixture {
     @Test
     void link_lostWhileARequestWasUnanswered_leavesWhatIsUnderWay() throws Exception {
         openAndAwaitOnline(Duration.ofHours(1));
-        board.transmit(SUPO, HELP).get();
+        transmit();
         fake.end(0, Outcome.DELIVERED);
         fake.setLoses(message -> message.at(0) == 'A');
         failure(OutcomeUnknownException.class, board.act("stop"));
         assertEquals(List.of("offline fake: the board left a request unanswered", "online 1",
-                "transmitted 0 DELIVERED"), listener.until("transmitted"));
+                "ended DELIVERED"), listener.until("ended"));
         assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
     }
 
@@ -165,7 +192,7 @@ class TransmissionTest extends BoardFixture {
     void transmit_longestContent_reachesTheBoardWhole() throws Exception {
         openAndAwaitOnline();
         Content longest = new Content(Force.TELL, "x".repeat(489));
-        board.transmit(Address.BROADCAST, longest).get();
+        board.transmit(Address.BROADCAST, longest).taken().get();
         assertEquals(longest.encode(), Bytes.ofHex(fake.requests().stream()
                 .filter(request -> request.startsWith("74656c6c3b")).findFirst().orElseThrow()));
     }

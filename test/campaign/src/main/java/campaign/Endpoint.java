@@ -3,7 +3,6 @@ package campaign;
 import harness.Host;
 import java.time.Duration;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -13,7 +12,6 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
-import javino.protocol.Outcome;
 
 /** A host with its board: sends what ledgers say, and enters in ledgers what came. */
 final class Endpoint implements AutoCloseable {
@@ -21,7 +19,6 @@ final class Endpoint implements AutoCloseable {
     private static final int ATTEMPTS = 50;
 
     private final Board board;
-    private final Transmissions transmissions = new Transmissions();
 
     /**
      * @param poll     from one poll to the next.
@@ -37,11 +34,6 @@ final class Endpoint implements AutoCloseable {
                 } else {
                     incoming.strayed();
                 }
-            }
-
-            @Override
-            public void transmitted(int number, Outcome outcome) {
-                transmissions.finish(number, outcome);
             }
         });
     }
@@ -70,16 +62,10 @@ final class Endpoint implements AutoCloseable {
      */
     void send(Address to, Ledger ledger, Runnable then) {
         int number = ledger.next();
-        CompletableFuture<Integer> taken = board.transmit(to, ledger.content(number));
-        taken.whenComplete((transmission, failure) -> {
+        board.transmit(to, ledger.content(number)).end().whenComplete((outcome, failure) -> {
             if (failure == null) {
-                transmissions.begin(transmission, outcome -> {
-                    ledger.ended(number, outcome);
-                    then.run();
-                });
-                return;
-            }
-            if (failure instanceof OutcomeUnknownException) {
+                ledger.ended(number, outcome);
+            } else if (failure instanceof OutcomeUnknownException) {
                 ledger.unknown();
             } else {
                 ledger.refused();

@@ -15,7 +15,6 @@ import javino.link.SerialLink;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Key;
-import javino.protocol.Outcome;
 
 /**
  * A host in a process of its own, that can be killed: it sends unicasts to one device without end, replaces a key that
@@ -39,7 +38,6 @@ final class HostProgram implements BoardListener {
     private final Address to;
     private final HostLog log;
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor();
-    private final Transmissions transmissions = new Transmissions();
     private final CountDownLatch idle = new CountDownLatch(WINDOW);
     private final Board board;
     private int next;
@@ -92,19 +90,15 @@ final class HostProgram implements BoardListener {
         int number = next++;
         log.write("offered " + number);
         int length = number % LONG_EACH == 0 ? LONG_LENGTH : LENGTH;
-        board.transmit(to, Contents.of(number, length)).whenComplete((transmission, failure) -> {
+        board.transmit(to, Contents.of(number, length)).end().whenComplete((outcome, failure) -> {
             if (failure == null) {
-                transmissions.begin(transmission, outcome -> end(number, outcome));
+                log.write("ended " + number + " " + outcome);
+                clock.execute(this::send);
             } else {
                 log.write("refused " + number + " " + failure.getMessage());
                 clock.schedule(this::send, AFTER_REFUSAL.toMillis(), TimeUnit.MILLISECONDS);
             }
         });
-    }
-
-    private void end(int number, Outcome outcome) {
-        log.write("ended " + number + " " + outcome);
-        clock.execute(this::send);
     }
 
     private void replaceKey(Address spare) {
@@ -126,11 +120,6 @@ final class HostProgram implements BoardListener {
     public void message(ReceivedMessage message) {
         int number = message.from().equals(to) ? Contents.number(message.content()) : -1;
         log.write(number < 0 ? "wrong " + message : "received " + number + " " + message.id());
-    }
-
-    @Override
-    public void transmitted(int transmission, Outcome outcome) {
-        transmissions.finish(transmission, outcome);
     }
 
     @Override

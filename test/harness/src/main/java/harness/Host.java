@@ -22,8 +22,6 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Key;
-import javino.protocol.Outcome;
-import javino.protocol.ProtocolException;
 
 /** A board session that a test drives, with what came from the board in queues. */
 public final class Host implements AutoCloseable {
@@ -34,7 +32,6 @@ public final class Host implements AutoCloseable {
     public final Board board;
     private final Semaphore greetings = new Semaphore(0);
     private final BlockingQueue<ReceivedMessage> messages = new LinkedBlockingQueue<>();
-    private final BlockingQueue<Integer> sent = new LinkedBlockingQueue<>();
     private final BlockingQueue<List<String>> percepts = new LinkedBlockingQueue<>();
 
     private Host(LinkOpener link, BoardConfig config) {
@@ -47,11 +44,6 @@ public final class Host implements AutoCloseable {
             @Override
             public void message(ReceivedMessage message) {
                 messages.add(message);
-            }
-
-            @Override
-            public void transmitted(int number, Outcome outcome) {
-                sent.add(number);
             }
 
             @Override
@@ -90,20 +82,8 @@ public final class Host implements AutoCloseable {
     }
 
     /** Sends, and waits until it has been on the air. */
-    public void send(String to, String content) throws InterruptedException {
-        int number = get(board.transmit(Address.parse(to), content(content)));
-        Integer ended = sent.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
-        if (ended == null || ended != number) {
-            throw new AssertionError("transmission " + number + ", but " + ended + " ended");
-        }
-    }
-
-    private static Content content(String text) {
-        try {
-            return Content.decode(Bytes.ofText(text));
-        } catch (ProtocolException wrong) {
-            throw new AssertionError(wrong);
-        }
+    public void send(String to, String content) {
+        get(board.transmit(Address.parse(to), Content.parse(content)).end());
     }
 
     /** The next message that came, waited for. */

@@ -14,8 +14,10 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
+import javino.protocol.Address;
+import javino.protocol.Content;
 import javino.protocol.Counter;
+import javino.protocol.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -86,7 +88,7 @@ class CounterexampleTest {
     @Test
     void acknowledgement_withAForgedProof_isRefused() throws Exception {
         Host.get(support.board.radio(false));
-        CompletableFuture<Void> sending = sendUnheard();
+        CompletableFuture<Outcome> sending = sendUnheard();
         byte[] forged = (address(overheard("police", 1)) + "SUPPBA12345678").getBytes(StandardCharsets.US_ASCII);
         for (int attempt = 1; attempt <= ANSWERED_ATTEMPTS; attempt++) {
             overheard("police", attempt);
@@ -102,7 +104,7 @@ class CounterexampleTest {
         byte[] replayed = overheard("support", 1);
         Host.get(support.board.radio(false));
         int before = emulator.sentBy("police").size();
-        CompletableFuture<Void> sending = sendUnheard();
+        CompletableFuture<Outcome> sending = sendUnheard();
         byte[] addressed = replayed.clone();
         byte[] address = address(overheard("police", before + 1)).getBytes(StandardCharsets.US_ASCII);
         System.arraycopy(address, 0, addressed, 0, address.length);
@@ -110,7 +112,7 @@ class CounterexampleTest {
             overheard("police", before + attempt);
             thief.send(attempt % 2 == 0 ? replayed : addressed);
         }
-        sending.get(60, TimeUnit.SECONDS);
+        Host.get(sending);
         assertEquals(1, police.counter(Counter.RADIO_ACKNOWLEDGED), "the first one alone");
         assertEquals(1, police.counter(Counter.RADIO_UNDELIVERED));
         assertTrue(police.counter(Counter.RADIO_BAD_PROOFS) > 0, "no forgery reached the sender");
@@ -129,18 +131,12 @@ class CounterexampleTest {
         throw new AssertionError(counter + " did not rise");
     }
 
-    private CompletableFuture<Void> sendUnheard() {
-        return CompletableFuture.runAsync(() -> {
-            try {
-                police.send("SUPP", "tell;unheard");
-            } catch (InterruptedException stop) {
-                throw new AssertionError(stop);
-            }
-        });
+    private CompletableFuture<Outcome> sendUnheard() {
+        return police.board.transmit(Address.parse("SUPP"), Content.parse("tell;unheard")).end();
     }
 
-    private void assertUndelivered(CompletableFuture<Void> sending) throws Exception {
-        sending.get(60, TimeUnit.SECONDS);
+    private void assertUndelivered(CompletableFuture<Outcome> sending) {
+        assertEquals(Outcome.UNDELIVERED, Host.get(sending));
         assertEquals(0, police.counter(Counter.RADIO_ACKNOWLEDGED));
         assertEquals(1, police.counter(Counter.RADIO_UNDELIVERED));
         assertTrue(police.counter(Counter.RADIO_BAD_PROOFS) > 0, "no forgery reached the sender");

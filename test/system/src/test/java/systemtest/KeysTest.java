@@ -199,7 +199,7 @@ class KeysTest {
                 continue;
             }
             String text = "tell;n" + sent++;
-            unicasts.put(text, hosts.get(board).board.send(Address.parse(IDS.get(to)), Content.parse(text)));
+            unicasts.put(text, hosts.get(board).board.transmit(Address.parse(IDS.get(to)), Content.parse(text)).end());
             expected.computeIfAbsent(to, any -> new HashSet<>()).add(text);
         }
     }
@@ -235,7 +235,7 @@ class KeysTest {
     private void multicastFrom(String board) throws Exception {
         settle();
         String text = "tell;n" + sent++;
-        assertEquals(Outcome.SENT, Host.get(hosts.get(board).board.send(Address.parse("//SU"), Content.parse(text))));
+        assertEquals(Outcome.SENT, Host.get(hosts.get(board).board.transmit(Address.parse("//SU"), Content.parse(text)).end()));
         for (String to : IDS.keySet()) {
             if (!to.equals(board)) {
                 assertEquals(text, hosts.get(to).message().content().toString(), to);
