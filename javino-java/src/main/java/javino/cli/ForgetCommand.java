@@ -3,6 +3,7 @@ package javino.cli;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.protocol.Address;
@@ -36,33 +37,40 @@ final class ForgetCommand implements Callable<Integer> {
 
         @Option(names = "--all", required = true, description = "All keys that the board has.")
         private boolean all;
+
+        /**
+         * The addresses that were named.
+         *
+         * @param held those that the board has a key for.
+         * @throws JavinoException if one is not among these; so nothing is deleted then.
+         */
+        private List<Address> held(List<Address> held) throws JavinoException {
+            for (Address address : addresses) {
+                if (!held.contains(address)) {
+                    throw new JavinoException("the board has no key for " + address + (held.isEmpty() ? ", nor any other"
+                            : "; it has " + held.stream().map(Address::toString).collect(Collectors.joining(", "))));
+                }
+            }
+            return addresses.stream().distinct().toList();
+        }
     }
 
     @Override
     public Integer call() throws JavinoException, InterruptedException {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
-            if (which.all) {
-                forgetAll(board, out);
-            } else {
-                forget(board, which.addresses, out);
-            }
+            List<Address> held = Await.result(board.keys()).stream().map(StoredKey::address).distinct().toList();
+            forget(board, which.all ? held : which.held(held), out);
         }
         return 0;
     }
 
-    /** Deletes one key after the other; those before one that fails are gone. */
-    static void forget(Board board, List<Address> addresses, PrintWriter out)
+    private static void forget(Board board, List<Address> addresses, PrintWriter out)
             throws JavinoException, InterruptedException {
         for (Address address : addresses) {
             Await.result(board.deleteKey(address));
             out.println("key for " + address + " forgotten");
         }
-    }
-
-    static void forgetAll(Board board, PrintWriter out) throws JavinoException, InterruptedException {
-        List<Address> addresses = Await.result(board.keys()).stream().map(StoredKey::address).distinct().toList();
-        forget(board, addresses, out);
         if (addresses.isEmpty()) {
             out.println("the board has no key");
         }

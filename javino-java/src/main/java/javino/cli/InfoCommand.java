@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
 import javino.board.Board;
 import javino.protocol.Address;
@@ -14,34 +15,63 @@ import javino.protocol.Reply.Role;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** {@code javino info}: shows a board. */
 @Command(name = "info", description = {
     "Shows who a board is, which actions and keys it has (never the keys), and its counters.",
     "The counters start at 0 with each boot, and most boards, a Mega too, boot when their port is opened: after info "
-            + "has opened it they say little. A program that keeps the port open reads them by Board.statistics()."})
+            + "has opened it they say little. With --after they tell what happens in the time that follows."})
 final class InfoCommand implements Callable<Integer> {
+
+    private static final int MOST_SECONDS = 3600;
 
     @Mixin
     private PortOption port;
+
+    @Option(names = "--after", paramLabel = "SECONDS", description = "Show by how much each counter rises in so many "
+            + "seconds, 1 to 3600. The radio is open meanwhile: messages are taken, and their senders told that they were "
+            + "delivered.")
+    private Integer seconds;
 
     @Spec
     private CommandSpec spec;
 
     @Override
-    public Integer call() throws JavinoException, InterruptedException {
-        try (Board board = port.open()) {
-            print(board, spec.commandLine().getOut());
+    public Integer call() throws JavinoException {
+        if (seconds != null && (seconds < 1 || seconds > MOST_SECONDS)) {
+            throw new ParameterException(spec.commandLine(), "--after takes 1 to " + MOST_SECONDS + " seconds, not " + seconds);
         }
+        UntilInterrupted.run(this::show);
         return 0;
     }
 
-    static void print(Board board, PrintWriter out) throws JavinoException, InterruptedException {
+    private void show() throws JavinoException, InterruptedException {
+        PrintWriter out = spec.commandLine().getOut();
+        try (Board board = port.open()) {
+            BoardInfo info = Await.result(board.greeted());
+            print(info, Await.result(board.keys()), out);
+            if (seconds == null) {
+                Await.result(board.statistics()).forEach((counter, value) -> out.println(line(counter, value)));
+            } else {
+                UntilInterrupted.listen(board, () -> count(board, info, out));
+            }
+        }
+    }
+
+    private void count(Board board, BoardInfo before, PrintWriter out) throws JavinoException, InterruptedException {
+        Map<Counter, Long> counted = Await.result(board.statistics());
+        TimeUnit.SECONDS.sleep(seconds);
         Map<Counter, Long> counters = Await.result(board.statistics());
-        List<Reply.StoredKey> keys = Await.result(board.keys());
-        // Both were answered, so the board was greeted.
-        BoardInfo info = board.info().orElseThrow();
+        if (board.info().orElseThrow().bootEpoch() != before.bootEpoch()) {
+            throw new JavinoException(port.name() + ": the board has booted meanwhile, and counts from 0; try again");
+        }
+        counters.forEach((counter, value) -> out.println(line(counter, "+" + (value - counted.getOrDefault(counter, 0L)))));
+    }
+
+    private static void print(BoardInfo info, List<Reply.StoredKey> keys, PrintWriter out) {
         out.println(line("firmware", info.firmware()));
         out.println(line("protocol version", info.protocolVersion()));
         out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
@@ -49,7 +79,6 @@ final class InfoCommand implements Callable<Integer> {
         out.println(line("actions", info.actions().isEmpty() ? "none" : String.join(", ", info.actions())));
         keys.forEach(key -> out.println(line(nameOf(key.role()),
                 key.address() + ", check value " + key.check())));
-        counters.forEach((counter, value) -> out.println(line(counter, value)));
     }
 
     private static String nameOf(Role role) {

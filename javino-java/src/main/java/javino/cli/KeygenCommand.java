@@ -75,7 +75,7 @@ final class KeygenCommand implements Callable<Integer> {
             throw wrongUsage(e.getMessage());
         }
         PrivateFile.create(which.out, keyring.format());
-        spec.commandLine().getOut().println(keyring.size() + " keys written to " + which.out);
+        spec.commandLine().getOut().println(keyring.size() + (keyring.size() == 1 ? " key" : " keys") + " written to " + which.out);
     }
 
     private void renew() throws IOException, JavinoException, InterruptedException {

@@ -5,15 +5,19 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
+import javino.Printable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The {@code javino} command. */
 @Command(name = "javino", description = "Sets up, inspects and drives Javino boards.",
+        versionProvider = Main.Version.class,
         subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, InfoCommand.class,
             KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,
             PortsCommand.class, ProvisionCommand.class, SendCommand.class})
@@ -22,10 +26,21 @@ public final class Main implements Callable<Integer> {
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")
     private boolean help;
 
+    @Option(names = "--version", versionHelp = true, description = "Shows the version.")
+    private boolean version;
+
     @Spec
     private CommandSpec spec;
 
     private Main() {
+    }
+
+    /** As the jar has it. */
+    static final class Version implements CommandLine.IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            return new String[] {"javino " + Main.class.getPackage().getImplementationVersion()};
+        }
     }
 
     /** Without a subcommand: says which there are. */
@@ -44,7 +59,7 @@ public final class Main implements Callable<Integer> {
     static CommandLine commandLine(CommandLine.IFactory factory) {
         CommandLine commandLine = new CommandLine(new Main(), factory);
         commandLine.setParameterExceptionHandler((e, args) -> {
-            e.getCommandLine().getErr().println("javino: " + e.getMessage() + " (try --help)");
+            e.getCommandLine().getErr().println("javino: " + describe(e) + " (try --help)");
             return CommandLine.ExitCode.USAGE;
         });
         commandLine.setExecutionExceptionHandler((e, command, parsed) -> {
@@ -55,6 +70,17 @@ public final class Main implements Callable<Integer> {
             return CommandLine.ExitCode.SOFTWARE;
         });
         return commandLine;
+    }
+
+    /** Which word is too much, and one that is near to it. */
+    private static String describe(ParameterException e) {
+        if (!(e instanceof UnmatchedArgumentException unmatched)) {
+            return e.getMessage();
+        }
+        String kind = unmatched.isUnknownOption() ? "there is no option "
+                : e.getCommandLine().getSubcommands().isEmpty() ? "there is no place for " : "there is no command ";
+        String near = unmatched.getSuggestions().stream().findFirst().map(name -> "; did you mean " + name + "?").orElse("");
+        return kind + Printable.of(unmatched.getUnmatched().get(0)) + near;
     }
 
     /** Exceptions about files often say no more than the file's name. */

@@ -18,16 +18,12 @@ import picocli.CommandLine.Help.Ansi.Style;
 /** Writes what a board tells, a line each: when, of what kind, what. */
 final class Monitor implements BoardListener {
 
-    /** Counters of what was lost, or left without an answer; their rise is told. */
-    private static final Set<Counter> DROPS = EnumSet.of(Counter.SERIAL_DAMAGED, Counter.SERIAL_BAD_FRAMES,
-            Counter.RADIO_DAMAGED, Counter.RADIO_MISSED, Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
-            Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG,
-            Counter.RADIO_REPLAYED, Counter.RADIO_REPLAY_FULL, Counter.RADIO_QUEUE_FULL, Counter.PERCEPTS_LEFT_OUT,
-            Counter.RADIO_PIECES_DROPPED, Counter.RADIO_EXPIRED, Counter.RADIO_BAD_PROOFS, Counter.RADIO_STALE,
-            Counter.RADIO_BLOCKED, Counter.RADIO_ANSWERS_DROPPED);
-    /** Counters of how the board's own transmissions end. */
-    private static final Set<Counter> OUTCOMES =
-            EnumSet.of(Counter.RADIO_SENT, Counter.RADIO_ACKNOWLEDGED, Counter.RADIO_UNDELIVERED);
+    /** What each poll counts. */
+    private static final Counter ROUTINE = Counter.SERIAL_REQUESTS;
+    /** Counters of what is no loss. */
+    private static final Set<Counter> NO_LOSS = EnumSet.of(Counter.SERIAL_REPEATS, Counter.RADIO_RECEIVED,
+            Counter.RADIO_MENDED, Counter.RADIO_REPEATS, Counter.RADIO_SENT, Counter.RADIO_RESENT, Counter.RADIO_DEFERRED,
+            Counter.RADIO_ACKNOWLEDGED, Counter.RADIO_UNDELIVERED);
     private static final double NANOS_A_SECOND = 1e9;
 
     private final PrintWriter out;
@@ -82,10 +78,9 @@ final class Monitor implements BoardListener {
     synchronized void count(Map<Counter, Long> counters) {
         counters.forEach((counter, value) -> {
             long risen = value - counted.getOrDefault(counter, 0L);
-            if (risen > 0 && DROPS.contains(counter)) {
-                line(Style.fg_red, "dropped", counter + " " + value + " (+" + risen + ")");
-            } else if (risen > 0 && OUTCOMES.contains(counter)) {
-                line(Style.reset, "outcome", counter + " " + value + " (+" + risen + ")");
+            boolean lost = !NO_LOSS.contains(counter);
+            if (risen > 0 && counter != ROUTINE) {
+                line(lost ? Style.fg_red : Style.reset, lost ? "dropped" : "counted", counter + " " + value + " (+" + risen + ")");
             }
         });
         counted = counters;

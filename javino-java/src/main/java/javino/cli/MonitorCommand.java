@@ -13,8 +13,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /** {@code javino monitor}: shows live what a board tells. */
-@Command(name = "monitor", description = {"Shows live what a board tells, until Ctrl-C:",
-    "messages, changes of percepts, warnings, and counters of outcomes and of what was dropped when they rise.",
+@Command(name = "monitor", description = {"Shows live what a board tells, until Ctrl-C.",
+    "These are messages, changes of percepts, warnings, and all counters of the radio and of losses when they rise.",
     "The radio is open meanwhile: messages are taken, and their senders told that they were delivered."})
 final class MonitorCommand implements Callable<Integer> {
 
@@ -37,15 +37,12 @@ final class MonitorCommand implements Callable<Integer> {
         Monitor monitor = new Monitor(out, spec.commandLine().getColorScheme().ansi());
         try (Board board = port.open(monitor)) {
             board.percepts(true);
-            try {
-                Await.result(board.radio(true));
+            UntilInterrupted.listen(board, () -> {
                 while (!out.checkError()) {
                     count(board, monitor);
                     Thread.sleep(COUNT_INTERVAL_MILLIS);
                 }
-            } finally {
-                blockRadio(board);
-            }
+            });
         }
     }
 
@@ -57,18 +54,6 @@ final class MonitorCommand implements Callable<Integer> {
             if (board.state() == BoardState.INCOMPATIBLE) {
                 throw e;
             }
-        }
-    }
-
-    /** So that no message waits in the board for a program that has ended. */
-    private static void blockRadio(Board board) throws InterruptedException {
-        try {
-            if (board.state() == BoardState.ONLINE) {
-                Await.result(board.radio(false));
-            }
-        } catch (JavinoException e) {
-            // The board went at the same time.
-            return;
         }
     }
 }

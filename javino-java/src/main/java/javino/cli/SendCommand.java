@@ -11,13 +11,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /** {@code javino send}: sends a message by radio. */
-@Command(name = "send", description = {"Sends a message by radio and says what became of it:",
-    "delivered, or undelivered, to a device; sent, to a group or to all.", "Undelivered has exit status 1."})
+@Command(name = "send", description = {"Sends a message by radio, and says what became of it.",
+    "To a device it is delivered, or undelivered, with exit status 1; to a group or to all it is sent."})
 final class SendCommand implements Callable<Integer> {
 
     @Mixin
@@ -49,6 +50,10 @@ final class SendCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws JavinoException, InterruptedException {
+        if (to.equals(Address.BROADCAST) && content.force().requiresSeal()) {
+            throw new ParameterException(spec.commandLine(), content.force()
+                    + " goes to a device or a group, not to all: nobody takes it from a broadcast");
+        }
         try (Board board = port.open()) {
             Outcome outcome = Await.result(board.transmit(to, content).end());
             spec.commandLine().getOut().println(outcome.toString().toLowerCase(Locale.ROOT));

@@ -3,6 +3,8 @@ package javino.cli;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
+import javino.board.Board;
+import javino.board.BoardState;
 
 /** What goes on until the user ends it. */
 final class UntilInterrupted {
@@ -33,6 +35,27 @@ final class UntilInterrupted {
             return;
         } finally {
             ended.countDown();
+        }
+    }
+
+    /** Does the work with the board's radio open, and blocks it then, so that no message waits for a program that has ended. */
+    static void listen(Board board, Work work) throws JavinoException, InterruptedException {
+        try {
+            Await.result(board.radio(true));
+            work.run();
+        } finally {
+            blockRadio(board);
+        }
+    }
+
+    private static void blockRadio(Board board) throws InterruptedException {
+        try {
+            if (board.state() == BoardState.ONLINE) {
+                Await.result(board.radio(false));
+            }
+        } catch (JavinoException e) {
+            // The board went at the same time.
+            return;
         }
     }
 

@@ -45,6 +45,7 @@ public final class FakeBoard {
     private Status listing = Status.OK;
     private final FakeMail mail = new FakeMail();
     private final Map<Counter, Long> counters = new EnumMap<>(Map.of(Counter.SERIAL_REQUESTS, 9L));
+    private final Map<Counter, Long> rises = new EnumMap<>(Counter.class);
     private int transmissions;
     private Outcome ends;
     private Status refusal;
@@ -265,6 +266,7 @@ public final class FakeBoard {
     }
 
     private Bytes statistics() {
+        rises.forEach((counter, by) -> counters.merge(counter, by, Long::sum));
         Bytes body = ACCEPTED;
         for (Map.Entry<Counter, Long> counter : counters.entrySet()) {
             body = Bytes.join(body, Bytes.of(counter.getKey().number()), Bytes.ofNumber(counter.getValue(), 4));
@@ -394,6 +396,11 @@ public final class FakeBoard {
 
     public synchronized void setCounter(Counter counter, long value) {
         counters.put(counter, value);
+    }
+
+    /** Has a counter rise by so much before each time that it is asked for. */
+    public synchronized void setRise(Counter counter, long by) {
+        rises.put(counter, by);
     }
 
     /** Has each transmission end so at once. */

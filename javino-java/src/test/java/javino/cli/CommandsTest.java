@@ -26,17 +26,13 @@ import javino.board.BoardListener;
 import javino.board.BoardState;
 import javino.board.FakeBoard;
 import javino.board.FakePort;
-import javino.board.RequestFailedException;
 import javino.protocol.Address;
-import javino.protocol.Counter;
 import javino.protocol.Key;
-import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
@@ -87,6 +83,14 @@ class CommandsTest {
             assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
         }
         assertFalse(out.toString().contains(Keyring.read(file).keysOf(SUPO).values().iterator().next().key().bytes().hex()));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--group SU,1 key", "--group SU --pair ROMA;SUPO,2 keys"})
+    void keygen_each_countsItsKeys(String options, String count) {
+        Path file = folder.resolve("keys");
+        assertEquals(0, run(("keygen --out " + file + " " + options.replace(';', ',')).split(" ")), err.toString());
+        assertEquals(count + " written to " + file + System.lineSeparator(), out.toString());
     }
 
     @Test
@@ -197,29 +201,6 @@ class CommandsTest {
         assertFails(2, "--key", "forget", "--port", "nowhere", "--key", address);
     }
 
-    @Test
-    void forget_keys_areDeletedUntilOneIsMissing() throws JavinoException, InterruptedException {
-        try (Board board = open()) {
-            PrintWriter lines = new PrintWriter(out, true);
-            ForgetCommand.forget(board, List.of(SUPO), lines);
-            RequestFailedException e = assertThrows(RequestFailedException.class,
-                    () -> ForgetCommand.forget(board, List.of(SUPO), lines));
-            assertEquals(Status.NO_KEY, e.status());
-        }
-        assertEquals(List.of("key for SUPO forgotten"), out.toString().lines().toList());
-        assertEquals(List.of("forget SUPO"), fake.performed());
-    }
-
-    @Test
-    void forget_all_leavesNone() throws JavinoException, InterruptedException {
-        try (Board board = open()) {
-            PrintWriter lines = new PrintWriter(out, true);
-            ForgetCommand.forgetAll(board, lines);
-            ForgetCommand.forgetAll(board, lines);
-        }
-        assertEquals(List.of("key for SUPO forgotten", "the board has no key"), out.toString().lines().toList());
-    }
-
     @ParameterizedTest
     @ValueSource(strings = {"", "--key SUPO --all"})
     void forget_notOneKind_isWrongUsage(String options) {
@@ -276,6 +257,24 @@ class CommandsTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "inf --port x,there is no command inf; did you mean info? (try --help)",
+        "ports --hepl,there is no option --hepl; did you mean --help? (try --help)",
+        "ports here,there is no place for here (try --help)",
+        "--nope,there is no option --nope",
+    })
+    void main_wordTooMuch_isNamed(String arguments, String reason) {
+        assertFails(2, "javino: " + reason, arguments.split(" "));
+    }
+
+    @Test
+    void main_summaries_endWithAFullStop() {
+        run("--help");
+        String commands = out.toString().split("Commands:")[1];
+        assertTrue(commands.lines().noneMatch(line -> line.stripTrailing().endsWith(":")), commands);
+    }
+
     @Test
     void provision_noKeyring_failsBeforeItOpensThePort() {
         assertFails(1, "no such file", "provision", "--port", "nowhere", "--id", "SUPO",
@@ -299,23 +298,5 @@ class CommandsTest {
     @Test
     void main_noPortOption_isWrongUsage() {
         assertFails(2, "--port", "info");
-    }
-
-    @Test
-    void info_board_isShown() throws JavinoException, InterruptedException {
-        fake.setActions("lampOn", "lampOff");
-        try (Board board = open()) {
-            InfoCommand.print(board, new PrintWriter(out, true));
-        }
-        assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
-                "boot epoch          1", "actions             lampOn, lampOff",
-                "key                 SUPO, check value 010203", "serialRequests      9"),
-                out.toString().lines().toList());
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    void info_counter_isApartFromItsName(Counter counter) {
-        assertEquals(List.of(counter.toString(), "7"), List.of(InfoCommand.line(counter, 7).split(" +")));
     }
 }

@@ -154,6 +154,14 @@ class DriveCommandsTest extends CommandFixture {
         assertEquals(List.of(), fake.performed());
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"askOne#AbC;speed(X)", "tellHow;{ +!go <- run }", "sorry#AbC;\"why\""})
+    void send_toAllWhatNobodyTakesFromABroadcast_isWrongUsage(String content) {
+        assertFails(2, "goes to a device or a group, not to all: nobody takes it from a broadcast", "send", "--port", "fake",
+                "////", content);
+        assertEquals(List.of(), fake.performed());
+    }
+
     @Test
     void olderBoard_perceptsAndActions_work() throws Exception {
         older.perceiving("light(312);door(open);");

@@ -69,14 +69,16 @@ class MonitorCommandTest extends CommandFixture {
     }
 
     @Test
-    void counters_ofDropsAndOutcomes_areToldWhenTheyRise() throws Exception {
+    void counters_ofRadioAndLosses_areToldWhenTheyRise() throws Exception {
         fake.setCounter(Counter.RADIO_NO_KEY, 2);
         startOnline();
         awaitLine("dropped   radioNoKey 2 (+2)");
         fake.setCounter(Counter.RADIO_NO_KEY, 3);
+        fake.setCounter(Counter.RADIO_RECEIVED, 4);
         fake.setCounter(Counter.RADIO_UNDELIVERED, 1);
         awaitLine("dropped   radioNoKey 3 (+1)");
-        awaitLine("outcome   radioUndelivered 1 (+1)");
+        awaitLine("counted   radioReceived 4 (+4)");
+        awaitLine("counted   radioUndelivered 1 (+1)");
         assertFalse(out.toString().contains("serialRequests"), out.toString());
     }
 

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -39,6 +40,13 @@ class StartScriptTest {
         assertEquals(List.of("start"), Files.readAllLines(starts));
         assertEquals(end(new ProcessBuilder(java.resolve("bin/java").toString(), "-cp",
             System.getProperty("java.class.path"), "javino.cli.Main", "ports")), printed);
+    }
+
+    @Test
+    void version_isThatOfTheBuild() throws Exception {
+        String version = Files.readAllLines(Path.of(System.getProperty("javino.root"), "gradle.properties")).stream()
+            .filter(line -> line.startsWith("version=")).findFirst().orElseThrow().substring("version=".length());
+        assertEquals(List.of("javino " + version), end(new ProcessBuilder(SCRIPT.toString(), "--version")));
     }
 
     private static List<String> end(ProcessBuilder command) throws Exception {

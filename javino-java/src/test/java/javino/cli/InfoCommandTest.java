@@ -1,0 +1,67 @@
+package javino.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import javino.protocol.Counter;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class InfoCommandTest extends CommandFixture {
+
+    private List<String> radio() {
+        return fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
+    }
+
+    @Test
+    void board_isShown() {
+        fake.setActions("lampOn", "lampOff");
+        assertEquals(0, run("info", "--port", "fake"), err.toString());
+        assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
+                "boot epoch          1", "actions             lampOn, lampOff",
+                "key                 SUPO, check value 010203", "serialRequests      9"), lines());
+        assertEquals(List.of(), radio());
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void counter_isApartFromItsName(Counter counter) {
+        assertEquals(List.of(counter.toString(), "7"), List.of(InfoCommand.line(counter, 7).split(" +")));
+    }
+
+    @Test
+    void after_someTime_showsByHowMuchCountersRoseWithTheRadioOpen() {
+        fake.setCounter(Counter.RADIO_RECEIVED, 5);
+        fake.setRise(Counter.RADIO_RECEIVED, 3);
+        assertEquals(0, run("info", "--port", "fake", "--after", "1"), err.toString());
+        assertTrue(lines().contains("RF id               none"), out.toString());
+        assertTrue(lines().containsAll(List.of("serialRequests      +0", "radioReceived       +3")), out.toString());
+        assertEquals(List.of("radio 1", "radio 0"), radio());
+    }
+
+    @Test
+    void after_boardBooted_saysThatItCountsAnew() throws InterruptedException {
+        start("info", "--port", "fake", "--after", "1");
+        await(out, written -> fake.performed().contains("statistics"));
+        fake.reset();
+        assertEquals(1, status());
+        assertEquals("javino: fake: the board has booted meanwhile, and counts from 0; try again", err.toString().strip());
+    }
+
+    @Test
+    void after_interrupted_blocksTheRadio() throws InterruptedException {
+        start("info", "--port", "fake", "--after", "3600");
+        await(out, written -> fake.performed().contains("statistics"));
+        assertEquals(0, interrupt());
+        assertEquals(List.of("radio 1", "radio 0"), radio());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "3601", "-1", "soon"})
+    void after_noSuchTime_isWrongUsage(String seconds) {
+        assertFails(2, "--after", "info", "--port", "fake", "--after", seconds);
+    }
+}
