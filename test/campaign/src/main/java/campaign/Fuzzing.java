@@ -50,11 +50,11 @@ final class Fuzzing implements Campaign {
 
     private static List<Result> run(List<Target> targets, Settings settings, Report report) throws Exception {
         int seconds = settings.choose(SECONDS, targets.size()) / targets.size();
-        Path fuzz = settings.root().resolve("test/fuzz");
+        Path build = settings.root().resolve("test/fuzz/build");
         List<Result> results = new ArrayList<>();
         for (Target target : targets) {
-            Run run = Run.of(target, fuzz.resolve("corpus").resolve(target.name()), fuzz.resolve("build/found").resolve(target.name()),
-                "-seed=" + settings.seed(), "-max_total_time=" + seconds);
+            Run run = Run.of(target, build.resolve("found").resolve(target.name()),
+                List.of(build.resolve("corpus").resolve(target.name())), "-seed=" + settings.seed(), "-max_total_time=" + seconds);
             report.progress("%s: %d inputs%s", target.name(), run.executed(), run.failure().isEmpty() ? "" : ", one fails:\n" + run.failure());
             results.add(new Result(target, run, seconds));
         }

@@ -25,18 +25,19 @@ public record Run(long executed, long covered, String failure) {
     /**
      * Runs a target over its corpus, then over new inputs.
      *
-     * @param corpus  the folder of the kept inputs; read only.
-     * @param found   the folder for new ones that reach further, and for those that fail; made where it is missing.
+     * @param found   the folder for new inputs that reach further; those that fail come beside it. Made where missing.
+     * @param corpora folders of known inputs; read only.
      * @param options libFuzzer's, e.g. {@code -runs=1000} or {@code -max_total_time=60}.
      */
-    public static Run of(Target target, Path corpus, Path found, String... options)
+    public static Run of(Target target, Path found, List<Path> corpora, String... options)
             throws IOException, InterruptedException {
         Files.createDirectories(found);
         Path log = found.resolveSibling(found.getFileName() + ".log");
         List<String> command = new ArrayList<>(target.command());
         command.addAll(List.of(options));
         command.addAll(List.of("-print_final_stats=1", "-timeout=10", "-artifact_prefix=" + found + "-",
-                found.toString(), corpus.toString()));
+                found.toString()));
+        corpora.forEach(corpus -> command.add(corpus.toString()));
         Process process = new ProcessBuilder(command).directory(found.toFile()).redirectErrorStream(true)
                 .redirectOutput(log.toFile()).start();
         try {
