@@ -22,7 +22,7 @@ final class Behaviour {
         this.text = text;
     }
 
-    /** The nine rows of this folder's README. */
+    /** The rows of the table in this folder's README. */
     static List<Behaviour> all() {
         return List.of(
             of(Device.BUS, "collision: stops, alarms, broadcasts tell help")

@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import uppaal.replay.Replay;
 
-/** The launcher of the five-vehicle scenario: exit status 0 if all nine behaviours were observed and the model
+/** The launcher of the five-vehicle scenario: exit status 0 if all behaviours were observed and the model
  * allows what the boards did, 1 if not. */
 @Command(name = "highway", description = "Runs the five-vehicle scenario on emulated boards.",
     mixinStandardHelpOptions = true)

@@ -22,7 +22,7 @@ final class Options {
     private long seed;
 
     @Option(names = "--timeout", defaultValue = "45",
-        description = "Seconds to wait for each step: the boards, the keys, the agents, the nine behaviours; default ${DEFAULT-VALUE}.")
+        description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default ${DEFAULT-VALUE}.")
     private int timeout;
 
     @Option(names = "--plain", description = "No colours.")

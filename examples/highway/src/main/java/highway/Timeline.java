@@ -68,7 +68,7 @@ final class Timeline {
         return paint(device.colour, String.format("%-10s ", device.title()));
     }
 
-    /** The table of the nine behaviours with a mark each, what is missing, and the last line. */
+    /** The table of the behaviours with a mark each, what is missing, and the last line. */
     void table(List<Behaviour> behaviours) {
         out.println();
         for (int row = 0; row < behaviours.size(); row++) {

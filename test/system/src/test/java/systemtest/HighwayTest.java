@@ -34,6 +34,8 @@ class HighwayTest {
     private static final Path JAVA = Path.of(System.getProperty("java.home"));
     private static final String CLASS_PATH = System.getProperty("java.class.path");
 
+    private static final String ALL = "highway: (\\d+) of \\1 behaviours observed";
+
     private record Run(int status, List<String> lines, List<ProcessHandle> children, Path folder) {
 
         String last() {
@@ -50,7 +52,7 @@ class HighwayTest {
         }
 
         void assertAllObserved() {
-            assertEquals("highway: 9 of 9 behaviours observed", lastButOne(), this::toString);
+            assertTrue(lastButOne().matches(ALL), this::toString);
             assertTrue(last().matches("model: trace accepted \\(\\d+ events\\)"), this::toString);
             assertEquals(0, status);
         }
@@ -73,7 +75,7 @@ class HighwayTest {
     private Path folder;
 
     @Test
-    void cleanRadio_showsAllNineBehaviours() throws Exception {
+    void cleanRadio_showsAllBehaviours() throws Exception {
         Run run = launch(EMULATOR);
 
         run.assertAllObserved();
@@ -92,7 +94,7 @@ class HighwayTest {
     }
 
     @Test
-    void newerJavaAndJason_showAllNineBehaviours() throws Exception {
+    void newerJavaAndJason_showAllBehaviours() throws Exception {
         Path jason = Path.of(System.getProperty("javino.newerJason"));
         Optional<Path> home = NewerJava.home();
         String skipped = "skipped: the highway with " + jason.getFileName()
@@ -113,7 +115,7 @@ class HighwayTest {
     void badRadio_endsCleanlyAndSaysWhatWasMissing() throws Exception {
         Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=20");
 
-        assertTrue(run.lastButOne().matches("highway: [0-8] of 9 behaviours observed"), run::toString);
+        assertTrue(run.lastButOne().matches("highway: (\\d+) of (?!\\1 )\\d+ behaviours observed"), run::toString);
         assertTrue(run.last().matches("model: trace accepted \\(\\d+ events\\)"), run::toString);
         assertEquals(1, run.status);
         assertTrue(run.says("the agent did not say"), run::toString);
@@ -127,7 +129,7 @@ class HighwayTest {
         assertTrue(spoiling.toFile().setExecutable(true));
         Run run = launch(spoiling.toString());
 
-        assertEquals("highway: 9 of 9 behaviours observed", run.lastButOne(), run::toString);
+        assertTrue(run.lastButOne().matches(ALL), run::toString);
         assertTrue(run.last().matches("model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////, but expected was .*"), run::toString);
         assertEquals(1, run.status);
     }
