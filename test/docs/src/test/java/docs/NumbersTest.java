@@ -1,0 +1,127 @@
+package docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javino.board.BoardConfig;
+import javino.protocol.BoardInfo;
+import javino.protocol.Content;
+import javino.protocol.Conversation;
+import javino.protocol.Frame;
+import javino.protocol.Packet;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Numbers that pages tell are those of the sources: each page has this sentence, with the number that the code has now. */
+class NumbersTest {
+
+    private static final int NONCE = firmware("NONCE_LENGTH");
+    private static final int TAG = firmware("TAG_LENGTH");
+    private static final int PACKET = firmware("MAX_RADIO_PAYLOAD");
+    private static final int PART = PACKET - Frame.HEADER_LENGTH;
+    private static final int SEALED = PART - NONCE - TAG;
+    private static final int PIECES = firmware("MAX_PIECES");
+    private static final int ATTEMPTS = firmware("MAX_ATTEMPTS");
+    private static final int PATIENCE = firmware("PATIENCE_MILLIS");
+    private static final int SLOT = firmware("SLOT_BITS");
+    private static final int SPAN = firmware("FIRST_MASK");
+    private static final int EXPIRY = firmware("EXPIRY_MILLIS") / 1000;
+    private static final int AHEAD = firmware("MORE_PER_WRITE");
+    private static final int FLOORS = firmware("JAVINO_FLOOR_SLOTS");
+    private static final int BIT_RATE = 2000;
+    private static final BoardConfig SESSION = BoardConfig.create();
+    private static final int ACTIVE = constant("javino-java/src/main", "ACTIVE_INTERVAL");
+
+    static Stream<Arguments> sayings() {
+        return Stream.of(
+            says("SPEC.md", "`PROTOCOL_VERSION` | %d |", firmware("PROTOCOL_VERSION")),
+            says("SPEC.md", "`MAX_MESSAGE_LENGTH` | %d bytes", Frame.MAX_MESSAGE_LENGTH),
+            says("SPEC.md", "`HEADER_LENGTH` | %d bytes", Frame.HEADER_LENGTH),
+            says("SPEC.md", "`MAX_FRAME_LENGTH` | %d bytes", Frame.MAX_LENGTH),
+            says("SPEC.md", "`NONCE_LENGTH` | %d bytes", NONCE),
+            says("SPEC.md", "`TAG_LENGTH` | %d bytes", TAG),
+            says("SPEC.md", "`MAX_CONTENT_LENGTH` | %d bytes", Content.MAX_LENGTH),
+            says("SPEC.md", "`MAX_RADIO_PAYLOAD` | %d bytes", PACKET),
+            says("SPEC.md", "`PIECE_LENGTH` | %d bytes", PART),
+            says("SPEC.md", "`MAX_PIECES` | %d |", PIECES),
+            says("SPEC.md", "`PROOF_LENGTH` | %d bytes", firmware("PROOF_LENGTH")),
+            says("SPEC.md", "Up to **%d bytes** of a broadcast and **%d bytes** of a sealed content", PART, SEALED),
+            says("SPEC.md", "(mod %d) from question to question", Conversation.COUNT),
+            says("SPEC.md", "At most %d bytes before COBS", Packet.MAX_LENGTH),
+            says("SPEC.md", "(%d ms by default, and %d ms more for commands that write to EEPROM)",
+                SESSION.replyTimeout().toMillis(), constant("javino-java/src/main", "EEPROM_TIME")),
+            says("SPEC.md", "epoch 0x%X is never used", BoardInfo.LAST_EPOCH + 1),
+            says("SPEC.md", "N + %d is stored (%d messages a write)", AHEAD, AHEAD + 1),
+            says("SPEC.md", "a ring of %d records", FLOORS),
+            says("SPEC.md", "A packet carries 1…%d bytes of payload", PACKET),
+            says("SPEC.md", "A frame of more than %d bytes is cut: piece k (0…%d)", PACKET, PIECES - 1),
+            says("SPEC.md", "no new piece came for %d s", EXPIRY),
+            says("SPEC.md", "for the last of %d attempts", ATTEMPTS),
+            says("SPEC.md", "begins within %d ms of that one's end", firmware("REPEAT_MILLIS")),
+            says("SPEC.md", "waits for %d ms of quiet air", PATIENCE),
+            says("SPEC.md", "slots of %d bits", SLOT),
+            says("SPEC.md", "After %d quiet slots, what is new", firmware("LONG_QUIET")),
+            says("SPEC.md", "waits for %d quiet slots and a random number of further ones, of 0…%d, from the second attempt "
+                + "on of 0…%d", firmware("FIRST_SLOTS"), SPAN, (SPAN + 1 << firmware("LAST_DOUBLING")) - 1),
+            says("DESIGN.md", "Three digits cost 4 of the %d bytes of a packet", SEALED),
+            says("DESIGN.md", "**%d bytes of nonce instead of", NONCE),
+            says("DESIGN.md", "**A tag of %d bytes.**", TAG),
+            says("DESIGN.md", "every %d ms, and every %d while", SESSION.pollInterval().toMillis(), ACTIVE),
+            says("DESIGN.md", "Floors ahead of what was accepted, %d messages a write", AHEAD + 1),
+            says("DESIGN.md", "| content | %d bytes | what fits a sealed %d-byte message", Content.MAX_LENGTH,
+                Frame.MAX_MESSAGE_LENGTH),
+            says("DESIGN.md", "| attempts | %d, with %d ms of quiet air after each", ATTEMPTS, PATIENCE),
+            says("DESIGN.md", "| slot | %d bits, %d ms |", SLOT, 1000 * SLOT / BIT_RATE),
+            says("DESIGN.md", "| reply time | %d ms, %d times |", SESSION.replyTimeout().toMillis(), SESSION.attempts()),
+            says("DESIGN.md", "| poll interval | %d ms; %d ms while the air is active",
+                SESSION.pollInterval().toMillis(), ACTIVE),
+            says("SECURITY.md", "a proof of %d bytes under the key", firmware("PROOF_LENGTH")),
+            says("SECURITY.md", "each free again %d s after its last piece", EXPIRY),
+            says("javino-firmware/README.md", "sends 1…%d bytes", PART),
+            says("javino-firmware/README.md", "a sealed content of %d bytes or a broadcast of %d", SEALED, PART),
+            says("javino-firmware/README.md", "a unicast up to %d times", ATTEMPTS),
+            says("javino-firmware/README.md", "a ring of %d places of 6 bytes", firmware("JAVINO_EPOCH_SLOTS")),
+            says("javino-firmware/README.md", "keys: %d places", firmware("JAVINO_KEYS") + 1),
+            says("javino-firmware/README.md", "a ring of %d places of 26 bytes, twice", FLOORS),
+            says("javino-java/README.md", "a content of up to %d bytes", Content.MAX_LENGTH),
+            says("javino-java/README.md", "waits for it, %d s unless configured otherwise", SESSION.patience().toSeconds()),
+            says("diffuser-arch/README.md", "longer than %d bytes", Content.MAX_LENGTH),
+            says("examples/highway/README.md", "up to %d times", ATTEMPTS),
+            says("examples/highway/README.md", "\n| %d |", behaviours()),
+            says("docs/first-steps.md", "highway: %1$d of %1$d behaviours observed", behaviours()));
+    }
+
+    @ParameterizedTest(name = "{0}: {1}")
+    @MethodSource("sayings")
+    void page_number_isThatOfTheSources(String page, String sentence) {
+        assertTrue(Repository.text(page).contains(sentence), page + " does not say: " + sentence);
+    }
+
+    private static Arguments says(String page, String sentence, Object... numbers) {
+        return Arguments.of(page, String.format(sentence, numbers));
+    }
+
+    private static int behaviours() {
+        String rows = Repository.text("examples/highway/src/main/java/highway/Behaviour.java");
+        return (int) Pattern.compile("\\bof\\(Device\\.").matcher(rows).results().count();
+    }
+
+    private static int firmware(String name) {
+        return constant("javino-firmware/src", name);
+    }
+
+    /** The number that a constant or macro of this name is set to, for a large chip where chips differ. */
+    private static int constant(String folder, String name) {
+        Pattern value = Pattern.compile("\\b" + name + "(?: =|(?<=define .{1,40})) (?:[\\w.]+\\()?(\\d+)\\b");
+        Set<Integer> found = Repository.files(folder, "").stream()
+                .flatMap(file -> value.matcher(Repository.text(file)).results())
+                .map(match -> Integer.valueOf(match.group(1))).collect(Collectors.toSet());
+        assertEquals(1, found.size(), () -> folder + " has these values of " + name + ": " + found);
+        return found.iterator().next();
+    }
+}
