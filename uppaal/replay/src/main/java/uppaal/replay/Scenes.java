@@ -5,10 +5,10 @@ import java.io.InputStream;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import uppaal.ModelException;
-import uppaal.check.Possible;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 import uppaal.network.NetworkBuilder;
+import uppaal.network.Possible;
 
 /** The automata of {@code observed.xml} together, as a message of each kind needs them. */
 final class Scenes {

@@ -1,16 +1,12 @@
-package uppaal.check;
+package uppaal.network;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import uppaal.ModelException;
-import uppaal.check.JointMove.Part;
 import uppaal.language.Labels.Assignment;
 import uppaal.language.Symbol;
-import uppaal.network.Automaton;
-import uppaal.network.Network;
-import uppaal.network.Slot;
-import uppaal.network.Transition;
+import uppaal.network.JointMove.Part;
 
 /**
  * UPPAAL's rules of what may happen next:

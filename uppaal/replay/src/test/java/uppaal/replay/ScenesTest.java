@@ -20,22 +20,22 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import uppaal.check.Exploration;
-import uppaal.check.JointMove;
-import uppaal.check.Possible;
 import uppaal.check.Property;
 import uppaal.check.Query;
 import uppaal.check.QueryFile;
-import uppaal.check.Successors;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 import uppaal.document.Location;
 import uppaal.document.Template;
+import uppaal.network.JointMove;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
+import uppaal.network.Possible;
+import uppaal.network.Successors;
 
 /** {@code observed.xml} against {@code delivery.xml}: what the one shows of a unicast, the other allows. */
 class ScenesTest {
-    private static final Path MODELS = Path.of("models");
+    private static final Path MODELS = Path.of("../models");
     /** What both models speak of; the rest is about pieces, resets and losses of power. */
     private static final Set<String> SHARED = Set.of("send", "ack", "arrive", "ack_arrives", "hand", "delivered", "undelivered");
 

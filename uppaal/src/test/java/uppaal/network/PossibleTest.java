@@ -1,4 +1,4 @@
-package uppaal.check;
+package uppaal.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,12 +1,10 @@
-package uppaal.check;
+package uppaal.network;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import uppaal.language.Labels;
 import uppaal.language.Symbol;
-import uppaal.network.Automaton;
-import uppaal.network.Transition;
 
 /**
  * What the network does in one step: one transition alone, a sender's with those of its receivers, or waiting.

@@ -1,4 +1,4 @@
-package uppaal.check;
+package uppaal.network;
 
 import java.nio.IntBuffer;
 import java.util.ArrayDeque;
@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BiFunction;
-import uppaal.network.Network;
 
 /**
  * What who watches a network knows of it: all states in which it may be after what was seen. Some moves are seen, by a

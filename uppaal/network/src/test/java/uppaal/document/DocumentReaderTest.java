@@ -131,7 +131,7 @@ class DocumentReaderTest {
 
     @Test
     void read_damagedModel_isReadOrRefused() throws IOException {
-        byte[] sound = Files.readAllBytes(Path.of("models/paper.xml"));
+        byte[] sound = Files.readAllBytes(Path.of("../models/paper.xml"));
         Random random = new Random(5);
         for (int i = 0; i < 300; i++) {
             byte[] damaged = sound.clone();
@@ -146,7 +146,7 @@ class DocumentReaderTest {
 
     @Test
     void read_noFile_saysWhich() {
-        assertEquals("models/none.xml: there is no such file",
-            assertThrows(ModelException.class, () -> DocumentReader.read(Path.of("models/none.xml"))).getMessage());
+        assertEquals("../models/none.xml: there is no such file",
+            assertThrows(ModelException.class, () -> DocumentReader.read(Path.of("../models/none.xml"))).getMessage());
     }
 }

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import uppaal.check.Possible;
+import uppaal.network.Possible;
 
 /**
  * One message, and what its automata may be doing: of a unicast those of its sender and its addressee; of others the
