@@ -18,21 +18,6 @@ public abstract class BoardAction extends DiffuserAction {
 
     private static final AtomicLong COUNT = new AtomicLong();
 
-    /** @param arity how many arguments it takes. */
-    protected BoardAction(int arity) {
-        super(arity);
-    }
-
-    /**
-     * How many arguments it takes.
-     *
-     * @param least with fewer it fails.
-     * @param most  with more it fails.
-     */
-    protected BoardAction(int least, int most) {
-        super(least, most);
-    }
-
     /**
      * Asks the board.
      *

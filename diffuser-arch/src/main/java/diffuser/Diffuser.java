@@ -27,6 +27,7 @@ import javino.board.BoardConfig;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
+import javino.protocol.Outcome;
 
 /**
  * An agent with a board. Written as {@code agentArchClass diffuser.Diffuser} in a {@code .mas2j}, or as
@@ -46,7 +47,6 @@ public class Diffuser extends AgArch {
     private transient Outbox outbox;
     private transient Intentions intentions;
     private transient Questions questions;
-    private transient Answers answers;
     private transient ActionRouter router;
     private transient Means means;
     private transient Senses senses;
@@ -64,7 +64,6 @@ public class Diffuser extends AgArch {
         outbox = new Outbox(warnings, this::signal);
         intentions = new Intentions(this::getTS);
         questions = new Questions(intentions, outbox);
-        answers = new Answers(outbox);
         inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings);
         means = new Means();
         senses = new Senses();
@@ -300,7 +299,7 @@ public class Diffuser extends AgArch {
         if (message.isAsk()) {
             questions.ask(message, device);
         } else if (enquiry.isPresent()) {
-            answers.send(message, enquiry.get(), device);
+            outbox.answer(message, enquiry.get(), device);
         } else {
             outbox.post(Letter.of(message), device);
         }
@@ -326,8 +325,8 @@ public class Diffuser extends AgArch {
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfMessagesRefused", inbox.refused());
-        status.put("rfDelivered", outbox.delivered());
-        status.put("rfUndelivered", outbox.undelivered());
+        status.put("rfDelivered", outbox.ended(Outcome.DELIVERED));
+        status.put("rfUndelivered", outbox.ended(Outcome.UNDELIVERED));
         device().ifPresent(board -> {
             status.put("port", board.port());
             status.put("portOn", board.isOnline());

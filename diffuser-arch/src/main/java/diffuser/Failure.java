@@ -1,6 +1,7 @@
 package diffuser;
 
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeoutException;
 
@@ -29,6 +30,9 @@ record Failure(String error, String message) {
     private static final String TOO_LONG = nameOf(Status.TOO_LONG);
     private static final String UNDELIVERED = "undelivered";
     private static final int MOST_BRIEF = 80;
+    private static final Map<Class<?>, String> ERRORS = Map.of(BoardOfflineException.class, "port_off",
+            OutcomeUnknownException.class, "outcome_unknown", LegacyBoardException.class, "legacy_board",
+            QueueFullException.class, "queue_full");
 
     /** Reads what a future of the board failed with. */
     static Failure of(Throwable thrown) {
@@ -42,26 +46,9 @@ record Failure(String error, String message) {
         if (thrown instanceof TimeoutException) {
             return new Failure("timeout", "the board has not answered in time; it may or may not have done it");
         }
-        return new Failure(errorOf(thrown), String.valueOf(thrown.getMessage()));
-    }
-
-    private static String errorOf(Throwable thrown) {
-        if (thrown instanceof RequestFailedException refused) {
-            return nameOf(refused.status());
-        }
-        if (thrown instanceof BoardOfflineException) {
-            return "port_off";
-        }
-        if (thrown instanceof OutcomeUnknownException) {
-            return "outcome_unknown";
-        }
-        if (thrown instanceof LegacyBoardException) {
-            return "legacy_board";
-        }
-        if (thrown instanceof QueueFullException) {
-            return "queue_full";
-        }
-        return "board_error";
+        String error = thrown instanceof RequestFailedException refused ? nameOf(refused.status())
+                : ERRORS.getOrDefault(thrown.getClass(), "board_error");
+        return new Failure(error, String.valueOf(thrown.getMessage()));
     }
 
     private static String nameOf(Status status) {

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
-import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -26,7 +25,6 @@ import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
-import jason.asSyntax.ListTermImpl;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
@@ -332,22 +330,17 @@ final class Gate {
 
     // Marks
 
+    /** With the mark on each belief. */
     private static Term marked(Term said, Term mark) {
-        return each(said, literal -> {
-            Literal result = literal.forceFullLiteralImpl().copy();
+        return Texts.each(said, part -> {
+            if (!Texts.isBelief(part)) {
+                // An answer may be a list of lists.
+                return part.isList() && part != said ? marked(part, mark) : part;
+            }
+            Literal result = ((Literal) part).forceFullLiteralImpl().copy();
             result.addAnnots(mark);
             return result;
         });
-    }
-
-    /** Changes a literal, or each in a list, as an answer may be one of lists. */
-    private static Term each(Term said, UnaryOperator<Literal> change) {
-        if (said.isList() && !said.isVar()) {
-            ListTerm all = new ListTermImpl();
-            ((ListTerm) said).forEach(term -> all.add(each(term, change)));
-            return all;
-        }
-        return Texts.isBelief(said) ? change.apply((Literal) said) : said;
     }
 
     private static Structure mark(String kind, Address from) {

@@ -1,10 +1,13 @@
 package diffuser;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.function.Consumer;
 
+import jason.JasonException;
+import jason.asSemantics.Message;
 import jason.asSyntax.Literal;
 
 import javino.board.Transmission;
@@ -13,8 +16,8 @@ import javino.protocol.Outcome;
 /** Messages on their way from the agent to the radio, and what becomes of them: counted, and told as events. */
 final class Outbox {
 
-    private final AtomicLong delivered = new AtomicLong();
-    private final AtomicLong undelivered = new AtomicLong();
+    /** How many messages ended so, by the outcomes' ordinals. */
+    private final AtomicLongArray ended = new AtomicLongArray(Outcome.values().length);
     private final Warnings warnings;
     private final Consumer<Literal> signal;
 
@@ -39,6 +42,23 @@ final class Outbox {
             signal.accept(letter.undelivered(failure));
             return null;
         });
+    }
+
+    /**
+     * Sends an answer. Where a group was asked, those who know nothing keep silent: their answers would fill the air.
+     *
+     * @throws JasonException if it cannot be sent; the asker is told so, as it would else wait for it.
+     */
+    void answer(Message answer, Enquiry enquiry, Device board) throws JasonException {
+        try {
+            Letter letter = Letter.answer(answer, enquiry.conversation());
+            if (!enquiry.ofGroup() || !letter.knowsNothing()) {
+                post(letter, board);
+            }
+        } catch (JasonException e) {
+            post(Letter.sorry(answer, enquiry.conversation(), Failure.of(e)), board);
+            throw e;
+        }
     }
 
     /** Sends a message; completes when it is delivered, and fails if it is not. Its outcome is no event. */
@@ -74,21 +94,18 @@ final class Outbox {
     }
 
     private Outcome counted(Outcome outcome) {
-        switch (outcome) {
-            case SENT -> { }
-            case DELIVERED -> delivered.incrementAndGet();
-            case UNDELIVERED -> undelivered.incrementAndGet();
-        }
+        ended.incrementAndGet(outcome.ordinal());
         return outcome;
     }
 
     /** That a message to all or to a group was sent is nothing to tell. */
     private void tell(Letter letter, Outcome outcome) {
-        switch (outcome) {
-            case SENT -> { }
-            case DELIVERED -> signal.accept(letter.delivered());
-            case UNDELIVERED -> signal.accept(letter.undelivered(unacknowledged(letter)));
-        }
+        Optional<Literal> event = switch (outcome) {
+            case SENT -> Optional.empty();
+            case DELIVERED -> Optional.of(letter.delivered());
+            case UNDELIVERED -> Optional.of(letter.undelivered(unacknowledged(letter)));
+        };
+        event.ifPresent(signal);
     }
 
     private static Failure unacknowledged(Letter letter) {
@@ -97,13 +114,8 @@ final class Outbox {
         return new Failure("undelivered", letter + " " + why + "; it may have arrived all the same");
     }
 
-    /** How many messages were delivered. */
-    long delivered() {
-        return delivered.get();
-    }
-
-    /** How many messages were taken by the board, and not delivered as far as anyone knows. */
-    long undelivered() {
-        return undelivered.get();
+    /** How many of the messages that the board has taken have ended so. */
+    long ended(Outcome outcome) {
+        return ended.get(outcome.ordinal());
     }
 }

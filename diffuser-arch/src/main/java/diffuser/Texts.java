@@ -155,22 +155,23 @@ public final class Texts {
             case TELL_HOW -> each(parsed(text), term -> term.isString() ? plan(((StringTerm) term).getString()) : term);
             case UNTELL_HOW -> each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
             case ASK_HOW -> each(read(text), term -> term.isString() ? trigger(((StringTerm) term).getString()) : term);
-            default -> read(text);
+            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, SORRY -> read(text);
         };
     }
 
-    /** A part of a content that is a text of its own. */
-    private interface Part {
-        Term read(Term term) throws MalformedTextException;
+    /** What becomes of one term. */
+    interface Change<E extends Exception> {
+        Term of(Term term) throws E;
     }
 
-    private static Term each(Term term, Part part) throws MalformedTextException {
+    /** Changes a term, or each in a list. A variable is an instance of ListTerm, too. */
+    static <E extends Exception> Term each(Term term, Change<E> change) throws E {
         if (!term.isList() || term.isVar()) {
-            return part.read(term);
+            return change.of(term);
         }
         ListTerm all = new ListTermImpl();
         for (Term single : (ListTerm) term) {
-            all.add(part.read(single));
+            all.add(change.of(single));
         }
         return all;
     }
@@ -191,28 +192,28 @@ public final class Texts {
     }
 
     private static void check(String text, Term term, Force force, boolean conversing) throws MalformedTextException {
-        switch (force) {
-            case TELL, UNTELL -> {
-                if (conversing) {
-                    expect(isDatum(term), text, "beliefs, numbers, strings or a list of such were expected");
-                } else {
-                    expectBeliefs(term, text);
-                }
-            }
-            case ACHIEVE, UNACHIEVE, SIGNAL -> expectBeliefs(term, text);
-            case ASK_ONE, ASK_ALL -> expect(isBelief(term), text, "a belief was expected");
-            case ASK_HOW -> expect(term instanceof Trigger || term.isPlanBody() || term.isString(), text,
-                    "a triggering event such as { +!go(_) } was expected");
-            case TELL_HOW -> expect(all(term, plan -> plan instanceof Plan || plan.isString()), text,
-                    "a plan such as { +!go <- run }, or a list of such, was expected");
-            case UNTELL_HOW -> expect(all(term, Texts::isBelief), text,
-                    "a plan's label or a list of such was expected");
-            case SORRY -> expect(term.isString(), text, "a string was expected");
-        }
+        boolean fits = switch (force) {
+            case TELL, UNTELL -> conversing ? isDatum(term) : all(term, Texts::isBelief);
+            case ACHIEVE, UNACHIEVE, SIGNAL, UNTELL_HOW -> all(term, Texts::isBelief);
+            case ASK_ONE, ASK_ALL -> isBelief(term);
+            case ASK_HOW -> term instanceof Trigger || term.isPlanBody() || term.isString();
+            case TELL_HOW -> all(term, plan -> plan instanceof Plan || plan.isString());
+            case SORRY -> term.isString();
+        };
+        expect(fits, text, expected(force, conversing));
     }
 
-    private static void expectBeliefs(Term term, String text) throws MalformedTextException {
-        expect(all(term, Texts::isBelief), text, "a belief, a goal or a list of such was expected");
+    private static String expected(Force force, boolean conversing) {
+        return switch (force) {
+            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> conversing
+                    ? "beliefs, numbers, strings or a list of such were expected"
+                    : "a belief, a goal or a list of such was expected";
+            case ASK_ONE, ASK_ALL -> "a belief was expected";
+            case ASK_HOW -> "a triggering event such as { +!go(_) } was expected";
+            case TELL_HOW -> "a plan such as { +!go <- run }, or a list of such, was expected";
+            case UNTELL_HOW -> "a plan's label or a list of such was expected";
+            case SORRY -> "a string was expected";
+        };
     }
 
     private static void expectNoCommand(String text) throws MalformedTextException {

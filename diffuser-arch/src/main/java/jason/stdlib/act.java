@@ -33,11 +33,6 @@ public class act extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public act() {
-        super(1);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         return diffuser.perform(text(args[0]));

@@ -6,7 +6,6 @@ import jason.JasonException;
 
 import diffuser.Diffuser;
 import diffuser.Letter;
-import diffuser.LetterAction;
 
 /**
  * <p>Internal action: <b><code>.deliver(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
@@ -30,7 +29,7 @@ import diffuser.LetterAction;
  *
  * @see diffuse
  */
-public class deliver extends LetterAction {
+public class deliver extends diffuse {
 
     private static final long serialVersionUID = 1L;
 

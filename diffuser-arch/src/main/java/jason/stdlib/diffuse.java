@@ -3,10 +3,11 @@ package jason.stdlib;
 import java.util.concurrent.CompletableFuture;
 
 import jason.JasonException;
+import jason.asSyntax.Term;
 
+import diffuser.BoardAction;
 import diffuser.Diffuser;
 import diffuser.Letter;
-import diffuser.LetterAction;
 
 /**
  * <p>Internal action: <b><code>.diffuse(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
@@ -43,11 +44,30 @@ import diffuser.LetterAction;
  *
  * @see deliver
  */
-public class diffuse extends LetterAction {
+public class diffuse extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
     @Override
+    public final int getMinArgs() {
+        return 3;
+    }
+
+    @Override
+    protected final void checkArguments(Term[] args) throws JasonException {
+        super.checkArguments(args);
+        if (!args[1].isAtom()) {
+            throw JasonException.createWrongArgument(this,
+                    "a force such as tell was expected, not '" + args[1] + "'.");
+        }
+    }
+
+    @Override
+    protected final CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
+        return send(diffuser, Letter.of(args[0], args[1], args[2]));
+    }
+
+    /** Has the message sent, as {@link #start}. */
     protected CompletableFuture<?> send(Diffuser diffuser, Letter letter) throws JasonException {
         return diffuser.diffuse(letter);
     }

@@ -42,9 +42,9 @@ public class filter extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public filter() {
-        super(1, 3);
+    @Override
+    public int getMaxArgs() {
+        return 3;
     }
 
     @Override

@@ -31,11 +31,6 @@ public class getRFMessages extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public getRFMessages() {
-        super(1);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         return diffuser.openRadio(Arguments.isOpen(this, args[0]));

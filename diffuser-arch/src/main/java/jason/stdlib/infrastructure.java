@@ -36,9 +36,9 @@ public class infrastructure extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public infrastructure() {
-        super(2);
+    @Override
+    public int getMinArgs() {
+        return 2;
     }
 
     @Override

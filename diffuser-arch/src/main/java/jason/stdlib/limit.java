@@ -27,11 +27,6 @@ public class limit extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public limit() {
-        super(1);
-    }
-
     @Override
     public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
         checkArguments(args);

@@ -29,11 +29,6 @@ public class percepts extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public percepts() {
-        super(1);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         return diffuser.sense(sensing(args[0]));

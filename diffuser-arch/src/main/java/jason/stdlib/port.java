@@ -31,16 +31,6 @@ public class port extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public port() {
-        super(1);
-    }
-
-    /** @param most how many arguments it takes; those after the first mean nothing here. */
-    protected port(int most) {
-        super(1, most);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         return diffuser.openPort(Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,

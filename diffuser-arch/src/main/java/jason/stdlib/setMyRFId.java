@@ -28,11 +28,6 @@ public class setMyRFId extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public setMyRFId() {
-        super(1);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         return diffuser.setRfId(Destinations.device(args[0]));

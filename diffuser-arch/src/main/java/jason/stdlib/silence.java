@@ -29,11 +29,6 @@ public class silence extends DiffuserAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public silence() {
-        super(1);
-    }
-
     @Override
     public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
         checkArguments(args);

@@ -43,7 +43,7 @@ public enum Force {
     public boolean isQuestion() {
         return switch (this) {
             case ASK_ONE, ASK_ALL, ASK_HOW -> true;
-            default -> false;
+            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, TELL_HOW, UNTELL_HOW, SORRY -> false;
         };
     }
 
@@ -51,7 +51,7 @@ public enum Force {
     public boolean canAnswer() {
         return switch (this) {
             case TELL, UNTELL, TELL_HOW, SORRY -> true;
-            default -> false;
+            case ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, UNTELL_HOW -> false;
         };
     }
 
@@ -62,7 +62,7 @@ public enum Force {
     public boolean requiresSeal() {
         return switch (this) {
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> false;
-            default -> true;
+            case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY -> true;
         };
     }
 

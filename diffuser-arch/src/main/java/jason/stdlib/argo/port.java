@@ -11,8 +11,8 @@ public class port extends jason.stdlib.port {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public port() {
-        super(2);
+    @Override
+    public int getMaxArgs() {
+        return 2;
     }
 }

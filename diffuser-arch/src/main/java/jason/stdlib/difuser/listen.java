@@ -24,11 +24,6 @@ public class listen extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public listen() {
-        super(1);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         boolean open = !args[0].toString().equals("close") && Arguments.isOpen(this, args[0]);

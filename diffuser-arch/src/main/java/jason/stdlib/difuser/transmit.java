@@ -25,11 +25,6 @@ public class transmit extends BoardAction {
 
     private static final long serialVersionUID = 1L;
 
-    /** Made by Jason, once for each agent. */
-    public transmit() {
-        super(1);
-    }
-
     @Override
     protected CompletableFuture<?> start(Diffuser diffuser, Term[] args) throws JasonException {
         return Difuser.of(diffuser).transmit(args[0]);
