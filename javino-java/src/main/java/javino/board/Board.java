@@ -38,19 +38,14 @@ public final class Board implements AutoCloseable {
 
     private static final Duration CLOSE_TIMEOUT = Duration.ofSeconds(2);
 
-    private final BoardConfig config;
-    private final RequestQueue queue;
-    private final Wishes wishes = new Wishes();
-    private final Tally tally = new Tally();
+    private final Context context;
     private final Session session;
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private final Thread thread;
 
     private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
-        this.config = config;
-        queue = new RequestQueue(config.queueCapacity());
-        session = new Session(opener, new Context(opener.name(), config, queue, wishes, tally,
-                new ListenerGuard(listener, tally)));
+        context = Context.of(opener.name(), config, listener);
+        session = new Session(opener, context);
         thread = new Thread(this::run, "javino " + opener.name());
         thread.setDaemon(true);
     }
@@ -123,8 +118,8 @@ public final class Board implements AutoCloseable {
     /** Has radio messages received, or not, now and whenever the board comes online again. */
     public CompletableFuture<Void> radio(boolean open) {
         // At once, so that of two threads' wishes the last to be remembered is also the last to be performed.
-        synchronized (wishes) {
-            wishes.setRadio(open);
+        synchronized (context.radio()) {
+            context.radio().set(open);
             return ask(new Request.Radio(open), Board::nothing);
         }
     }
@@ -195,8 +190,8 @@ public final class Board implements AutoCloseable {
 
     /** Has percepts asked for, or not; without, the listener is told an empty set. At first they are not. */
     public void percepts(boolean wanted) {
-        wishes.setPercepts(wanted);
-        queue.wake();
+        context.perception().setWanted(wanted);
+        context.queue().wake();
     }
 
     /**
@@ -209,7 +204,7 @@ public final class Board implements AutoCloseable {
         if (least.isNegative()) {
             throw new IllegalArgumentException("the least time between percepts cannot be negative: " + least);
         }
-        wishes.setPerceptInterval(least);
+        context.perception().setInterval(least);
     }
 
     /**
@@ -220,9 +215,9 @@ public final class Board implements AutoCloseable {
      * @param within how much later they may come.
      */
     public CompletableFuture<Void> reading(Duration within) {
-        CompletableFuture<Void> taken = wishes.readings().want(within);
+        CompletableFuture<Void> taken = context.perception().reading(within);
         if (state() == BoardState.ONLINE) {
-            queue.wake();
+            context.queue().wake();
         } else {
             taken.complete(null);
         }
@@ -249,7 +244,7 @@ public final class Board implements AutoCloseable {
 
     /** The session's own counters. */
     public Map<SessionCounter, Long> counters() {
-        return tally.snapshot();
+        return context.counters().snapshot();
     }
 
     /**
@@ -258,7 +253,7 @@ public final class Board implements AutoCloseable {
      * @return completes when the port is free for others, as a rule within a tenth of a second.
      */
     public CompletableFuture<Void> end() {
-        queue.close("the session was closed");
+        context.queue().close("the session was closed");
         return ended.copy();
     }
 
@@ -283,9 +278,10 @@ public final class Board implements AutoCloseable {
     private <T> CompletableFuture<T> ask(String description, Pending.Source source, Pending.Reader<T> reader) {
         CompletableFuture<T> result = new CompletableFuture<>();
         try {
-            queue.add(new Pending<>(description, source, reader, result, Deadline.in(config.patience())));
+            context.queue().add(new Pending<>(description, source, reader, result,
+                    Deadline.in(context.config().patience())));
         } catch (QueueFullException e) {
-            tally.count(SessionCounter.REFUSED_REQUESTS);
+            context.counters().count(SessionCounter.REFUSED_REQUESTS);
             result.completeExceptionally(e);
         } catch (BoardOfflineException e) {
             result.completeExceptionally(e);

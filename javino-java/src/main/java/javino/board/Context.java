@@ -1,15 +1,25 @@
 package javino.board;
 
+import java.util.concurrent.atomic.AtomicReference;
+
 /**
  * What the parts of a session share.
  *
- * @param name     the link's, for error lines.
- * @param config   of the session.
- * @param queue    the requests that wait, and the sign that the session was closed.
- * @param wishes   what the host wants of the board all the time.
- * @param tally    the session's counters.
- * @param listener told what happens; never throws.
+ * @param name       the link's, for error lines.
+ * @param config     of the session.
+ * @param queue      the requests that wait, and the sign that the session was closed.
+ * @param perception what the board perceives, and what of it is wanted.
+ * @param radio      whether the radio is to be open; null where nobody said so yet.
+ * @param counters   the session's.
+ * @param listener   told what happens.
  */
-record Context(String name, BoardConfig config, RequestQueue queue, Wishes wishes, Tally tally,
-               ListenerGuard listener) {
+record Context(String name, BoardConfig config, RequestQueue queue, Perception perception,
+               AtomicReference<Boolean> radio, SessionCounters counters, ListenerGuard listener) {
+
+    static Context of(String name, BoardConfig config, BoardListener listener) {
+        SessionCounters counters = new SessionCounters();
+        ListenerGuard guard = new ListenerGuard(listener, counters);
+        return new Context(name, config, new RequestQueue(config.queueCapacity()), new Perception(guard, counters),
+                new AtomicReference<>(), counters, guard);
+    }
 }

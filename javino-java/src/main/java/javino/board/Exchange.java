@@ -34,7 +34,7 @@ final class Exchange {
     private static final Duration MOST_GATHERING = Duration.ofMillis(8);
 
     private final Link link;
-    private final Tally tally;
+    private final SessionCounters counters;
     private final PacketDecoder decoder = new PacketDecoder();
     private final Deque<PacketDecoder.Result> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[1024];
@@ -42,9 +42,9 @@ final class Exchange {
     private int replyLength;
 
     /** @param firstSequence that of the first request, 0…255. */
-    Exchange(Link link, int firstSequence, Tally tally) {
+    Exchange(Link link, int firstSequence, SessionCounters counters) {
         this.link = link;
-        this.tally = tally;
+        this.counters = counters;
         this.sequence = firstSequence - 1;
     }
 
@@ -63,11 +63,11 @@ final class Exchange {
         Bytes packet = new Packet(sequence, request.frame()).encode();
         byte[] bytes = Bytes.join(SEPARATOR, packet).toArray();
         byte[] toBootLoader = Bytes.join(START_SKETCH, SEPARATOR, packet).toArray();
-        tally.count(SessionCounter.REQUESTS);
+        counters.count(SessionCounter.REQUESTS);
         int attempts = 0;
         do {
             if (attempts > 0) {
-                tally.count(SessionCounter.REPEATS);
+                counters.count(SessionCounter.REPEATS);
             }
             // Every other time, as to a sketch that runs it is damage.
             link.write(request instanceof Request.Hello && attempts % 2 == 1 ? toBootLoader : bytes);
@@ -103,7 +103,7 @@ final class Exchange {
             }
             if (deadline.passed()) {
                 if (decoder.abandon()) {
-                    tally.count(SessionCounter.DAMAGED_PACKETS);
+                    counters.count(SessionCounter.DAMAGED_PACKETS);
                 }
                 return Optional.empty();
             }
@@ -117,9 +117,9 @@ final class Exchange {
     private Optional<Packet> takeArrived() {
         while (!arrived.isEmpty()) {
             if (!(arrived.remove() instanceof PacketDecoder.Found found)) {
-                tally.count(SessionCounter.DAMAGED_PACKETS);
+                counters.count(SessionCounter.DAMAGED_PACKETS);
             } else if (found.packet().sequence() != sequence) {
-                tally.count(SessionCounter.STALE_REPLIES);
+                counters.count(SessionCounter.STALE_REPLIES);
             } else {
                 return Optional.of(found.packet());
             }

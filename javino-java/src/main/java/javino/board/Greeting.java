@@ -41,8 +41,8 @@ final class Greeting {
         this.goOn = goOn;
         baud = link.baud();
         // Random, so that a reply to the program that had the port before is hardly taken for one to this.
-        exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context.tally());
-        legacyExchange = new LegacyExchange(link, context.tally());
+        exchange = new Exchange(link, ThreadLocalRandom.current().nextInt(0x100), context.counters());
+        legacyExchange = new LegacyExchange(link, context.counters());
     }
 
     /** For a board that has answered hello. */

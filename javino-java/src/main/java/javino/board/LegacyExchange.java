@@ -23,7 +23,7 @@ final class LegacyExchange {
     private static final Duration STEP = Duration.ofMillis(50);
 
     private final Link link;
-    private final Tally tally;
+    private final SessionCounters counters;
     private final LegacyDecoder decoder = new LegacyDecoder();
     private final byte[] buffer = new byte[1024];
     private Deadline mayWrite = Deadline.in(Duration.ZERO);
@@ -32,9 +32,9 @@ final class LegacyExchange {
     /** Whether an answer is missing that may still come, and must not be taken for the next one. */
     private boolean awaitsLateOne;
 
-    LegacyExchange(Link link, Tally tally) {
+    LegacyExchange(Link link, SessionCounters counters) {
         this.link = link;
-        this.tally = tally;
+        this.counters = counters;
     }
 
     /**
@@ -47,7 +47,7 @@ final class LegacyExchange {
      */
     Optional<LegacyMessage> askPercepts(Duration timeout, BooleanSupplier goOn) throws LinkException {
         byte[] request = LegacyMessage.GET_PERCEPTS.encode().toArray();
-        tally.count(SessionCounter.REQUESTS);
+        counters.count(SessionCounter.REQUESTS);
         sleepUntil(mayWrite);
         link.write(request);
         // As bytes come one a millisecond, being woken for each few would be most of what an idle agent costs.
@@ -77,7 +77,7 @@ final class LegacyExchange {
             answers.addAll(read(Deadline.in(STEP)));
             awaitsLateOne = false;
         }
-        answers.stream().skip(1).forEach(stale -> tally.count(SessionCounter.STALE_REPLIES));
+        answers.stream().skip(1).forEach(stale -> counters.count(SessionCounter.STALE_REPLIES));
         LegacyMessage answer = answers.get(answers.size() - 1);
         answerLength = answer.encode().length();
         return answer;
@@ -85,14 +85,14 @@ final class LegacyExchange {
 
     /** Drops what comes unasked, and notices where the link is broken. */
     void listen() throws LinkException {
-        read(Deadline.in(Duration.ofMillis(1))).forEach(unasked -> tally.count(SessionCounter.STALE_REPLIES));
+        read(Deadline.in(Duration.ofMillis(1))).forEach(unasked -> counters.count(SessionCounter.STALE_REPLIES));
         countDamage();
     }
 
     /** Sends an action, and returns when it has left; nobody answers it. */
     void act(LegacyMessage action) throws LinkException {
         byte[] bytes = action.encode().toArray();
-        tally.count(SessionCounter.REQUESTS);
+        counters.count(SessionCounter.REQUESTS);
         sleepUntil(mayWrite);
         link.write(bytes);
         sleepUntil(Deadline.in(link.timeFor(bytes.length)));
@@ -106,7 +106,7 @@ final class LegacyExchange {
 
     private void countDamage() {
         if (decoder.skipped() > skippedBefore) {
-            tally.count(SessionCounter.DAMAGED_PACKETS);
+            counters.count(SessionCounter.DAMAGED_PACKETS);
         }
         skippedBefore = decoder.skipped();
     }

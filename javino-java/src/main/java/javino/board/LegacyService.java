@@ -34,14 +34,14 @@ final class LegacyService {
     LegacyService(Context context, LegacyExchange exchange) {
         this.context = context;
         this.exchange = exchange;
-        perception = new Perception(context.wishes(), context.listener(), context.tally());
+        perception = context.perception();
         skipped = exchange.skipped();
     }
 
     /** Returns when the session was closed. */
     void run(BoardInfo board) throws LinkException, LostException {
-        if (Boolean.TRUE.equals(context.wishes().radio())) {
-            context.listener().warning(new LegacyBoardException(new Request.Radio(true).toString()).getMessage());
+        if (Boolean.TRUE.equals(context.radio().get())) {
+            warn(new LegacyBoardException(new Request.Radio(true).toString()).getMessage());
         }
         while (!context.queue().isClosed()) {
             Pending<?> request = context.queue().next(next);
@@ -53,6 +53,10 @@ final class LegacyService {
                 look();
             }
         }
+    }
+
+    private void warn(String what) {
+        context.listener().tell(listener -> listener.warning(what));
     }
 
     private void perform(Pending<?> pending, BoardInfo board) throws LinkException {
@@ -88,11 +92,11 @@ final class LegacyService {
         if (perception.isDue()) {
             perception.asked();
             askPercepts();
-        } else if (!context.wishes().percepts()) {
+        } else if (!perception.isWanted()) {
             exchange.listen();
         }
         tellOfDamage();
-        next = Deadline.in(context.wishes().percepts() ? pause() : LOOK_INTERVAL);
+        next = Deadline.in(perception.isWanted() ? pause() : LOOK_INTERVAL);
     }
 
     private Duration pause() {
@@ -107,7 +111,7 @@ final class LegacyService {
             silences = 0;
             perception.take(answer.get().percepts(), false);
         } else if (++silences == MOST_SILENCES && !context.queue().isClosed()) {
-            context.tally().count(SessionCounter.SILENCES);
+            context.counters().count(SessionCounter.SILENCES);
             throw new LostException(context.name() + ": the board left " + MOST_SILENCES + " requests unanswered");
         }
     }
@@ -117,7 +121,7 @@ final class LegacyService {
         long more = exchange.skipped() - skipped;
         skipped += more;
         if (more > 0 && !damaged) {
-            context.listener().warning(more + " bytes from the board were skipped, as they are no message: the line is"
+            warn(more + " bytes from the board were skipped, as they are no message: the line is"
                     + " damaged, or its percepts are longer than " + LegacyMessage.MAX_LENGTH + " bytes together");
         }
         damaged = more > 0;

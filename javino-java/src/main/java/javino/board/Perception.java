@@ -3,25 +3,57 @@ package javino.board;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
-/** Knows when percepts are due, and tells the listener when they have changed. For the session's thread only. */
+/**
+ * Knows when percepts are due, tells the listener when they have changed, and those who wait for a reading that it was
+ * taken. What is wanted is set by any thread; the rest is for the session's.
+ */
 final class Perception {
 
-    private final Wishes wishes;
-    private final BoardListener listener;
-    private final Tally tally;
+    private final ListenerGuard listener;
+    private final SessionCounters counters;
+    private volatile boolean wanted;
+    private volatile Duration interval = Duration.ZERO;
+    private final Queue<Reading> waiting = new ConcurrentLinkedQueue<>();
+    private final List<Reading> underWay = new ArrayList<>();
     /** What was told last; null where nothing holds. */
     private List<Bytes> percepts;
     private boolean leftOut;
     /** When they were asked for last, on the monotonic clock. */
     private long asked;
 
-    Perception(Wishes wishes, BoardListener listener, Tally tally) {
-        this.wishes = wishes;
+    /** Percepts for which somebody waits, but not if they are due later than that. */
+    private record Reading(Duration within, CompletableFuture<Void> taken) {
+    }
+
+    Perception(ListenerGuard listener, SessionCounters counters) {
         this.listener = listener;
-        this.tally = tally;
+        this.counters = counters;
+    }
+
+    boolean isWanted() {
+        return wanted;
+    }
+
+    void setWanted(boolean percepts) {
+        wanted = percepts;
+    }
+
+    /** Sets the least time between two sets of percepts. */
+    void setInterval(Duration least) {
+        interval = least;
+    }
+
+    /** Completes when percepts that were asked for after this were told, or where none will be; never fails. */
+    CompletableFuture<Void> reading(Duration within) {
+        Reading reading = new Reading(within, new CompletableFuture<>());
+        waiting.add(reading);
+        return reading.taken();
     }
 
     /** The board came online: percepts will be told anew. */
@@ -30,43 +62,63 @@ final class Perception {
         leftOut = false;
     }
 
-    /** Tells that nothing is perceived, once percepts are wanted no longer. */
+    /** Tells that nothing is perceived, once percepts are wanted no longer, and lets go who would wait in vain. */
     void followWish() {
-        if (!wishes.percepts() && percepts != null) {
+        if (wanted) {
+            Duration due = Duration.ofNanos(nanosUntilDue());
+            List<Reading> inVain = waiting.stream().filter(reading -> reading.within().compareTo(due) < 0).toList();
+            waiting.removeAll(inVain);
+            inVain.forEach(reading -> reading.taken().complete(null));
+            return;
+        }
+        if (percepts != null) {
             tell(List.of());
             percepts = null;
         }
-        if (wishes.percepts()) {
-            wishes.readings().notBefore(Duration.ofNanos(nanosUntilDue()));
-        } else {
-            wishes.readings().none();
-        }
+        end();
     }
 
     boolean isDue() {
-        return wishes.percepts() && nanosUntilDue() <= 0;
+        return wanted && nanosUntilDue() <= 0;
     }
 
     private long nanosUntilDue() {
-        return percepts == null ? 0 : wishes.perceptInterval().toNanos() - (System.nanoTime() - asked);
+        return percepts == null ? 0 : interval.toNanos() - (System.nanoTime() - asked);
     }
 
     /** They are asked for now. */
     void asked() {
         asked = System.nanoTime();
-        wishes.readings().asked();
+        beginReadings();
+    }
+
+    private void beginReadings() {
+        for (Reading reading = waiting.poll(); reading != null; reading = waiting.poll()) {
+            underWay.add(reading);
+        }
     }
 
     void take(List<Bytes> literals, boolean someLeftOut) {
         if (someLeftOut && !leftOut) {
-            listener.warning("the board has more percepts than fit one reply; the last ones are left out");
+            listener.tell(to -> to.warning("the board has more percepts than fit one reply; the last ones are left out"));
         }
         leftOut = someLeftOut;
         if (!literals.equals(percepts)) {
             tell(literals);
             percepts = literals;
         }
-        wishes.readings().taken();
+        letGo();
+    }
+
+    /** There will be none: nobody waits any more. */
+    void end() {
+        beginReadings();
+        letGo();
+    }
+
+    private void letGo() {
+        underWay.forEach(reading -> reading.taken().complete(null));
+        underWay.clear();
     }
 
     private void tell(List<Bytes> literals) {
@@ -75,10 +127,10 @@ final class Perception {
             try {
                 texts.add(literal.text());
             } catch (ProtocolException e) {
-                tally.count(SessionCounter.DAMAGED_RECORDS);
-                listener.warning("a percept was skipped: " + e.getMessage());
+                counters.count(SessionCounter.DAMAGED_RECORDS);
+                listener.tell(to -> to.warning("a percept was skipped: " + e.getMessage()));
             }
         }
-        listener.percepts(List.copyOf(texts));
+        listener.tell(to -> to.percepts(List.copyOf(texts)));
     }
 }

@@ -2,6 +2,7 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.function.Supplier;
 import javino.link.LinkException;
 import javino.protocol.ActionNames;
 import javino.protocol.BoardInfo;
@@ -24,7 +25,7 @@ final class Service {
 
     private final Context context;
     private final Exchange exchange;
-    private final Inbox inbox;
+    private final Polling polling;
     private Deadline nextPoll = Deadline.in(Duration.ZERO);
     private boolean pollsFail;
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
@@ -32,20 +33,15 @@ final class Service {
     /** What the radio was told since the board was greeted; null if nothing yet. */
     private Request radioTold;
 
-    Service(Context context, Exchange exchange, Inbox inbox) {
+    Service(Context context, Exchange exchange, Polling polling) {
         this.context = context;
         this.exchange = exchange;
-        this.inbox = inbox;
-    }
-
-    /** The board as it is now. */
-    interface Present {
-        BoardInfo board();
+        this.polling = polling;
     }
 
     /** Opens or blocks the radio as it was wished, since boards start with it blocked. */
     void restoreRadio() throws LinkException, LostException {
-        Boolean wanted = context.wishes().radio();
+        Boolean wanted = context.radio().get();
         if (wanted == null) {
             return;
         }
@@ -53,11 +49,11 @@ final class Service {
         try {
             Status status = tell(request).status();
             if (status != Status.OK) {
-                context.listener().warning(new RequestFailedException(request.toString(), status).getMessage());
+                warn(new RequestFailedException(request.toString(), status).getMessage());
             }
         } catch (ProtocolException e) {
-            context.tally().count(SessionCounter.BAD_REPLIES);
-            context.listener().warning("the reply to " + request + " was dropped: " + e.getMessage());
+            context.counters().count(SessionCounter.BAD_REPLIES);
+            warn("the reply to " + request + " was dropped: " + e.getMessage());
         }
     }
 
@@ -82,20 +78,24 @@ final class Service {
         return reply.actionNames();
     }
 
+    private void warn(String what) {
+        context.listener().tell(listener -> listener.warning(what));
+    }
+
     /** Returns when the session was closed. */
-    void run(Present present) throws LinkException, LostException {
-        pollFirst = inbox.owesTaken();
+    void run(Supplier<BoardInfo> present) throws LinkException, LostException {
+        pollFirst = polling.owesTaken();
         while (!context.queue().isClosed()) {
             Pending<?> request = pollFirst ? null : context.queue().next(nextPoll);
             if (request != null && !request.result().isDone()) {
-                perform(request, present.board());
+                perform(request, present.get());
             }
             // No request: it is time, a wish has changed, or messages were taken.
             if (request == null || nextPoll.passed()) {
                 poll();
             }
         }
-        if (inbox.owesTaken()) {
+        if (polling.owesTaken()) {
             confirm();
         }
     }
@@ -106,7 +106,7 @@ final class Service {
         } catch (RequestFailedException e) {
             pending.fail(e);
         } catch (ProtocolException e) {
-            context.tally().count(SessionCounter.BAD_REPLIES);
+            context.counters().count(SessionCounter.BAD_REPLIES);
             pending.fail(e);
         } catch (LinkException | LostException e) {
             pending.fail(new OutcomeUnknownException(pending.description(), e.getMessage()));
@@ -129,16 +129,16 @@ final class Service {
     }
 
     private void poll() throws LinkException, LostException {
-        Request.Poll poll = inbox.nextPoll();
+        Request.Poll poll = polling.nextPoll();
         Duration interval = context.config().pollInterval();
         boolean first = pollFirst;
         pollFirst = false;
         try {
             PollReply reply = pollReply(ask(poll));
-            inbox.take(poll, reply);
-            interval = inbox.owesTaken() ? Duration.ZERO : intervalAfter(reply);
+            polling.take(poll, reply);
+            interval = polling.owesTaken() ? Duration.ZERO : intervalAfter(reply);
             // Once: a board that has a message each time shall not keep all requests waiting.
-            pollFirst = inbox.owesTaken() && !first;
+            pollFirst = polling.owesTaken() && !first;
             pollsFail = false;
         } catch (ProtocolException e) {
             badPollReply(e);
@@ -157,17 +157,17 @@ final class Service {
     /** Says at the end what was taken, so that its sender learns of it and the next run does not get it again. */
     private void confirm() throws LinkException, LostException {
         try {
-            inbox.takeLast(pollReply(ask(inbox.lastPoll())));
+            polling.takeLast(pollReply(ask(polling.lastPoll())));
         } catch (ProtocolException e) {
             badPollReply(e);
         }
     }
 
     private void badPollReply(ProtocolException e) {
-        context.tally().count(SessionCounter.BAD_REPLIES);
+        context.counters().count(SessionCounter.BAD_REPLIES);
         // Once for a row of them: there may be fifty a second.
         if (!pollsFail) {
-            context.listener().warning("replies to polls are dropped: " + e.getMessage());
+            warn("replies to polls are dropped: " + e.getMessage());
         }
         pollsFail = true;
     }
@@ -189,12 +189,12 @@ final class Service {
             throw new LostException(context.name() + ": the session was closed");
         }
         if (reply == null) {
-            context.tally().count(SessionCounter.SILENCES);
+            context.counters().count(SessionCounter.SILENCES);
             throw new LostException(context.name() + ": the board left a request unanswered");
         }
         if (reply.status() == Status.NOT_GREETED) {
-            context.tally().count(SessionCounter.RESETS);
-            inbox.reset();
+            context.counters().count(SessionCounter.RESETS);
+            polling.reset();
             throw new LostException(context.name() + ": the board was reset");
         }
         return reply;

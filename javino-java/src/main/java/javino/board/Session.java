@@ -18,7 +18,7 @@ final class Session implements Runnable {
 
     private final LinkOpener opener;
     private final Context context;
-    private final Inbox inbox;
+    private final Polling polling;
     private volatile BoardState state = BoardState.OFFLINE;
     private volatile BoardInfo info;
     private final CompletableFuture<BoardInfo> greeted = new CompletableFuture<>();
@@ -28,7 +28,7 @@ final class Session implements Runnable {
     Session(LinkOpener opener, Context context) {
         this.opener = opener;
         this.context = context;
-        this.inbox = new Inbox(context.wishes(), context.listener(), context.tally());
+        this.polling = new Polling(context);
     }
 
     BoardState state() {
@@ -48,12 +48,12 @@ final class Session implements Runnable {
     /** On the session's thread, after a set RF id was answered. */
     void renamed(Address id) {
         info = info.withRfId(id);
-        inbox.renamed(info);
+        polling.renamed(info);
     }
 
     /** On the session's thread, after a transmission was answered. */
     void transmitting(int number, CompletableFuture<Outcome> end) {
-        inbox.transmitting(number, end);
+        polling.transmitting(number, end);
     }
 
     @Override
@@ -69,8 +69,8 @@ final class Session implements Runnable {
                 state = BoardState.CLOSED;
             }
             context.queue().drain().forEach(request -> request.failOffline(context.queue().closedWhy()));
-            context.wishes().readings().none();
-            inbox.close();
+            context.perception().end();
+            polling.close();
             greeted.completeExceptionally(new JavinoException(context.queue().closedWhy()));
         }
     }
@@ -93,7 +93,7 @@ final class Session implements Runnable {
             } catch (LostException e) {
                 goOffline(e.getMessage());
             } catch (LinkException e) {
-                context.tally().count(SessionCounter.LINK_FAILURES);
+                context.counters().count(SessionCounter.LINK_FAILURES);
                 throw e;
             }
         }
@@ -107,7 +107,7 @@ final class Session implements Runnable {
                 serve(greeting);
             }
         } catch (ProtocolException e) {
-            context.tally().count(SessionCounter.BAD_REPLIES);
+            context.counters().count(SessionCounter.BAD_REPLIES);
             goOffline(context.name() + ": what is there answers hello, but not as a Javino board does: "
                     + e.getMessage());
             context.queue().pause(context.config().helloInterval());
@@ -119,7 +119,7 @@ final class Session implements Runnable {
             nowOnline();
             new LegacyService(context, greeting.legacyExchange()).run(info);
         } else {
-            Service service = new Service(context, greeting.exchange(), inbox);
+            Service service = new Service(context, greeting.exchange(), polling);
             info = info.withActions(service.actions());
             service.restoreRadio();
             nowOnline();
@@ -130,7 +130,7 @@ final class Session implements Runnable {
     private void nowOnline() {
         state = BoardState.ONLINE;
         offlineWhy = null;
-        context.listener().online(info);
+        context.listener().tell(listener -> listener.online(info));
         greeted.complete(info);
     }
 
@@ -153,16 +153,16 @@ final class Session implements Runnable {
             tellOffline(why);
             return false;
         }
-        context.tally().count(SessionCounter.GREETINGS);
+        context.counters().count(SessionCounter.GREETINGS);
         info = board;
-        inbox.greeted(board);
+        polling.greeted(board);
         return true;
     }
 
     private void goOffline(String why) {
         boolean wasOnline = state == BoardState.ONLINE;
         state = BoardState.OFFLINE;
-        context.wishes().readings().none();
+        context.perception().end();
         if (wasOnline) {
             context.queue().drain().forEach(request -> request.failOffline(why));
         }
@@ -175,7 +175,7 @@ final class Session implements Runnable {
     private void tellOffline(String why) {
         if (!Objects.equals(why, offlineWhy)) {
             offlineWhy = why;
-            context.listener().offline(why);
+            context.listener().tell(listener -> listener.offline(why));
             greeted.completeExceptionally(new JavinoException(why));
         }
     }

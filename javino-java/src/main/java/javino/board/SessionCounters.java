@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicLongArray;
 
 /** The counters of a session, for any thread. */
-final class Tally {
+final class SessionCounters {
 
     private final AtomicLongArray values = new AtomicLongArray(SessionCounter.values().length);
 

@@ -14,14 +14,13 @@ import javino.protocol.ProtocolException;
 import javino.protocol.Request;
 
 /** Makes polls, and turns what they bring into calls of the listener. For the session's thread only. */
-final class Inbox {
+final class Polling {
 
-    private final BoardListener listener;
-    private final Tally tally;
+    private final Context context;
     private final Perception perception;
     /** The ends that the board is yet to tell, by numbers, which hold for one boot of the board. */
     private final Map<Integer, CompletableFuture<Outcome>> underWay = new LinkedHashMap<>();
-    private final HandedOn handedOn = new HandedOn();
+    private final RepeatFilter repeats = new RepeatFilter();
     /** The board that the numbers below are of; null if it has booted since it was greeted. */
     private BoardInfo source;
     private int taken = Request.Poll.NOTHING_TAKEN;
@@ -29,10 +28,9 @@ final class Inbox {
     /** Whether percepts came just now, so that the next poll, made at once, is for what may have had no room. */
     private boolean perceptsCrowd;
 
-    Inbox(Wishes wishes, BoardListener listener, Tally tally) {
-        this.listener = listener;
-        this.tally = tally;
-        perception = new Perception(wishes, listener, tally);
+    Polling(Context context) {
+        this.context = context;
+        perception = context.perception();
     }
 
     /** A board came online; after a boot it counts messages and transmissions anew. */
@@ -40,7 +38,7 @@ final class Inbox {
         if (!board.equals(source)) {
             taken = Request.Poll.NOTHING_TAKEN;
             owesTaken = false;
-            handedOn.booted();
+            repeats.booted();
             abandonAll();
         }
         perceptsCrowd = false;
@@ -77,7 +75,7 @@ final class Inbox {
     /** The board will not tell this end any more, if there is one. */
     private void abandon(CompletableFuture<Outcome> end) {
         if (end != null) {
-            tally.count(SessionCounter.ABANDONED_TRANSMISSIONS);
+            context.counters().count(SessionCounter.ABANDONED_TRANSMISSIONS);
             end.complete(Outcome.UNDELIVERED);
         }
     }
@@ -85,7 +83,7 @@ final class Inbox {
     private void end(PollReply.Transmission transmission) {
         CompletableFuture<Outcome> end = underWay.remove(transmission.number());
         if (end == null) {
-            tally.count(SessionCounter.UNKNOWN_OUTCOMES);
+            context.counters().count(SessionCounter.UNKNOWN_OUTCOMES);
         } else {
             end.complete(transmission.outcome());
         }
@@ -141,23 +139,26 @@ final class Inbox {
 
     private void answered() {
         owesTaken = false;
-        handedOn.confirmed();
+        repeats.confirmed();
     }
 
     private void takeMessage(PollReply.Message message) {
         taken = message.number();
         owesTaken = true;
-        if (!handedOn.add(message)) {
-            tally.count(SessionCounter.REPEATED_MESSAGES);
+        if (!repeats.add(message)) {
+            context.counters().count(SessionCounter.REPEATED_MESSAGES);
             return;
         }
-        tally.count(SessionCounter.MESSAGES);
+        context.counters().count(SessionCounter.MESSAGES);
         try {
             Content content = Content.decode(message.content());
-            listener.message(new ReceivedMessage(message.origin(), message.destination(), message.id(), content));
+            ReceivedMessage received =
+                    new ReceivedMessage(message.origin(), message.destination(), message.id(), content);
+            context.listener().tell(listener -> listener.message(received));
         } catch (ProtocolException e) {
-            tally.count(SessionCounter.DAMAGED_RECORDS);
-            listener.warning("a message from " + message.origin() + " was skipped: " + e.getMessage());
+            context.counters().count(SessionCounter.DAMAGED_RECORDS);
+            context.listener().tell(listener -> listener.warning(
+                    "a message from " + message.origin() + " was skipped: " + e.getMessage()));
         }
     }
 }

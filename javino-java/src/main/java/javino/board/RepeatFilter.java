@@ -9,7 +9,7 @@ import javino.protocol.PollReply;
  * The messages that were handed on, and of which the board has not confirmed that it knows. If it is reset before, it
  * may give them again under other numbers, and is to be told only that they are taken (SPEC 4.3, 7.2).
  */
-final class HandedOn {
+final class RepeatFilter {
 
     /** By these a message is known over a reset. */
     private record Mark(Address origin, Address destination, int id) {

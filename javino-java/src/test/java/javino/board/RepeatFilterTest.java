@@ -8,46 +8,46 @@ import javino.protocol.Bytes;
 import javino.protocol.PollReply;
 import org.junit.jupiter.api.Test;
 
-class HandedOnTest {
+class RepeatFilterTest {
 
-    private final HandedOn handedOn = new HandedOn();
+    private final RepeatFilter repeats = new RepeatFilter();
 
     private static PollReply.Message message(String to, int id) {
         return new PollReply.Message(0, Address.parse(to), Address.parse("ROMA"), id, Bytes.EMPTY);
     }
 
     private boolean add(int id) {
-        return handedOn.add(message("SUPO", id));
+        return repeats.add(message("SUPO", id));
     }
 
     @Test
     void add_afterABoot_knowsWhatWasNotConfirmed() {
         assertTrue(add(1));
-        handedOn.confirmed();
+        repeats.confirmed();
         assertTrue(add(2));
         assertTrue(add(3));
-        handedOn.booted();
+        repeats.booted();
         assertFalse(add(2));
         assertFalse(add(3));
-        handedOn.confirmed();
-        handedOn.booted();
+        repeats.confirmed();
+        repeats.booted();
         assertTrue(add(3));
     }
 
     @Test
     void add_afterSeveralBoots_stillKnows() {
         assertTrue(add(1));
-        handedOn.booted();
-        handedOn.booted();
+        repeats.booted();
+        repeats.booted();
         assertFalse(add(1));
-        handedOn.booted();
+        repeats.booted();
         assertFalse(add(1));
     }
 
     @Test
     void add_laterMessage_freesTheIdsBefore() {
         assertTrue(add(7));
-        handedOn.booted();
+        repeats.booted();
         assertTrue(add(8));
         assertTrue(add(7));
     }
@@ -55,19 +55,19 @@ class HandedOnTest {
     @Test
     void add_earlierOrOtherMessage_freesNoId() {
         assertTrue(add(7));
-        handedOn.booted();
+        repeats.booted();
         assertTrue(add(6));
-        assertTrue(handedOn.add(message("//SU", 8)));
+        assertTrue(repeats.add(message("//SU", 8)));
         assertFalse(add(7));
     }
 
     @Test
     void add_idsBegunAgain_areLater() {
         assertTrue(add(0xFFFFFF));
-        handedOn.booted();
+        repeats.booted();
         assertTrue(add(0));
         assertTrue(add(0xFFFFFF));
-        handedOn.booted();
+        repeats.booted();
         assertTrue(add(0x800000));
         assertFalse(add(0));
     }
@@ -75,9 +75,9 @@ class HandedOnTest {
     @Test
     void add_broadcasts_areAllNew() {
         for (int i = 0; i < 2; i++) {
-            assertTrue(handedOn.add(message("////", 0)));
-            assertTrue(handedOn.add(message("////", 0)));
-            handedOn.booted();
+            assertTrue(repeats.add(message("////", 0)));
+            assertTrue(repeats.add(message("////", 0)));
+            repeats.booted();
         }
     }
 }
