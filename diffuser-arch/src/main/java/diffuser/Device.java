@@ -32,14 +32,14 @@ final class Device implements BoardListener {
     /** Until sensors that are held are read by themselves. */
     private static final Duration NEVER = Duration.ofDays(36_500);
 
-    private final Handover link;
+    private final ExclusivePort link;
     private final String port;
     private final Surroundings surroundings;
     private final Percepts percepts;
-    private final Channel channel;
+    private final Communicability communicability;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
-    private volatile Wishes wishes;
+    private volatile BoardSettings settings;
     private volatile boolean online;
     private volatile boolean legacy;
     /** What the sketch has named, when it was greeted last; null before the first time. */
@@ -57,13 +57,13 @@ final class Device implements BoardListener {
     record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake) {
     }
 
-    private Device(Handover link, Term term, Wishes wishes, Surroundings surroundings) {
+    private Device(ExclusivePort link, Term term, BoardSettings settings, Surroundings surroundings) {
         this.link = link;
         this.port = link.name();
-        this.wishes = wishes;
+        this.settings = settings;
         this.surroundings = surroundings;
-        this.percepts = new Percepts(term, wishes.percepts(), surroundings.warnings());
-        this.channel = new Channel(this::packetsReceived, this::tellAgent, surroundings.warnings());
+        this.percepts = new Percepts(term, settings.percepts(), surroundings.warnings());
+        this.communicability = new Communicability(this::packetsReceived, this::tellAgent, surroundings.warnings());
     }
 
     /**
@@ -71,14 +71,15 @@ final class Device implements BoardListener {
      *
      * @param port as beliefs name it.
      */
-    static Device open(Handover link, Term port, BoardConfig config, Wishes wishes, Surroundings surroundings) {
-        Device device = new Device(link, port, wishes, surroundings);
+    static Device open(ExclusivePort link, Term port, BoardConfig config, BoardSettings settings,
+                       Surroundings surroundings) {
+        Device device = new Device(link, port, settings, surroundings);
         Board board = Board.open(link, config, device);
         device.session.complete(board);
-        device.wish(wishes);
+        device.apply(settings);
         // First in the board's queue, so that the agent's first message finds the address set.
-        wishes.rfId().ifPresent(device::setRfId);
-        if (wishes.radio()) {
+        settings.rfId().ifPresent(device::setRfId);
+        if (settings.radio()) {
             device.radio(true);
         }
         return device;
@@ -111,7 +112,7 @@ final class Device implements BoardListener {
 
     /** Whether agents can communicate by the board's radio. */
     boolean communicates() {
-        return channel.isUsable();
+        return communicability.isUsable();
     }
 
     /** All that the board lets the agent perceive now; another state is another list. */
@@ -135,23 +136,23 @@ final class Device implements BoardListener {
     }
 
     /** Has the board do as wished, now and whenever it comes back; {@link #setRfId} and {@link #radio} add when. */
-    void wish(Wishes wanted) {
-        wishes = wanted;
+    void apply(BoardSettings wanted) {
+        settings = wanted;
         Board board = session.join();
         percepts.sensing(wanted.percepts(), wanted.filters());
-        board.perceptInterval(wanted.percepts() == Sensing.HELD ? NEVER : wanted.limit());
-        board.percepts(wanted.percepts() != Sensing.BLOCKED);
-        channel.silence(wanted.silence());
+        board.perceptInterval(wanted.percepts() == SensorMode.HELD ? NEVER : wanted.limit());
+        board.percepts(wanted.percepts() != SensorMode.BLOCKED);
+        communicability.silence(wanted.silence());
     }
 
     /** Sets the board's address. */
     CompletableFuture<Void> setRfId(Address id) {
-        return bounded(session.join().setRfId(id).thenRun(channel::addressed));
+        return bounded(session.join().setRfId(id).thenRun(communicability::addressed));
     }
 
     /** Opens or blocks the radio. */
     CompletableFuture<Void> radio(boolean open) {
-        return bounded(session.join().radio(open).thenRun(() -> channel.radio(open)));
+        return bounded(session.join().radio(open).thenRun(() -> communicability.radio(open)));
     }
 
     /** Has the board perform an action. */
@@ -172,7 +173,7 @@ final class Device implements BoardListener {
 
     private Outcome ended(Outcome outcome) {
         if (outcome == Outcome.DELIVERED) {
-            channel.heard();
+            communicability.heard();
         }
         return outcome;
     }
@@ -184,7 +185,7 @@ final class Device implements BoardListener {
      */
     CompletableFuture<Void> close() {
         closed = true;
-        channel.close();
+        communicability.close();
         decided.complete(null);
         return session.join().end().whenComplete((done, thrown) -> link.leave());
     }
@@ -211,7 +212,7 @@ final class Device implements BoardListener {
             surroundings.warnings().once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
                     + " radio does not; for that flash a sketch with the Javino library");
         }
-        Wishes wanted = wishes;
+        BoardSettings wanted = settings;
         boolean stranger = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
         if (stranger) {
             session.thenCompose(board -> board.setRfId(wanted.rfId().get())).whenComplete((done, thrown) -> {
@@ -228,7 +229,7 @@ final class Device implements BoardListener {
     /** Only now may the agent act: its address is set; and the session has opened the radio as wished. */
     private void nowOnline(boolean hasAddress) {
         online = true;
-        channel.online(hasAddress, wishes.radio());
+        communicability.online(hasAddress, settings.radio());
         percepts.port(true);
         decided.complete(null);
         tellAgent();
@@ -237,7 +238,7 @@ final class Device implements BoardListener {
     @Override
     public void offline(String why) {
         online = false;
-        channel.offline();
+        communicability.offline();
         percepts.port(false);
         if (!closed) {
             surroundings.warnings().always("the board is off: " + why);
@@ -256,7 +257,7 @@ final class Device implements BoardListener {
     public void message(ReceivedMessage message) {
         // After the end it is left to the next session, as the board was not told that it was taken.
         if (!closed) {
-            channel.heard();
+            communicability.heard();
             surroundings.inbox().put(message, surroundings.agent());
             tellAgent();
         }

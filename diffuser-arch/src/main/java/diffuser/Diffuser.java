@@ -48,9 +48,9 @@ public class Diffuser extends AgArch {
     private transient Intentions intentions;
     private transient Questions questions;
     private transient ActionRouter router;
-    private transient Means means;
-    private transient Senses senses;
-    private transient Wishes wishes = Wishes.NONE;
+    private transient Infrastructures infrastructures;
+    private transient CombinedPercepts percepts;
+    private transient BoardSettings settings = BoardSettings.NONE;
     /** The last message from the radio that Jason was given. */
     private transient Optional<Message> handedOn = Optional.empty();
     /** Also asked by threads that stop the agent, or show its status. */
@@ -65,8 +65,8 @@ public class Diffuser extends AgArch {
         intentions = new Intentions(this::getTS);
         questions = new Questions(intentions, outbox);
         inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings);
-        means = new Means();
-        senses = new Senses();
+        infrastructures = new Infrastructures();
+        percepts = new CombinedPercepts();
         router = new ActionRouter(this, super::act, warnings);
     }
 
@@ -111,7 +111,8 @@ public class Diffuser extends AgArch {
         PlainLines.everywhere();
         PlainLines.of(getTS().getLogger());
         PlainLines.of(getTS().getAg().getLogger());
-        device = Device.open(new Handover(link(port), getAgName(), closeDevice()), portTerm(port), boardConfig(), wishes,
+        ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
+        device = Device.open(link, portTerm(port), boardConfig(), settings,
                 new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
         return device.decided();
     }
@@ -127,8 +128,8 @@ public class Diffuser extends AgArch {
      *
      * @return completes when the agent's plan may go on: here at once, as in a subclass it may not.
      */
-    public CompletableFuture<Void> sense(Sensing wanted) {
-        wish(old -> old.withPercepts(wanted));
+    public CompletableFuture<Void> sense(SensorMode wanted) {
+        change(old -> old.withPercepts(wanted));
         return CompletableFuture.completedFuture(null);
     }
 
@@ -142,7 +143,7 @@ public class Diffuser extends AgArch {
     protected CompletableFuture<Void> reading(Duration within) {
         return device().map(board -> board.reading(within)).orElseGet(() -> CompletableFuture.completedFuture(null))
                 .thenCompose(read -> {
-                    CompletableFuture<Void> belief = senses.belief();
+                    CompletableFuture<Void> belief = percepts.belief();
                     wakeAgent();
                     return belief;
                 });
@@ -150,17 +151,17 @@ public class Diffuser extends AgArch {
 
     /** Believes of the sensors only what this filter lets pass, too. */
     public void filter(Filter filter) {
-        wish(old -> old.withFilter(filter));
+        change(old -> old.withFilter(filter));
     }
 
     /** Does without all filters of these kinds. */
     public void removeFilters(Filter.Kind... kinds) {
-        wish(old -> old.withoutFilters(List.of(kinds)));
+        change(old -> old.withoutFilters(List.of(kinds)));
     }
 
     /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */
     public void limitPercepts(Duration least) {
-        wish(old -> old.withLimit(least));
+        change(old -> old.withLimit(least));
     }
 
     /**
@@ -168,28 +169,28 @@ public class Diffuser extends AgArch {
      * as long as it likes.
      */
     public void limitSilence(Duration longest) {
-        wish(old -> old.withSilence(longest));
+        change(old -> old.withSilence(longest));
     }
 
     /** Remembers what an infrastructure other than the board's radio allows from now on. */
     public void setInfrastructure(String name, Set<Ability> allows) {
-        means.infrastructure(name, Set.copyOf(allows));
+        infrastructures.set(name, Set.copyOf(allows));
     }
 
     /** How open the MAS is by this agent's board and the infrastructures that it knows of, as it last perceived. */
     public Openness openness() {
-        return means.openness();
+        return infrastructures.openness();
     }
 
     /** Sets the device's address: now where a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> setRfId(Address id) {
-        wish(old -> old.withRfId(id));
+        change(old -> old.withRfId(id));
         return whereThere(board -> board.setRfId(id));
     }
 
     /** Listens to the radio, or not: now where a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> openRadio(boolean open) {
-        wish(old -> old.withRadio(open));
+        change(old -> old.withRadio(open));
         return whereThere(board -> board.radio(open));
     }
 
@@ -259,14 +260,14 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} Null, as Jason has it, if nothing has changed, neither at the board nor elsewhere. */
     @Override
     public Collection<Literal> perceive() {
-        senses.perceiving();
-        return senses.perceive(super.perceive(), perceivedHere());
+        percepts.perceiving();
+        return percepts.perceive(super.perceive(), perceivedHere());
     }
 
     /** {@inheritDoc} Jason calls it when it has revised its beliefs by what was perceived. */
     @Override
     public void checkMail() {
-        senses.believed();
+        percepts.believed();
         super.checkMail();
         // One at a time: the gate decides by what the agent believes, which the message before may change.
         if (handedOn.isEmpty() || !getTS().getC().getMailBox().contains(handedOn.get())) {
@@ -295,11 +296,11 @@ public class Diffuser extends AgArch {
     }
 
     private void sendByRadio(Message message) throws JasonException {
-        Optional<Enquiry> enquiry = Enquiry.of(message.getInReplyTo());
+        Optional<IncomingQuestion> question = IncomingQuestion.of(message.getInReplyTo());
         if (message.isAsk()) {
             questions.ask(message, device);
-        } else if (enquiry.isPresent()) {
-            outbox.answer(message, enquiry.get(), device);
+        } else if (question.isPresent()) {
+            outbox.answer(message, question.get(), device);
         } else {
             outbox.post(Letter.of(message), device);
         }
@@ -307,13 +308,13 @@ public class Diffuser extends AgArch {
 
     @Override
     public boolean canSleep() {
-        return super.canSleep() && inbox.isEmpty() && senses.knows(perceivedHere());
+        return super.canSleep() && inbox.isEmpty() && percepts.knows(perceivedHere());
     }
 
     /** {@inheritDoc} Waits until the port is free, so that the agent can be started anew. */
     @Override
     public void stop() {
-        Handover.await(closeDevice());
+        ExclusivePort.await(closeDevice());
         super.stop();
     }
 
@@ -335,9 +336,9 @@ public class Diffuser extends AgArch {
         return status;
     }
 
-    private Senses.Now perceivedHere() {
-        return device == null ? new Senses.Now(List.of(), means.belief(false))
-                : new Senses.Now(device.perceived(), means.belief(device.communicates()));
+    private CombinedPercepts.Now perceivedHere() {
+        return device == null ? new CombinedPercepts.Now(List.of(), infrastructures.belief(false))
+                : new CombinedPercepts.Now(device.perceived(), infrastructures.belief(device.communicates()));
     }
 
     private Device requireDevice() throws JasonException {
@@ -346,9 +347,9 @@ public class Diffuser extends AgArch {
                 .toException());
     }
 
-    private void wish(UnaryOperator<Wishes> change) {
-        wishes = change.apply(wishes);
-        device().ifPresent(board -> board.wish(wishes));
+    private void change(UnaryOperator<BoardSettings> change) {
+        settings = change.apply(settings);
+        device().ifPresent(board -> board.apply(settings));
     }
 
     /** Asks the board in any case; waits for its answer only if it is there. */

@@ -45,7 +45,7 @@ final class Inbox {
             Message jason = new Message(content().force().toString(), message.from().toString(), receiver, passed);
             if (content().force().isQuestion()) {
                 boolean ofGroup = message.to().kind() == Address.Kind.MULTICAST;
-                content().conversation().map(asked -> new Enquiry(asked, ofGroup).messageId())
+                content().conversation().map(asked -> new IncomingQuestion(asked, ofGroup).messageId())
                         .ifPresent(jason::setMsgId);
             }
             return jason;

@@ -49,14 +49,14 @@ final class Outbox {
      *
      * @throws JasonException if it cannot be sent; the asker is told so, as it would else wait for it.
      */
-    void answer(Message answer, Enquiry enquiry, Device board) throws JasonException {
+    void answer(Message answer, IncomingQuestion question, Device board) throws JasonException {
         try {
-            Letter letter = Letter.answer(answer, enquiry.conversation());
-            if (!enquiry.ofGroup() || !letter.knowsNothing()) {
+            Letter letter = Letter.answer(answer, question.conversation());
+            if (!question.ofGroup() || !letter.knowsNothing()) {
                 post(letter, board);
             }
         } catch (JasonException e) {
-            post(Letter.sorry(answer, enquiry.conversation(), Failure.of(e)), board);
+            post(Letter.sorry(answer, question.conversation(), Failure.of(e)), board);
             throw e;
         }
     }

@@ -25,7 +25,7 @@ final class Percepts {
     private Map<String, Literal> sensors = Map.of();
     /** Of the sensors, what the agent is to believe. */
     private List<Literal> shown = List.of();
-    private Sensing sensing;
+    private SensorMode sensing;
     private List<Filter> filters = List.of();
     private volatile List<Literal> snapshot = List.of();
 
@@ -33,7 +33,7 @@ final class Percepts {
      * @param port    as beliefs name it.
      * @param sensing what becomes of the sensors.
      */
-    Percepts(Term port, Sensing sensing, Warnings warnings) {
+    Percepts(Term port, SensorMode sensing, Warnings warnings) {
         this.port = port;
         this.sensing = sensing;
         this.warnings = warnings;
@@ -55,7 +55,7 @@ final class Percepts {
     }
 
     /** Lets the agent perceive the sensors that pass all filters, or none. */
-    synchronized void sensing(Sensing wanted, List<Filter> wantedFilters) {
+    synchronized void sensing(SensorMode wanted, List<Filter> wantedFilters) {
         sensing = wanted;
         filters = wantedFilters;
         compose();

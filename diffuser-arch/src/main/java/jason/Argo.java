@@ -10,7 +10,7 @@ import jason.asSyntax.PlanBody;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
-import diffuser.Sensing;
+import diffuser.SensorMode;
 
 /**
  * A {@link Diffuser} by the name, and with the ways, of the public Argo architecture, for which many agents are written:
@@ -45,14 +45,14 @@ public class Argo extends Diffuser {
             Duration within = patience();
             return super.openPort(port).thenCompose(known -> reading(within));
         }
-        super.sense(Sensing.HELD);
+        super.sense(SensorMode.HELD);
         closePort();
         return CompletableFuture.completedFuture(null);
     }
 
     @Override
-    public CompletableFuture<Void> sense(Sensing wanted) {
-        super.sense(wanted == Sensing.BLOCKED ? Sensing.HELD : wanted);
+    public CompletableFuture<Void> sense(SensorMode wanted) {
+        super.sense(wanted == SensorMode.BLOCKED ? SensorMode.HELD : wanted);
         return reading(patience());
     }
 

@@ -8,7 +8,7 @@ import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
 import diffuser.Letter;
-import diffuser.Sensing;
+import diffuser.SensorMode;
 import diffuser.Texts;
 
 /**
@@ -40,7 +40,7 @@ public class Difuser extends Argo {
 
     /** Hears messages, as percepts and by radio, or not. */
     public CompletableFuture<?> listen(boolean open) {
-        CompletableFuture<Void> sensed = sense(open ? Sensing.OPEN : Sensing.HELD);
+        CompletableFuture<Void> sensed = sense(open ? SensorMode.OPEN : SensorMode.HELD);
         return hasRadio() ? CompletableFuture.allOf(sensed, openRadio(open)) : sensed;
     }
 

@@ -8,7 +8,7 @@ import jason.asSyntax.Term;
 import diffuser.BoardAction;
 import diffuser.Diffuser;
 import diffuser.Names;
-import diffuser.Sensing;
+import diffuser.SensorMode;
 
 /**
  * <p>Internal action: <b><code>.percepts(<i>S</i>)</code></b>.
@@ -34,11 +34,11 @@ public class percepts extends BoardAction {
         return diffuser.sense(sensing(args[0]));
     }
 
-    private Sensing sensing(Term argument) throws JasonException {
+    private SensorMode sensing(Term argument) throws JasonException {
         return switch (Names.of(argument).orElse("")) {
-            case "open" -> Sensing.OPEN;
-            case "close" -> Sensing.HELD;
-            case "block" -> Sensing.BLOCKED;
+            case "open" -> SensorMode.OPEN;
+            case "close" -> SensorMode.HELD;
+            case "block" -> SensorMode.BLOCKED;
             default -> throw JasonException.createWrongArgument(this,
                     "open, block or close was expected, not '" + argument + "'.");
         };

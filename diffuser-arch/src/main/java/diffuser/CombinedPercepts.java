@@ -10,7 +10,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import jason.asSyntax.Literal;
 
 /** What an agent perceives of its board, of its MAS's openness, and through the architectures behind it, as one. */
-final class Senses {
+final class CombinedPercepts {
 
     /** They answer null as long as it has not changed. */
     private Collection<Literal> others = List.of();

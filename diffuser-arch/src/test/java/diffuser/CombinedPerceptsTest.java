@@ -10,30 +10,30 @@ import jason.asSyntax.Literal;
 
 import org.junit.jupiter.api.Test;
 
-class SensesTest {
+class CombinedPerceptsTest {
 
-    private final Senses senses = new Senses();
+    private final CombinedPercepts percepts = new CombinedPercepts();
 
     private void cycle() {
-        senses.perceiving();
-        senses.believed();
+        percepts.perceiving();
+        percepts.believed();
     }
 
     @Test
     void belief_wantedBeforeAPerception_completesWhenThatIsBelieved() {
-        CompletableFuture<Void> belief = senses.belief();
+        CompletableFuture<Void> belief = percepts.belief();
         assertFalse(belief.isDone());
-        senses.perceiving();
+        percepts.perceiving();
         assertFalse(belief.isDone());
-        senses.believed();
+        percepts.believed();
         assertTrue(belief.isDone());
     }
 
     @Test
     void belief_wantedDuringAPerception_waitsForTheNextOne() {
-        senses.perceiving();
-        CompletableFuture<Void> belief = senses.belief();
-        senses.believed();
+        percepts.perceiving();
+        CompletableFuture<Void> belief = percepts.belief();
+        percepts.believed();
         assertFalse(belief.isDone());
         cycle();
         assertTrue(belief.isDone());
@@ -41,12 +41,12 @@ class SensesTest {
 
     @Test
     void knows_somebodyWaits_theAgentIsNotToSleep() {
-        Senses.Now now = new Senses.Now(List.of(), Literal.LTrue);
-        senses.perceive(List.of(), now);
-        assertTrue(senses.knows(now));
-        senses.belief();
-        assertFalse(senses.knows(now));
+        CombinedPercepts.Now now = new CombinedPercepts.Now(List.of(), Literal.LTrue);
+        percepts.perceive(List.of(), now);
+        assertTrue(percepts.knows(now));
+        percepts.belief();
+        assertFalse(percepts.knows(now));
         cycle();
-        assertTrue(senses.knows(now));
+        assertTrue(percepts.knows(now));
     }
 }

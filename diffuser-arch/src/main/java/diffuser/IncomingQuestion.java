@@ -13,19 +13,20 @@ import javino.protocol.Conversation;
  * @param conversation what the asker calls it.
  * @param ofGroup      whether a whole group was asked.
  */
-record Enquiry(Conversation conversation, boolean ofGroup) {
+record IncomingQuestion(Conversation conversation, boolean ofGroup) {
 
     private static final String ALONE = "rf";
     private static final String GROUP = "rfgroup";
     private static final Pattern MESSAGE_ID = Pattern.compile("(" + ALONE + "|" + GROUP + ")(\\d{1,6})");
 
     /** The enquiry that an answer names, if it answers one; null where it names nothing. */
-    static Optional<Enquiry> of(String inReplyTo) {
+    static Optional<IncomingQuestion> of(String inReplyTo) {
         Matcher id = MESSAGE_ID.matcher(inReplyTo == null ? "" : inReplyTo);
         if (!id.matches() || Integer.parseInt(id.group(2)) >= Conversation.COUNT) {
             return Optional.empty();
         }
-        return Optional.of(new Enquiry(new Conversation(Integer.parseInt(id.group(2))), id.group(1).equals(GROUP)));
+        Conversation conversation = new Conversation(Integer.parseInt(id.group(2)));
+        return Optional.of(new IncomingQuestion(conversation, id.group(1).equals(GROUP)));
     }
 
     /** An atom, as Jason's plans want it. */

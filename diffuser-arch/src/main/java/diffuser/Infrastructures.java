@@ -9,11 +9,11 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 
 /**
- * By what means the MAS communicates and its agents move, and how open it is by them: the board's radio, and other
- * infrastructures as far as the agent tells. An ability is lost with the last means that gives it. For the agent's
- * thread, but for {@link #openness}.
+ * The infrastructures by which the MAS communicates and its agents move, and how open it is by them: the board's radio,
+ * and others as far as the agent tells. An ability is lost with the last one that gives it. For the agent's thread, but
+ * for {@link #openness}.
  */
-final class Means {
+final class Infrastructures {
 
     private final Map<String, Set<Ability>> infrastructures = new HashMap<>();
     private boolean radio;
@@ -21,7 +21,7 @@ final class Means {
     private Literal belief = belief(openness);
 
     /** Remembers what another infrastructure allows from now on. */
-    void infrastructure(String name, Set<Ability> allows) {
+    void set(String name, Set<Ability> allows) {
         infrastructures.put(name, allows);
         follow();
     }

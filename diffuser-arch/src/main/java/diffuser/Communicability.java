@@ -8,9 +8,9 @@ import java.util.function.Supplier;
  * Whether agents can communicate by a board's radio: the board is there and has an address, its radio is open, and it
  * has not been silent for longer than the agent takes for good. For any thread.
  */
-final class Channel {
+final class Communicability {
 
-    private final Hearing hearing;
+    private final SilenceWatch watch;
     private final Runnable changed;
     private boolean online;
     private boolean addressed;
@@ -23,14 +23,14 @@ final class Channel {
      * @param received asks the board how many packets its radio has received.
      * @param changed  is called, on any thread, when {@link #isUsable} has changed.
      */
-    Channel(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
-        this.hearing = new Hearing(received, changed, warnings);
+    Communicability(Supplier<CompletableFuture<Long>> received, Runnable changed, Warnings warnings) {
+        this.watch = new SilenceWatch(received, changed, warnings);
         this.changed = changed;
     }
 
     /** Whether agents can communicate. */
     boolean isUsable() {
-        return ready && !hearing.isSilent();
+        return ready && !watch.isSilent();
     }
 
     /** The board is there. */
@@ -69,7 +69,7 @@ final class Channel {
 
     /** Something came from another device. */
     void heard() {
-        hearing.heard();
+        watch.heard();
     }
 
     /** Nothing is asked of the board any more. */
@@ -88,9 +88,9 @@ final class Channel {
 
     private void listen() {
         if (ready && !silence.isZero()) {
-            hearing.begin(silence);
+            watch.begin(silence);
         } else {
-            hearing.end();
+            watch.end();
         }
         changed.run();
     }

@@ -1,7 +1,7 @@
 package diffuser;
 
 /** What becomes of a board's sensors. */
-public enum Sensing {
+public enum SensorMode {
     /** They are read, and are beliefs. */
     OPEN,
     /** They are not read; what was believed of them last stays believed. */

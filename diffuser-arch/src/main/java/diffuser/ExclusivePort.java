@@ -18,12 +18,12 @@ import javino.link.LinkOpener;
  * the same one by another name; and another agent of this MAS that is about to end. The waiting is done where links are
  * opened: on the new session's thread, never on the agent's.
  */
-final class Handover implements LinkOpener {
+final class ExclusivePort implements LinkOpener {
 
     /** A session ends in a fraction of that, unless its port hangs; then it is no use to wait. */
     private static final long LONGEST_SECONDS = 2;
     /** Who has which port, by what the system calls it. */
-    private static final Map<String, Handover> HOLDERS = new ConcurrentHashMap<>();
+    private static final Map<String, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
 
     private final LinkOpener next;
     private final String agent;
@@ -39,7 +39,7 @@ final class Handover implements LinkOpener {
      * @param agent  whose turn it is.
      * @param before completes when the agent's port before is free.
      */
-    Handover(LinkOpener next, String agent, CompletableFuture<Void> before) {
+    ExclusivePort(LinkOpener next, String agent, CompletableFuture<Void> before) {
         this.next = next;
         this.agent = agent;
         this.before = before;
@@ -48,7 +48,7 @@ final class Handover implements LinkOpener {
     @Override
     public Link open() throws LinkException {
         await(before);
-        Handover holder = take();
+        ExclusivePort holder = take();
         if (holder != this && !hasWaited) {
             // Where one agent is killed and another created on its port, the other comes first.
             await(holder.left);
@@ -63,12 +63,12 @@ final class Handover implements LinkOpener {
     }
 
     /** Takes the port unless somebody has it; says who has it then. */
-    private Handover take() {
+    private ExclusivePort take() {
         String port = systemName(name());
         if (!port.equals(held)) {
             release();
         }
-        Handover holder = HOLDERS.putIfAbsent(port, this);
+        ExclusivePort holder = HOLDERS.putIfAbsent(port, this);
         if (holder == null || holder == this) {
             held = port;
             return this;

@@ -12,11 +12,11 @@ import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
 /** No question to the board is ever answered here, so that each one is the first of a new listening. */
-class ChannelTest {
+class CommunicabilityTest {
 
     private final AtomicInteger questions = new AtomicInteger();
     private final AtomicInteger changes = new AtomicInteger();
-    private final Channel channel = new Channel(this::ask, changes::incrementAndGet,
+    private final Communicability communicability = new Communicability(this::ask, changes::incrementAndGet,
             new Warnings(Logger::getAnonymousLogger));
 
     private CompletableFuture<Long> ask() {
@@ -26,53 +26,53 @@ class ChannelTest {
 
     @Test
     void usable_onlyWithBoardAddressAndOpenRadio() {
-        assertFalse(channel.isUsable());
-        channel.online(false, false);
-        channel.addressed();
-        assertFalse(channel.isUsable());
+        assertFalse(communicability.isUsable());
+        communicability.online(false, false);
+        communicability.addressed();
+        assertFalse(communicability.isUsable());
         assertEquals(0, changes.get());
-        channel.radio(true);
-        assertTrue(channel.isUsable());
-        channel.radio(false);
-        assertFalse(channel.isUsable());
-        channel.online(true, true);
-        assertTrue(channel.isUsable());
-        channel.offline();
-        assertFalse(channel.isUsable());
-        channel.online(false, true);
-        assertFalse(channel.isUsable());
+        communicability.radio(true);
+        assertTrue(communicability.isUsable());
+        communicability.radio(false);
+        assertFalse(communicability.isUsable());
+        communicability.online(true, true);
+        assertTrue(communicability.isUsable());
+        communicability.offline();
+        assertFalse(communicability.isUsable());
+        communicability.online(false, true);
+        assertFalse(communicability.isUsable());
         assertEquals(4, changes.get());
     }
 
     @Test
     void silence_notLimited_boardIsNeverAsked() {
-        channel.online(true, true);
+        communicability.online(true, true);
         assertEquals(0, questions.get());
     }
 
     @Test
     void silence_limited_listensOnlyWhileUsable() {
-        channel.silence(Duration.ofHours(1));
+        communicability.silence(Duration.ofHours(1));
         assertEquals(0, questions.get());
-        channel.online(true, true);
+        communicability.online(true, true);
         assertEquals(1, questions.get());
-        channel.silence(Duration.ofHours(1));
+        communicability.silence(Duration.ofHours(1));
         assertEquals(1, questions.get(), "nothing new was said");
-        channel.silence(Duration.ofMinutes(1));
+        communicability.silence(Duration.ofMinutes(1));
         assertEquals(2, questions.get());
-        channel.offline();
-        channel.silence(Duration.ofHours(1));
+        communicability.offline();
+        communicability.silence(Duration.ofHours(1));
         assertEquals(2, questions.get());
     }
 
     @Test
     void close_isForGood() {
-        channel.silence(Duration.ofHours(1));
-        channel.online(true, true);
-        channel.close();
-        assertFalse(channel.isUsable());
-        channel.online(true, true);
-        assertFalse(channel.isUsable());
+        communicability.silence(Duration.ofHours(1));
+        communicability.online(true, true);
+        communicability.close();
+        assertFalse(communicability.isUsable());
+        communicability.online(true, true);
+        assertFalse(communicability.isUsable());
         assertEquals(1, questions.get());
     }
 }

@@ -18,7 +18,7 @@ import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
 /** Each question to the board waits for the test's answer, so that nothing hangs on how long a period lasts. */
-class HearingTest {
+class SilenceWatchTest {
 
     private static final Duration SHORT = Duration.ofMillis(1);
 
@@ -26,9 +26,9 @@ class HearingTest {
     private final AtomicInteger changes = new AtomicInteger();
     private final List<String> logged = new CopyOnWriteArrayList<>();
     private final Logger logger = Logger.getAnonymousLogger();
-    private final Hearing hearing = new Hearing(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
+    private final SilenceWatch watch = new SilenceWatch(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
 
-    HearingTest() {
+    SilenceWatchTest() {
         Filter recordOnly = line -> {
             logged.add(line.getMessage());
             return false;
@@ -58,79 +58,79 @@ class HearingTest {
 
     @Test
     void count_firstAnswer_isNoSilence() throws Exception {
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         answer(0);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
     }
 
     @Test
     void count_standsStillAndGoesOn_silenceBeginsAndEnds() throws Exception {
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         answer(7);
         answer(8);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         answer(8);
-        assertTrue(hearing.isSilent());
+        assertTrue(watch.isSilent());
         answer(8);
         assertEquals(1, changes.get());
         answer(9);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         assertEquals(2, changes.get());
     }
 
     @Test
     void heard_inSilence_endsItAtOnceAndForTheWholePeriod() throws Exception {
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         answer(7);
         answer(7);
-        assertTrue(hearing.isSilent());
-        hearing.heard();
-        assertFalse(hearing.isSilent());
+        assertTrue(watch.isSilent());
+        watch.heard();
+        assertFalse(watch.isSilent());
         answer(7);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         answer(7);
-        assertTrue(hearing.isSilent());
+        assertTrue(watch.isSilent());
     }
 
     @Test
     void end_inSilence_endsItAndAnswersUnderWayAreNobodys() throws Exception {
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         answer(7);
         answer(7);
         CompletableFuture<Long> late = question();
-        hearing.end();
-        assertFalse(hearing.isSilent());
+        watch.end();
+        assertFalse(watch.isSilent());
         late.complete(7L);
-        hearing.heard();
-        assertFalse(hearing.isSilent());
+        watch.heard();
+        assertFalse(watch.isSilent());
     }
 
     @Test
     void begin_again_oldAnswersAreNobodysAndTheFirstNewOneIsNoSilence() throws Exception {
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         answer(7);
         CompletableFuture<Long> late = question();
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         late.complete(7L);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         answer(7);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         answer(7);
-        assertTrue(hearing.isSilent());
+        assertTrue(watch.isSilent());
     }
 
     @Test
     void question_fails_isReportedOnceAndNothingChangesUntilTheNextAnswer() throws Exception {
-        hearing.begin(SHORT);
+        watch.begin(SHORT);
         answer(7);
         question().completeExceptionally(new IllegalStateException("no counters"));
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         answer(7);
-        assertTrue(hearing.isSilent());
+        assertTrue(watch.isSilent());
         question().completeExceptionally(new IllegalStateException("no counters"));
-        assertTrue(hearing.isSilent());
+        assertTrue(watch.isSilent());
         answer(8);
-        assertFalse(hearing.isSilent());
+        assertFalse(watch.isSilent());
         assertEquals(List.of("cannot tell whether the radio hears anybody: no counters"), logged);
     }
 }
