@@ -50,7 +50,7 @@ final class NewCommand implements Callable<Integer> {
                     "a project is named by letters, digits, - and _, a letter first, not " + folder);
         }
         NewProject.Kind kind = which.jacamo ? NewProject.Kind.JACAMO : NewProject.Kind.JASON;
-        new NewProject(name.toString(), kind, NewProject.javinoHome(NewProject.program())).write(folder);
+        new NewProject(name.toString(), kind, NewProject.installed()).write(folder);
         spec.commandLine().getOut().println("project " + name + " written; next: cd " + folder + " && gradle run");
         return 0;
     }

@@ -4,7 +4,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,29 +40,17 @@ record NewProject(String name, Kind kind, Path javinoHome) {
     }
 
     /**
-     * The folder that a program was built in.
+     * The folder that this command was installed in, which its start script tells.
      *
-     * @param program its classes, or their jar.
-     * @throws JavinoException if it has been taken out of there.
+     * @throws JavinoException if it was started otherwise.
      */
-    static Path javinoHome(Path program) throws JavinoException {
-        for (Path folder = program; folder != null; folder = folder.getParent()) {
-            if (Files.exists(folder.resolve("javino-firmware/library.properties"))
-                    && Files.exists(folder.resolve("emulator/CMakeLists.txt"))) {
-                return folder;
-            }
+    static Path installed() throws JavinoException {
+        String home = System.getProperty("javino.home");
+        if (home == null) {
+            throw new JavinoException("a project needs Javino's folder; call bin/javino in it, as 'gradle install' or a "
+                    + "release's archive makes it");
         }
-        throw new JavinoException(program + " lies outside of Javino's folder, whose emulator and library a project "
-                + "needs; call the javino that 'gradle install' has made there");
-    }
-
-    /** The classes of this program, or their jar. */
-    static Path program() throws JavinoException {
-        try {
-            return Path.of(NewProject.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-        } catch (URISyntaxException e) {
-            throw new JavinoException(e.getMessage(), e);
-        }
+        return Path.of(home);
     }
 
     /**

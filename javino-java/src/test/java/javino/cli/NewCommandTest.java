@@ -2,7 +2,6 @@ package javino.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -12,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Properties;
 import java.util.stream.Stream;
-import javino.JavinoException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -84,7 +82,7 @@ class NewCommandTest extends CommandFixture {
         try (Reader lines = Files.newBufferedReader(project.resolve("gradle.properties"))) {
             properties.load(lines);
         }
-        assertTrue(Files.exists(Path.of(properties.getProperty("javinoHome"), "SPEC.md")), properties.toString());
+        assertEquals(System.getProperty("javino.home"), properties.getProperty("javinoHome"));
     }
 
     @Test
@@ -100,9 +98,13 @@ class NewCommandTest extends CommandFixture {
     }
 
     @Test
-    void javinoHome_programElsewhere_saysWhichToCall() {
-        JavinoException e = assertThrows(JavinoException.class, () -> NewProject.javinoHome(folder));
-        assertTrue(e.getMessage().startsWith(folder + " lies outside of Javino's folder"), e.getMessage());
+    void new_notInstalled_saysWhichToCall() {
+        String home = System.clearProperty("javino.home");
+        try {
+            assertFails(1, "call bin/javino in it", "new", folder.resolve("robot").toString());
+        } finally {
+            System.setProperty("javino.home", home);
+        }
     }
 
     @Test
