@@ -17,7 +17,6 @@ make                     drives both
 cmake                    configures both
 libsimavr-dev            AVR emulation
 libelf-dev               reads firmware files
-pkg-config               finds these libraries
 libjansson-dev           JSON: scenario files and test vectors
 libgtest-dev             GoogleTest
 libgmock-dev             GoogleMock

@@ -11,17 +11,26 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A project that {@code javino new} has written, built and run as its user does. */
+/** A project that {@code javino new} has written, built and run as its user does who has a release, and no clone. */
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class NewProjectTest {
 
     private static final long PATIENCE_SECONDS = 30;
-    private static final String EMULATOR = Path.of(System.getProperty("javino.root"), "emulator/build/javino-emulator").toString();
     private static final String JAVA_HOME = System.getProperty("java.home");
+
+    @TempDir
+    private static Path unpacked;
+    private static Path home;
+
+    @BeforeAll
+    static void install() throws Exception {
+        home = Release.unpack(unpacked);
+    }
 
     @Test
     void run_lightsTheLampWhileItIsDarkAndLeavesNothing(@TempDir Path folder) throws Exception {
@@ -54,7 +63,7 @@ class NewProjectTest {
         assertTrue(Files.size(bundle.resolve("Robot.ino.hex")) > 0);
         Files.createSymbolicLink(bundle.resolve("ports"), project.resolve("ports"));
 
-        try (AgentProcess board = AgentProcess.start(new ProcessBuilder(EMULATOR, "board.json", "--trace", "-")
+        try (AgentProcess board = AgentProcess.start(new ProcessBuilder(home.resolve("bin/javino-emulator").toString(), "board.json", "--trace", "-")
                     .directory(project.toFile()));
                 AgentProcess agent = AgentProcess.start(new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", "lib/*",
                     "jason.infra.local.RunLocalMAS", "robot.mas2j", "--log-conf", "logging.properties", "--no-net")
@@ -69,16 +78,16 @@ class NewProjectTest {
     }
 
     private static Process newProject(Path folder) throws IOException {
-        return new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", System.getProperty("java.class.path"),
-            "javino.cli.Main", "new", folder.toString())
-            .redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        ProcessBuilder javino = new ProcessBuilder(home.resolve("bin/javino").toString(), "new", folder.toString())
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.INHERIT);
+        javino.environment().put("JAVA_HOME", JAVA_HOME);
+        return javino.start();
     }
 
-    /** The Gradle that runs this test, with Javino's libraries in what it takes for the user's Maven repository. */
+    /** The Gradle that runs this test. */
     private static ProcessBuilder gradle(String task) {
         ProcessBuilder gradle = new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
-            "--gradle-user-home", System.getProperty("javino.gradleUserHome"),
-            "-Dmaven.repo.local=" + System.getProperty("javino.repository"), task);
+            "--gradle-user-home", System.getProperty("javino.gradleUserHome"), task);
         gradle.environment().put("JAVA_HOME", JAVA_HOME);
         return gradle;
     }

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** The script by which users call {@code javino}, with the Java that runs this and with the newest one here. */
 class StartScriptTest {
 
-    private static final Path SCRIPT = Path.of(System.getProperty("javino.root"), "javino-java/build/install/javino-java/bin/javino");
+    private static final Path SCRIPT = Path.of(System.getProperty("javino.root"), "build/javino/bin/javino");
 
     static Stream<Path> javas() throws IOException {
         return Stream.concat(Stream.of(Path.of(System.getProperty("java.home"))), NewerJava.home().stream()).distinct();
