@@ -73,7 +73,7 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the action is empty or too long.
      */
     public CompletableFuture<Void> act(String action) {
-        return ask(new Request.Act(action), Board::nothing);
+        return ask(Request.act(action), Board::nothing);
     }
 
     /**
@@ -89,7 +89,7 @@ public final class Board implements AutoCloseable {
         CompletableFuture<Outcome> end = new CompletableFuture<>();
         CompletableFuture<Void> taken = ask(description, board -> {
             Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
-            return new Request.Transmit(to, origin, content);
+            return Request.transmit(to, origin, content);
         }, reply -> {
             session.transmitting(reply.transmissionNumber(), end);
             return null;
@@ -108,7 +108,7 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the address is no device's.
      */
     public CompletableFuture<Void> setRfId(Address id) {
-        return ask(new Request.SetRfId(id), reply -> {
+        return ask(Request.setRfId(id), reply -> {
             reply.nothing();
             session.renamed(id);
             return null;
@@ -120,7 +120,7 @@ public final class Board implements AutoCloseable {
         // At once, so that of two threads' wishes the last to be remembered is also the last to be performed.
         synchronized (context.radio()) {
             context.radio().set(open);
-            return ask(new Request.Radio(open), Board::nothing);
+            return ask(Request.radio(open), Board::nothing);
         }
     }
 
@@ -132,7 +132,7 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
     public CompletableFuture<Bytes> setKey(Address address, Key key) {
-        return ask(new Request.SetKey(address, key), Reply::checkValue);
+        return ask(Request.setKey(address, key), Reply::checkValue);
     }
 
     /**
@@ -141,7 +141,7 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the epoch is not 0…0xFFFFFE.
      */
     public CompletableFuture<Void> raiseEpoch(int epoch) {
-        return ask(new Request.RaiseEpoch(epoch), Board::nothing);
+        return ask(Request.raiseEpoch(epoch), Board::nothing);
     }
 
     /**
@@ -153,7 +153,7 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
     public CompletableFuture<Bytes> renewKey(Address address, Key key) {
-        return ask(new Request.RenewKey(address, key), Reply::checkValue);
+        return ask(Request.renewKey(address, key), Reply::checkValue);
     }
 
     /**
@@ -162,7 +162,7 @@ public final class Board implements AutoCloseable {
      * BUSY while a message is under way that is sealed with the one so far: then it is to be tried again.
      */
     public CompletableFuture<Void> useKey(Address address) {
-        return ask(new Request.UseKey(address), Board::nothing);
+        return ask(Request.useKey(address), Board::nothing);
     }
 
     /**
@@ -170,22 +170,22 @@ public final class Board implements AutoCloseable {
      * NO_KEY where there is none.
      */
     public CompletableFuture<Void> finishRenewal(Address address) {
-        return ask(new Request.FinishRenewal(address), Board::nothing);
+        return ask(Request.finishRenewal(address), Board::nothing);
     }
 
     /** Has the board forget all keys of an address. */
     public CompletableFuture<Void> deleteKey(Address address) {
-        return ask(new Request.DeleteKey(address), Board::nothing);
+        return ask(Request.deleteKey(address), Board::nothing);
     }
 
     /** The addresses, roles and check values of the board's keys. */
     public CompletableFuture<List<Reply.StoredKey>> keys() {
-        return ask(new Request.ListKeys(), Reply::storedKeys);
+        return ask(Request.listKeys(), Reply::storedKeys);
     }
 
     /** The board's counters, since it booted: as a rule when this session opened its port. */
     public CompletableFuture<Map<Counter, Long>> statistics() {
-        return ask(new Request.Statistics(), Reply::statistics);
+        return ask(Request.statistics(), Reply::statistics);
     }
 
     /** Has percepts asked for, or not; without, the listener is told an empty set. At first they are not. */

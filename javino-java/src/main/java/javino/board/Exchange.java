@@ -70,7 +70,7 @@ final class Exchange {
                 counters.count(SessionCounter.REPEATS);
             }
             // Every other time, as to a sketch that runs it is damage.
-            link.write(request instanceof Request.Hello && attempts % 2 == 1 ? toBootLoader : bytes);
+            link.write(request.command() == Request.Command.HELLO && attempts % 2 == 1 ? toBootLoader : bytes);
             attempts++;
             gather(bytes.length + replyLength);
             Optional<Packet> reply = awaitReply(Deadline.in(timeout));

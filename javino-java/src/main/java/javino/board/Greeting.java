@@ -74,7 +74,7 @@ final class Greeting {
 
     private Optional<BoardInfo> hello() throws LinkException, ProtocolException {
         link.setBaud(baud);
-        Optional<Reply> reply = exchange.ask(new Request.Hello(), context.config().helloInterval(),
+        Optional<Reply> reply = exchange.ask(Request.hello(), context.config().helloInterval(),
                 attempts -> attempts < HELLOS && goOn.getAsBoolean());
         return reply.isEmpty() ? Optional.empty() : Optional.of(boardInfo(reply.get()));
     }

@@ -41,7 +41,7 @@ final class LegacyService {
     /** Returns when the session was closed. */
     void run(BoardInfo board) throws LinkException, LostException {
         if (Boolean.TRUE.equals(context.radio().get())) {
-            warn(new LegacyBoardException(new Request.Radio(true).toString()).getMessage());
+            warn(new LegacyBoardException(Request.radio(true).toString()).getMessage());
         }
         while (!context.queue().isClosed()) {
             Pending<?> request = context.queue().next(next);
@@ -61,8 +61,9 @@ final class LegacyService {
 
     private void perform(Pending<?> pending, BoardInfo board) throws LinkException {
         try {
-            if (pending.source().request(board) instanceof Request.Act act) {
-                exchange.act(message(act));
+            Request request = pending.source().request(board);
+            if (request.command() == Request.Command.ACT) {
+                exchange.act(message(request));
                 pending.answer(new Reply(Status.OK, Bytes.EMPTY));
             } else {
                 pending.fail(new LegacyBoardException(pending.description()));
@@ -78,8 +79,8 @@ final class LegacyService {
         }
     }
 
-    private static LegacyMessage message(Request.Act act) throws LegacyBoardException {
-        Bytes action = Bytes.ofText(act.action());
+    private static LegacyMessage message(Request act) throws LegacyBoardException {
+        Bytes action = act.frame().message().from(1);
         if (action.length() > LegacyMessage.MAX_LENGTH) {
             throw new LegacyBoardException(act.toString(), "in which an action has at most " + LegacyMessage.MAX_LENGTH
                     + " bytes of UTF-8, not " + action.length());

@@ -23,8 +23,10 @@ final class Polling {
     private final RepeatFilter repeats = new RepeatFilter();
     /** The board that the numbers below are of; null if it has booted since it was greeted. */
     private BoardInfo source;
-    private int taken = Request.Poll.NOTHING_TAKEN;
+    private int taken = Request.NOTHING_TAKEN;
     private boolean owesTaken;
+    /** Whether the last poll asked for percepts. */
+    private boolean asksPercepts;
     /** Whether percepts came just now, so that the next poll, made at once, is for what may have had no room. */
     private boolean perceptsCrowd;
 
@@ -36,7 +38,7 @@ final class Polling {
     /** A board came online; after a boot it counts messages and transmissions anew. */
     void greeted(BoardInfo board) {
         if (!board.equals(source)) {
-            taken = Request.Poll.NOTHING_TAKEN;
+            taken = Request.NOTHING_TAKEN;
             owesTaken = false;
             repeats.booted();
             abandonAll();
@@ -94,17 +96,17 @@ final class Polling {
         return owesTaken;
     }
 
-    Request.Poll nextPoll() {
+    Request nextPoll() {
         perception.followWish();
-        boolean percepts = perception.isDue() && !perceptsCrowd;
-        if (percepts) {
+        asksPercepts = perception.isDue() && !perceptsCrowd;
+        if (asksPercepts) {
             perception.asked();
         }
-        return new Request.Poll(percepts, taken);
+        return Request.poll(asksPercepts, taken);
     }
 
-    /** Takes over all that a poll brought. */
-    void take(Request.Poll poll, PollReply reply) {
+    /** Takes over all that the poll brought. */
+    void take(PollReply reply) {
         answered();
         List<Bytes> literals = new ArrayList<>();
         for (PollReply.Item item : reply.records()) {
@@ -116,15 +118,15 @@ final class Polling {
                 end(transmission);
             }
         }
-        if (poll.percepts()) {
+        if (asksPercepts) {
             perception.take(literals, reply.leftOut());
         }
-        perceptsCrowd = poll.percepts() && (reply.more() || owesTaken);
+        perceptsCrowd = asksPercepts && (reply.more() || owesTaken);
     }
 
     /** A poll that only says what is taken. */
-    Request.Poll lastPoll() {
-        return new Request.Poll(false, taken);
+    Request lastPoll() {
+        return Request.poll(false, taken);
     }
 
     /** Takes the outcomes of the last poll; its messages stay with the board, for the next run of the host. */

@@ -45,7 +45,7 @@ final class Service {
         if (wanted == null) {
             return;
         }
-        Request request = new Request.Radio(wanted);
+        Request request = Request.radio(wanted);
         try {
             Status status = tell(request).status();
             if (status != Status.OK) {
@@ -71,7 +71,7 @@ final class Service {
     }
 
     private ActionNames actionsFrom(int offset) throws LinkException, LostException, ProtocolException {
-        Reply reply = ask(new Request.ListActions(offset));
+        Reply reply = ask(Request.listActions(offset));
         if (reply.status() != Status.OK) {
             throw new ProtocolException(ProtocolError.BAD_REPLY, "list actions answered with " + reply.status());
         }
@@ -119,7 +119,7 @@ final class Service {
         if (request.equals(radioTold)) {
             return new Reply(Status.OK, Bytes.EMPTY);
         }
-        boolean toRadio = request instanceof Request.Radio;
+        boolean toRadio = request.command() == Request.Command.RADIO;
         radioTold = toRadio ? null : radioTold;
         Reply reply = ask(request);
         if (toRadio && reply.status() == Status.OK) {
@@ -129,13 +129,12 @@ final class Service {
     }
 
     private void poll() throws LinkException, LostException {
-        Request.Poll poll = polling.nextPoll();
         Duration interval = context.config().pollInterval();
         boolean first = pollFirst;
         pollFirst = false;
         try {
-            PollReply reply = pollReply(ask(poll));
-            polling.take(poll, reply);
+            PollReply reply = pollReply(ask(polling.nextPoll()));
+            polling.take(reply);
             interval = polling.owesTaken() ? Duration.ZERO : intervalAfter(reply);
             // Once: a board that has a message each time shall not keep all requests waiting.
             pollFirst = polling.owesTaken() && !first;
@@ -183,7 +182,7 @@ final class Service {
         // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
         Thread.interrupted();
         Duration timeout = context.config().replyTimeout();
-        Reply reply = exchange.ask(request, request instanceof Request.EepromWrite ? timeout.plus(EEPROM_TIME) : timeout,
+        Reply reply = exchange.ask(request, request.command().writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout,
                 attempts -> attempts < context.config().attempts() && !context.queue().isClosed()).orElse(null);
         if (reply == null && context.queue().isClosed()) {
             throw new LostException(context.name() + ": the session was closed");

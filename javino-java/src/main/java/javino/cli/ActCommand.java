@@ -47,7 +47,8 @@ final class ActCommand implements Callable<Integer> {
     private String action() {
         String action = arguments.isEmpty() ? name : name + "(" + String.join(",", arguments) + ")";
         try {
-            return new Request.Act(action).action();
+            Request.act(action);
+            return action;
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         }

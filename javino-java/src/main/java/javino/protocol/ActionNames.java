@@ -31,7 +31,7 @@ public record ActionNames(int count, Bytes told) {
         int names = ends().size();
         boolean whole = told.length() == 0 || told.at(told.length() - 1) == 0;
         Reply.expect(names < count || names == count && whole, "no more than " + count + " actions have names", last);
-        Reply.expect(told.length() <= Request.ListActions.MAX_OFFSET, "the names of actions have an end", last);
+        Reply.expect(told.length() <= Request.MAX_OFFSET, "the names of actions have an end", last);
         return this;
     }
 

@@ -1,19 +1,72 @@
 package javino.protocol;
 
-/** What a host asks of its board (SPEC 4.3). {@code toString} describes it for error lines and never shows a key. */
-public sealed interface Request {
+/**
+ * What a host asks of its board (SPEC 4.3). {@code toString} describes it for error lines and never shows a key.
+ *
+ * @param command     which request it is.
+ * @param frame       that carries it.
+ * @param description for error lines.
+ */
+public record Request(Command command, Frame frame, String description) {
 
     /** The version of the protocol that these classes speak. */
-    int PROTOCOL_VERSION = 1;
+    public static final int PROTOCOL_VERSION = 1;
+    /** In the place of a message's number: no message was taken over yet. */
+    public static final int NOTHING_TAKEN = -1;
 
-    /** The frame that carries the request. */
-    Frame frame();
+    static final int MAX_OFFSET = 0xFFFF;
 
-    /** A request for which the board writes to its EEPROM before it answers; that takes up to 270 ms. */
-    sealed interface EepromWrite extends Request { }
+    /** The requests that there are, with their letters on the line. */
+    public enum Command {
+        /** Tells the host's protocol version and asks who the board is. */
+        HELLO('H'),
+        /** Asks for what is new. */
+        POLL('P'),
+        /** Has an action performed. */
+        ACT('A'),
+        /** Asks for the names of the sketch's actions. */
+        LIST_ACTIONS('C'),
+        /** Gives the board its address. */
+        SET_RF_ID('I'),
+        /** Says whether received radio messages are wanted. */
+        RADIO('R'),
+        /** Raises the board's boot epoch, where it is lower. */
+        RAISE_EPOCH('E'),
+        /** Stores a key in the place of all that there is for the address. */
+        SET_KEY('K'),
+        /** Stores a key as the next one: frames sealed with it are accepted, and the one so far still seals. */
+        RENEW_KEY('N'),
+        /** Has the next key seal, and the key so far be the previous one. */
+        USE_KEY('U'),
+        /** Has the previous key forgotten. */
+        FINISH_RENEWAL('F'),
+        /** Has all keys of an address forgotten. */
+        DELETE_KEY('D'),
+        /** Asks which keys are stored. */
+        LIST_KEYS('L'),
+        /** Asks for the board's counters. */
+        STATISTICS('S'),
+        /** Has a content transmitted: the frame is for another device, and has no letter. */
+        TRANSMIT('\0');
 
-    private static Frame command(char command, Bytes body) {
-        return new Frame(Address.SERIAL, Address.SERIAL, Bytes.join(Bytes.of(command), body));
+        private final char letter;
+
+        Command(char letter) {
+            this.letter = letter;
+        }
+
+        /** Whether the board writes to its EEPROM before it answers; that takes up to 270 ms. */
+        public boolean writesEeprom() {
+            return switch (this) {
+                case SET_RF_ID, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
+                case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, LIST_KEYS, STATISTICS, TRANSMIT -> false;
+            };
+        }
+
+        private Request with(Bytes body, String description) {
+            Bytes message = Bytes.join(Bytes.of(letter), body);
+            return new Request(this, new Frame(Address.SERIAL, Address.SERIAL, message), description);
+        }
     }
 
     private static void check(boolean condition, String complaint, Object found) {
@@ -22,291 +75,141 @@ public sealed interface Request {
         }
     }
 
-    /** Tells the host's protocol version and asks who the board is. */
-    record Hello() implements Request {
-        @Override
-        public Frame frame() {
-            return command('H', Bytes.of(PROTOCOL_VERSION));
-        }
-
-        @Override
-        public String toString() {
-            return "hello";
-        }
+    /** {@link Command#HELLO}. */
+    public static Request hello() {
+        return Command.HELLO.with(Bytes.of(PROTOCOL_VERSION), "hello");
     }
 
     /**
-     * Asks for what is new.
+     * {@link Command#POLL}.
      *
      * @param percepts whether percepts are wanted.
      * @param taken    the number 0…255 of the last message taken over, or {@link #NOTHING_TAKEN}.
+     * @throws IllegalArgumentException if the number is out of range.
      */
-    record Poll(boolean percepts, int taken) implements Request {
-
-        /** No message was taken over yet. */
-        public static final int NOTHING_TAKEN = -1;
-
-        /** @throws IllegalArgumentException if the number is out of range. */
-        public Poll {
-            check(taken >= NOTHING_TAKEN && taken <= 0xFF, "a message's number is 0…255", taken);
-        }
-
-        @Override
-        public Frame frame() {
-            Bytes flags = Bytes.of(percepts ? 1 : 0);
-            return command('P', taken == NOTHING_TAKEN ? flags : Bytes.join(flags, Bytes.of(taken)));
-        }
-
-        @Override
-        public String toString() {
-            return "poll";
-        }
+    public static Request poll(boolean percepts, int taken) {
+        check(taken >= NOTHING_TAKEN && taken <= 0xFF, "a message's number is 0…255", taken);
+        Bytes flags = Bytes.of(percepts ? 1 : 0);
+        return Command.POLL.with(taken == NOTHING_TAKEN ? flags : Bytes.join(flags, Bytes.of(taken)), "poll");
     }
 
     /**
-     * Has an action performed.
+     * {@link Command#ACT}.
      *
      * @param action {@code name} or {@code name(arguments)}; 1…510 bytes of UTF-8.
+     * @throws IllegalArgumentException if the action is empty or does not fit a frame.
      */
-    record Act(String action) implements Request {
-
-        /** @throws IllegalArgumentException if the action is empty or does not fit a frame. */
-        public Act {
-            int length = Bytes.ofText(action).length();
-            check(length >= 1 && length < Frame.MAX_MESSAGE_LENGTH, "an action has 1…510 bytes of UTF-8", length);
-        }
-
-        @Override
-        public Frame frame() {
-            return command('A', Bytes.ofText(action));
-        }
-
-        @Override
-        public String toString() {
-            return "act " + action;
-        }
+    public static Request act(String action) {
+        Bytes text = Bytes.ofText(action);
+        check(text.length() >= 1 && text.length() < Frame.MAX_MESSAGE_LENGTH, "an action has 1…510 bytes of UTF-8",
+                text.length());
+        return Command.ACT.with(text, "act " + action);
     }
 
     /**
-     * Asks for the names of the sketch's actions.
+     * {@link Command#LIST_ACTIONS}.
      *
-     * @param offset how many bytes of them are there already, 0…65535.
+     * @param offset how many bytes of the names are there already, 0…65535.
+     * @throws IllegalArgumentException if the offset is out of range.
      */
-    record ListActions(int offset) implements Request {
-
-        static final int MAX_OFFSET = 0xFFFF;
-
-        /** @throws IllegalArgumentException if the offset is out of range. */
-        public ListActions {
-            check(offset >= 0 && offset <= MAX_OFFSET, "an offset among the names of actions is 0…65535", offset);
-        }
-
-        @Override
-        public Frame frame() {
-            return command('C', Bytes.ofNumber(offset, 2));
-        }
-
-        @Override
-        public String toString() {
-            return "list actions";
-        }
-    }
-
-    /** @param id the device address that the board is to have. */
-    record SetRfId(Address id) implements EepromWrite {
-
-        /** @throws IllegalArgumentException if the address is no device's. */
-        public SetRfId {
-            check(id.kind() == Address.Kind.DEVICE, "an RF id begins with one of A-Z a-z 0-9", id);
-        }
-
-        @Override
-        public Frame frame() {
-            return command('I', id.toBytes());
-        }
-
-        @Override
-        public String toString() {
-            return "set RF id " + id;
-        }
-    }
-
-    /** @param open whether received radio messages are wanted. */
-    record Radio(boolean open) implements Request {
-        @Override
-        public Frame frame() {
-            return command('R', Bytes.of(open ? 1 : 0));
-        }
-
-        @Override
-        public String toString() {
-            return open ? "open radio" : "block radio";
-        }
-    }
-
-    private static void checkHolder(Address address) {
-        check(address.kind() == Address.Kind.DEVICE || address.kind() == Address.Kind.MULTICAST,
-                "a key is for a device such as ROMA or a group such as //SU", address);
+    public static Request listActions(int offset) {
+        check(offset >= 0 && offset <= MAX_OFFSET, "an offset among the names of actions is 0…65535", offset);
+        return Command.LIST_ACTIONS.with(Bytes.ofNumber(offset, 2), "list actions");
     }
 
     /**
-     * Raises the board's boot epoch, where it is lower.
+     * {@link Command#SET_RF_ID}.
+     *
+     * @throws IllegalArgumentException if the address is no device's.
+     */
+    public static Request setRfId(Address id) {
+        check(id.kind() == Address.Kind.DEVICE, "an RF id begins with one of A-Z a-z 0-9", id);
+        return Command.SET_RF_ID.with(id.toBytes(), "set RF id " + id);
+    }
+
+    /** {@link Command#RADIO}. */
+    public static Request radio(boolean open) {
+        return Command.RADIO.with(Bytes.of(open ? 1 : 0), open ? "open radio" : "block radio");
+    }
+
+    /**
+     * {@link Command#RAISE_EPOCH}.
      *
      * @param epoch 0…0xFFFFFE.
+     * @throws IllegalArgumentException if the epoch is out of range.
      */
-    record RaiseEpoch(int epoch) implements EepromWrite {
-
-        /** @throws IllegalArgumentException if the epoch is out of range. */
-        public RaiseEpoch {
-            check(epoch >= 0 && epoch <= BoardInfo.LAST_EPOCH, "an epoch is 0…16777214", epoch);
-        }
-
-        @Override
-        public Frame frame() {
-            return command('E', Bytes.ofNumber(epoch, 3));
-        }
-
-        @Override
-        public String toString() {
-            return "raise epoch to " + epoch;
-        }
+    public static Request raiseEpoch(int epoch) {
+        check(epoch >= 0 && epoch <= BoardInfo.LAST_EPOCH, "an epoch is 0…16777214", epoch);
+        return Command.RAISE_EPOCH.with(Bytes.ofNumber(epoch, 3), "raise epoch to " + epoch);
     }
 
     /**
-     * Stores a key in the place of all that there is for the address.
+     * {@link Command#SET_KEY}.
      *
      * @param address the device or group that the key is shared with.
-     * @param key     the shared key.
+     * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
-    record SetKey(Address address, Key key) implements EepromWrite {
-
-        /** @throws IllegalArgumentException if the address is neither a device's nor a group's. */
-        public SetKey {
-            checkHolder(address);
-        }
-
-        @Override
-        public Frame frame() {
-            return command('K', Bytes.join(address.toBytes(), key.bytes()));
-        }
-
-        @Override
-        public String toString() {
-            return "set key for " + address;
-        }
+    public static Request setKey(Address address, Key key) {
+        return Command.SET_KEY.with(keyFor(address, key), "set key for " + address);
     }
 
     /**
-     * Stores a key as the next one: frames sealed with it are accepted, and the one so far still seals.
+     * {@link Command#RENEW_KEY}.
      *
      * @param address the device or group that the key is shared with.
-     * @param key     the new shared key.
+     * @throws IllegalArgumentException if the address is neither a device's nor a group's.
      */
-    record RenewKey(Address address, Key key) implements EepromWrite {
-
-        /** @throws IllegalArgumentException if the address is neither a device's nor a group's. */
-        public RenewKey {
-            checkHolder(address);
-        }
-
-        @Override
-        public Frame frame() {
-            return command('N', Bytes.join(address.toBytes(), key.bytes()));
-        }
-
-        @Override
-        public String toString() {
-            return "renew key for " + address;
-        }
+    public static Request renewKey(Address address, Key key) {
+        return Command.RENEW_KEY.with(keyFor(address, key), "renew key for " + address);
     }
 
-    /** @param address the device or group whose next key is to seal, and whose key so far to be the previous one. */
-    record UseKey(Address address) implements EepromWrite {
-        @Override
-        public Frame frame() {
-            return command('U', address.toBytes());
-        }
-
-        @Override
-        public String toString() {
-            return "use key for " + address;
-        }
+    private static Bytes keyFor(Address address, Key key) {
+        check(address.kind() == Address.Kind.DEVICE || address.kind() == Address.Kind.MULTICAST,
+                "a key is for a device such as ROMA or a group such as //SU", address);
+        return Bytes.join(address.toBytes(), key.bytes());
     }
 
-    /** @param address the device or group whose previous key is to be forgotten. */
-    record FinishRenewal(Address address) implements EepromWrite {
-        @Override
-        public Frame frame() {
-            return command('F', address.toBytes());
-        }
-
-        @Override
-        public String toString() {
-            return "finish renewal of the key for " + address;
-        }
+    /** {@link Command#USE_KEY}. */
+    public static Request useKey(Address address) {
+        return Command.USE_KEY.with(address.toBytes(), "use key for " + address);
     }
 
-    /** @param address the device or group whose keys, all of them, are to be forgotten. */
-    record DeleteKey(Address address) implements EepromWrite {
-        @Override
-        public Frame frame() {
-            return command('D', address.toBytes());
-        }
-
-        @Override
-        public String toString() {
-            return "delete key for " + address;
-        }
+    /** {@link Command#FINISH_RENEWAL}. */
+    public static Request finishRenewal(Address address) {
+        return Command.FINISH_RENEWAL.with(address.toBytes(), "finish renewal of the key for " + address);
     }
 
-    /** Asks which keys are stored. */
-    record ListKeys() implements Request {
-        @Override
-        public Frame frame() {
-            return command('L', Bytes.EMPTY);
-        }
-
-        @Override
-        public String toString() {
-            return "list keys";
-        }
+    /** {@link Command#DELETE_KEY}. */
+    public static Request deleteKey(Address address) {
+        return Command.DELETE_KEY.with(address.toBytes(), "delete key for " + address);
     }
 
-    /** Asks for the board's counters. */
-    record Statistics() implements Request {
-        @Override
-        public Frame frame() {
-            return command('S', Bytes.EMPTY);
-        }
+    /** {@link Command#LIST_KEYS}. */
+    public static Request listKeys() {
+        return Command.LIST_KEYS.with(Bytes.EMPTY, "list keys");
+    }
 
-        @Override
-        public String toString() {
-            return "statistics";
-        }
+    /** {@link Command#STATISTICS}. */
+    public static Request statistics() {
+        return Command.STATISTICS.with(Bytes.EMPTY, "statistics");
     }
 
     /**
-     * Has a content transmitted.
+     * {@link Command#TRANSMIT}.
      *
      * @param destination whom it is for; the board judges whether it can be reached.
      * @param origin      the board's RF id.
      * @param content     plain; the board seals it.
+     * @throws IllegalArgumentException if the destination is the serial line, which would be a command.
      */
-    record Transmit(Address destination, Address origin, Content content) implements Request {
+    public static Request transmit(Address destination, Address origin, Content content) {
+        check(!destination.equals(Address.SERIAL), "a transmission goes to an RF address", destination);
+        return new Request(Command.TRANSMIT, new Frame(destination, origin, content.encode()),
+                "transmit to " + destination + ": " + content);
+    }
 
-        /** @throws IllegalArgumentException if the destination is the serial line, which would be a command. */
-        public Transmit {
-            check(!destination.equals(Address.SERIAL), "a transmission goes to an RF address", destination);
-        }
-
-        @Override
-        public Frame frame() {
-            return new Frame(destination, origin, content.encode());
-        }
-
-        @Override
-        public String toString() {
-            return "transmit to " + destination + ": " + content;
-        }
+    @Override
+    public String toString() {
+        return description;
     }
 }

@@ -35,24 +35,24 @@ class CommandTest {
 
     private static Request requestOf(JsonObject vector) throws ProtocolException {
         return switch (VectorFile.text(vector, "name")) {
-            case "hello" -> new Request.Hello();
-            case "poll" -> new Request.Poll(vector.get("percepts").getAsBoolean(),
-                    vector.get("taken").isJsonNull() ? Request.Poll.NOTHING_TAKEN : vector.get("taken").getAsInt());
-            case "act" -> new Request.Act(VectorFile.text(vector, "action"));
-            case "listActions" -> new Request.ListActions(vector.get("offset").getAsInt());
-            case "setRfId" -> new Request.SetRfId(VectorFile.address(vector, "address"));
-            case "radio" -> new Request.Radio(vector.get("open").getAsBoolean());
-            case "setKey" -> new Request.SetKey(VectorFile.address(vector, "address"),
+            case "hello" -> Request.hello();
+            case "poll" -> Request.poll(vector.get("percepts").getAsBoolean(),
+                    vector.get("taken").isJsonNull() ? Request.NOTHING_TAKEN : vector.get("taken").getAsInt());
+            case "act" -> Request.act(VectorFile.text(vector, "action"));
+            case "listActions" -> Request.listActions(vector.get("offset").getAsInt());
+            case "setRfId" -> Request.setRfId(VectorFile.address(vector, "address"));
+            case "radio" -> Request.radio(vector.get("open").getAsBoolean());
+            case "setKey" -> Request.setKey(VectorFile.address(vector, "address"),
                     Key.ofHex(VectorFile.text(vector, "key")));
-            case "renewKey" -> new Request.RenewKey(VectorFile.address(vector, "address"),
+            case "renewKey" -> Request.renewKey(VectorFile.address(vector, "address"),
                     Key.ofHex(VectorFile.text(vector, "key")));
-            case "raiseEpoch" -> new Request.RaiseEpoch(vector.get("epoch").getAsInt());
-            case "useKey" -> new Request.UseKey(VectorFile.address(vector, "address"));
-            case "finishRenewal" -> new Request.FinishRenewal(VectorFile.address(vector, "address"));
-            case "deleteKey" -> new Request.DeleteKey(VectorFile.address(vector, "address"));
-            case "listKeys" -> new Request.ListKeys();
-            case "statistics" -> new Request.Statistics();
-            case "transmit" -> new Request.Transmit(VectorFile.address(vector, "destination"),
+            case "raiseEpoch" -> Request.raiseEpoch(vector.get("epoch").getAsInt());
+            case "useKey" -> Request.useKey(VectorFile.address(vector, "address"));
+            case "finishRenewal" -> Request.finishRenewal(VectorFile.address(vector, "address"));
+            case "deleteKey" -> Request.deleteKey(VectorFile.address(vector, "address"));
+            case "listKeys" -> Request.listKeys();
+            case "statistics" -> Request.statistics();
+            case "transmit" -> Request.transmit(VectorFile.address(vector, "destination"),
                     VectorFile.address(vector, "origin"),
                     Content.decode(Bytes.ofText(VectorFile.text(vector, "content"))));
             default -> throw new AssertionError(vector);
@@ -216,22 +216,22 @@ class CommandTest {
     @Test
     void request_valuesOutOfRange_throw() {
         Key key = Key.ofHex("00".repeat(16));
-        assertThrows(IllegalArgumentException.class, () -> new Request.Act(""));
-        assertThrows(IllegalArgumentException.class, () -> new Request.Act("\u00e9".repeat(256)));
-        assertThrows(IllegalArgumentException.class, () -> new Request.Poll(false, 256));
-        assertThrows(IllegalArgumentException.class, () -> new Request.ListActions(0x10000));
-        assertThrows(IllegalArgumentException.class, () -> new Request.SetRfId(Address.BROADCAST));
-        assertThrows(IllegalArgumentException.class, () -> new Request.SetKey(Address.BROADCAST, key));
-        assertThrows(IllegalArgumentException.class, () -> new Request.RenewKey(Address.SERIAL, key));
+        assertThrows(IllegalArgumentException.class, () -> Request.act(""));
+        assertThrows(IllegalArgumentException.class, () -> Request.act("\u00e9".repeat(256)));
+        assertThrows(IllegalArgumentException.class, () -> Request.poll(false, 256));
+        assertThrows(IllegalArgumentException.class, () -> Request.listActions(0x10000));
+        assertThrows(IllegalArgumentException.class, () -> Request.setRfId(Address.BROADCAST));
+        assertThrows(IllegalArgumentException.class, () -> Request.setKey(Address.BROADCAST, key));
+        assertThrows(IllegalArgumentException.class, () -> Request.renewKey(Address.SERIAL, key));
         assertThrows(IllegalArgumentException.class,
-                () -> new Request.Transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
+                () -> Request.transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
     }
 
     @Test
     void toString_keyInside_hidesIt() {
         Key key = Key.ofHex("ab".repeat(16));
-        assertFalse(new Request.SetKey(Address.parse("ROMA"), key).toString().contains("abab"));
-        assertFalse(new Request.RenewKey(Address.parse("ROMA"), key).toString().contains("abab"));
+        assertFalse(Request.setKey(Address.parse("ROMA"), key).toString().contains("abab"));
+        assertFalse(Request.renewKey(Address.parse("ROMA"), key).toString().contains("abab"));
         assertFalse(key.toString().contains("abab"));
     }
 }

@@ -37,9 +37,9 @@ public final class RequestTarget {
     }
 
     private static void act(String action) throws ProtocolException {
-        Request.Act act;
+        Request act;
         try {
-            act = new Request.Act(action);
+            act = Request.act(action);
         } catch (IllegalArgumentException refused) {
             return;
         }
@@ -54,7 +54,7 @@ public final class RequestTarget {
         } catch (IllegalArgumentException refused) {
             return;
         }
-        Frame sent = Frame.decode(new Request.Transmit(Address.BROADCAST, OWN, content).frame().encode());
+        Frame sent = Frame.decode(Request.transmit(Address.BROADCAST, OWN, content).frame().encode());
         Holds.equal(content, Content.decode(sent.message()), "content");
     }
 }
