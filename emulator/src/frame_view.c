@@ -8,6 +8,7 @@
 #define HEADER_LENGTH 10
 #define ADDRESS_LENGTH 4
 #define NONCE_LENGTH 6
+#define CONVERSATION_LENGTH 4  // with the # before it
 #define TAG_LENGTH 8
 #define PROOF_LENGTH 8
 // Of a piece's index digit: its low bits, and the one that asks for an answer.
@@ -29,16 +30,18 @@ static frame_kind kind_of(const uint8_t *destination) {
   return KIND_UNICAST;
 }
 
-static bool starts_with(const frame_view *view, const char *force) {
-  size_t length = strlen(force);
-  return view->message_length > length && memcmp(view->message, force, length) == 0;
-}
-
-// Whether the message is content in the clear: force;term in UTF-8.
+// Whether the message is content in the clear: force;term or force#conversation;term in UTF-8.
 static bool is_plain_content(const frame_view *view) {
-  return (starts_with(view, "tell;") || starts_with(view, "untell;") || starts_with(view, "achieve;") ||
-          starts_with(view, "unachieve;")) &&
-         utf8_valid(view->message, view->message_length);
+  static const char *const FORCES[] = {"tell",   "untell", "achieve", "unachieve", "signal", "askOne",
+                                       "askAll", "askHow", "tellHow", "untellHow", "sorry",  NULL};
+  const uint8_t *divider = memchr(view->message, ';', view->message_length);
+  if (!divider || divider + 1 == view->message + view->message_length) return false;
+  size_t force = (size_t)(divider - view->message);
+  if (force > CONVERSATION_LENGTH && divider[-CONVERSATION_LENGTH] == '#') force -= CONVERSATION_LENGTH;
+  for (int i = 0; FORCES[i]; i++)
+    if (force == strlen(FORCES[i]) && memcmp(view->message, FORCES[i], force) == 0)
+      return utf8_valid(view->message, view->message_length);
+  return false;
 }
 
 int frame_view_read(frame_view *view, const uint8_t *payload, size_t length) {

@@ -100,9 +100,12 @@ int options_parse(options *o, int argc, char **argv, char *error, size_t error_s
       o->help = true;
       return 0;
     }
-    if (i + 1 == argc) return complain(&c, argument, "a value after it", "nothing");
+    if (i + 1 == argc) {
+      snprintf(error, error_size, "%s needs a value after it; try --help", argument);
+      return -1;
+    }
     if (parse_option(o, argument, argv[++i], &c) != 0) return -1;
   }
-  if (!o->scenario) return complain(&c, "scenario", "a file; try --help", "nothing");
-  return 0;
+  if (!o->scenario) snprintf(error, error_size, "name a scenario file; try --help");
+  return o->scenario ? 0 : -1;
 }

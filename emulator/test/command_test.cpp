@@ -61,10 +61,10 @@ TEST(Command, mistakes_are_one_line_and_status_2) {
   Scratch scratch;
   write_scenario(scratch, "blink", R"(,"prot":"x")");
   const std::vector<std::pair<std::vector<std::string>, std::string>> CASES = {
-      {{}, "scenario: expected a file; try --help, found \"nothing\""},
+      {{}, "name a scenario file; try --help"},
       {{"s.json"}, "s.json: boards[0]: unknown key \"prot\"; did you mean \"port\"?"},
       {{"none.json"}, "none.json: cannot read the scenario: No such file or directory"},
-      {{"s.json", "--trace"}, "--trace: expected a value after it, found \"nothing\""},
+      {{"s.json", "--trace"}, "--trace needs a value after it; try --help"},
   };
   for (const auto &c : CASES) {
     Outcome outcome = run(scratch, c.first);

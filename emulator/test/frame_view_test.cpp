@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sstream>
+
 #include "support.h"
 
 extern "C" {
@@ -7,6 +9,11 @@ extern "C" {
 
 static int read(frame_view *view, const std::string &text) {
   return frame_view_read(view, reinterpret_cast<const uint8_t *>(text.data()), text.size());
+}
+
+static std::string frame(const std::string &addresses, const std::string &message) {
+  static const char DIGITS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  return addresses + DIGITS[message.size() * 8 / 64] + DIGITS[message.size() * 8 % 64] + message;
 }
 
 TEST(FrameView, reads_every_frame_of_the_vectors) {
@@ -62,6 +69,49 @@ TEST(FrameView, tells_kind_and_sealed) {
     ASSERT_EQ(read(&view, c.frame), 0) << c.frame;
     EXPECT_EQ(view.kind, c.kind) << c.frame;
     EXPECT_EQ(view.sealed, c.sealed) << c.frame;
+  }
+}
+
+// A force of SPEC 3 that this does not know would be shown as sealed.
+TEST(FrameView, every_content_of_the_vectors_is_plain) {
+  json_t *root = load_vectors("contents.json");
+  size_t index;
+  json_t *vector;
+  json_array_foreach(json_object_get(root, "valid"), index, vector) {
+    std::vector<uint8_t> bytes = from_hex(text_of(vector, "content"));
+    frame_view view;
+    ASSERT_EQ(read(&view, frame("SUHOSUPO", std::string(bytes.begin(), bytes.end()))), 0) << index;
+    EXPECT_FALSE(view.sealed) << text_of(vector, "text");
+  }
+  json_decref(root);
+}
+
+TEST(FrameView, every_force_of_the_specification_is_plain) {
+  std::string spec = read_text(SPEC);
+  std::istringstream table(spec.substr(spec.find("| force | conversation |")));
+  int forces = 0;
+  for (std::string row; std::getline(table, row) && !row.empty();) {
+    std::istringstream cell(row.substr(0, row.find(" |")));
+    std::string word;
+    // Every second word is between backticks.
+    while (std::getline(cell, word, '`') && std::getline(cell, word, '`')) {
+      forces++;
+      for (const char *conversation : {"", "#AbC"}) {
+        frame_view view;
+        ASSERT_EQ(read(&view, frame("SUHOSUPO", word + conversation + ";a(plain,one)")), 0);
+        EXPECT_FALSE(view.sealed) << word;
+      }
+    }
+  }
+  EXPECT_GT(forces, 0);
+}
+
+TEST(FrameView, what_only_looks_like_a_content_is_sealed) {
+  for (const char *message : {"tel;aaaaaaaaaaaa", "tell#Ab;aaaaaaaaaa", "tellaaaaaaaaaaaa", "aaaaaaaaaaatell;",
+                              ";aaaaaaaaaaaaaaa", "#AbC;aaaaaaaaaa"}) {
+    frame_view view;
+    ASSERT_EQ(read(&view, frame("SUHOSUPO", message)), 0);
+    EXPECT_TRUE(view.sealed) << message;
   }
 }
 

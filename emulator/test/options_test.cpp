@@ -39,10 +39,10 @@ TEST(Options, defaults) {
 
 TEST(Options, mistakes_get_a_line_that_helps) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> CASES = {
-      {{}, "scenario: expected a file; try --help, found \"nothing\""},
+      {{}, "name a scenario file; try --help"},
       {{"a", "b"}, "scenario: expected one file, found \"b\""},
       {{"a", "--sped", "2"}, "unknown option --sped; did you mean --speed; try --help"},
-      {{"a", "--speed"}, "--speed: expected a value after it, found \"nothing\""},
+      {{"a", "--speed"}, "--speed needs a value after it; try --help"},
       {{"a", "--speed", "fast"}, "--speed: expected a number above 0, or max, found \"fast\""},
       {{"a", "--speed", "-1"}, "--speed: expected a number above 0, or max, found \"-1\""},
       {{"a", "--speed", "nan"}, "--speed: expected a number above 0, or max, found \"nan\""},
