@@ -4,15 +4,17 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.UnmatchedArgumentException;
 import uppaal.replay.Replay;
 
 /** The launcher of the five-vehicle scenario: exit status 0 if all behaviours were observed and the model
  * allows what the boards did, 1 if not. */
-@Command(name = "highway", description = "Runs the five-vehicle scenario on emulated boards.",
-    mixinStandardHelpOptions = true)
+@Command(name = "highway", description = "Runs the five-vehicle scenario on emulated boards.")
 public final class Highway implements Callable<Integer> {
 
     @Mixin
@@ -22,12 +24,21 @@ public final class Highway implements Callable<Integer> {
 
     /** Runs the scenario. */
     public static void main(String[] arguments) {
-        CommandLine command = new CommandLine(new Highway());
+        System.exit(execute(new Highway(), arguments));
+    }
+
+    /** Runs a command whose options the user gives to Gradle: they are called as there in the one line that tells a mistake. */
+    static int execute(Object program, String... arguments) {
+        CommandLine command = new CommandLine(program);
         command.setParameterExceptionHandler((wrong, given) -> {
-            wrong.getCommandLine().getErr().println("highway: " + wrong.getMessage());
+            String text = wrong instanceof UnmatchedArgumentException unmatched ? "there is no option "
+                    + unmatched.getUnmatched().get(0).replaceFirst("=.*", "") + "; there is " + command.getCommandSpec().options()
+                    .stream().filter(option -> !option.hidden()).map(OptionSpec::longestName).collect(Collectors.joining(", "))
+                    : wrong.getMessage();
+            command.getErr().println(command.getCommandName() + ": " + text.replace("--", "-P"));
             return CommandLine.ExitCode.USAGE;
         });
-        System.exit(command.execute(arguments));
+        return command.execute(arguments);
     }
 
     @Override

@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
 
-    @Option(names = "--emulator", required = true, description = "The emulator's program.")
+    @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
     private Path emulator;
 
     @Option(names = "--radioBitErrorRate", description = "Share of bits that the air inverts, 0 to 1; default: the scenario file's.")
@@ -25,10 +25,10 @@ final class Options {
         description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default ${DEFAULT-VALUE}.")
     private int timeout;
 
-    @Option(names = "--plain", description = "No colours.")
+    @Option(names = "--plain", hidden = true, description = "No colours.")
     private boolean plain;
 
-    @Option(names = "--boards-only", description = "Run the boards only, until Ctrl-C.")
+    @Option(names = "--boards-only", hidden = true, description = "Run the boards only, until Ctrl-C.")
     private boolean boardsOnly;
 
     /** Seconds. */

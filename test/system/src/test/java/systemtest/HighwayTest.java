@@ -20,6 +20,8 @@ import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -158,7 +160,31 @@ class HighwayTest {
         Run run = launch(EMULATOR, "--radioRange=abc");
 
         assertEquals(1, run.lines.size(), run::toString);
-        assertTrue(run.says("--radioRange"), run::toString);
+        assertTrue(run.says("-PradioRange"), run::toString);
+        assertEquals(2, run.status);
+    }
+
+    @Test
+    void optionThatIsUnknown_saysWhichThereAre() throws Exception {
+        Run run = launch(EMULATOR, "--speed=2");
+
+        assertEquals(List.of("highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout"), run.lines);
+        assertEquals(2, run.status);
+    }
+
+    @ParameterizedTest
+    @CsvSource(nullValues = "none", delimiter = '|', value = {
+        "none         | agent: -Pagent=NAME names the agent: one of ambulance, bus, hospital, police, support",
+        "--agent=buss | agent: there is no buss.mas2j; -Pagent=NAME names the agent: one of ambulance, bus, hospital, police, support",
+        "--nope=      | agent: there is no option -Pnope; there is -Pagent",
+    })
+    void agentThatIsNotNamed_saysWhichThereAre(String option, String line) throws Exception {
+        copyScenario();
+        List<String> command = new ArrayList<>(List.of(JAVA.resolve("bin/java").toString(), "-cp", CLASS_PATH, "highway.Agent"));
+        command.addAll(option == null ? List.of() : List.of(option));
+        Run run = follow(new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start());
+
+        assertEquals(List.of(line), run.lines);
         assertEquals(2, run.status);
     }
 

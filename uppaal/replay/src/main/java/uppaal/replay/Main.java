@@ -4,6 +4,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /** {@code gradle checkTrace}: says in one line whether the model allows what a trace tells. */
@@ -31,6 +32,9 @@ public final class Main {
             replay.finish();
         } catch (IllegalArgumentException wrong) {
             System.err.println("model: " + file + ", " + wrong.getMessage());
+            return 2;
+        } catch (NoSuchFileException missing) {
+            System.err.println("model: " + file + ": there is no such file");
             return 2;
         } catch (IOException | UncheckedIOException unreadable) {
             System.err.println("model: " + file + " cannot be read: " + unreadable);

@@ -2,7 +2,9 @@ package uppaal.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -31,6 +33,18 @@ class MainTest {
     @Test
     void run_noTrace_endsWithTwo() throws IOException {
         assertEquals(2, run("what is this?"));
-        assertEquals(2, Main.run(folder.resolve("missing")));
+    }
+
+    @Test
+    void run_noFile_saysSoAndEndsWithTwo() {
+        PrintStream before = System.err;
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        System.setErr(new PrintStream(said, true));
+        try {
+            assertEquals(2, Main.run(folder.resolve("missing")));
+        } finally {
+            System.setErr(before);
+        }
+        assertEquals("model: " + folder.resolve("missing") + ": there is no such file", said.toString().strip());
     }
 }
