@@ -34,7 +34,7 @@ import jason.util.Config;
 final class RunningAgent implements AutoCloseable {
 
     /** No test waits that long unless it fails. */
-    static final int PATIENCE_SECONDS = 20;
+    static final int PATIENCE_SECONDS = 120;
 
     private static final AtomicInteger COUNT = new AtomicInteger();
 

@@ -38,20 +38,27 @@ public final class FakeLegacyBoard implements LinkOpener {
         }
         InMemoryLink.Pair pair = InMemoryLink.pair(name());
         open = pair.board();
-        Thread thread = new Thread(() -> run(pair.board()), "fake legacy board");
+        BlockingQueue<Arrival> arrivals = new LinkedBlockingQueue<>();
+        Thread thread = new Thread(() -> run(pair.board(), arrivals), "fake legacy board");
         thread.setDaemon(true);
         thread.start();
-        return new Line(pair.host());
+        return new Line(pair.host(), arrivals);
     }
+
+    /** A message, and when the host wrote it: however late a busy machine runs the board, it was there at that time. */
+    private record Arrival(LegacyMessage message, long nanos) { }
 
     /** A line that spoils all bytes where host and board have not the same speed. */
     private final class Line implements Link {
 
         private final Link line;
+        private final BlockingQueue<Arrival> arrivals;
+        private final LegacyDecoder decoder = new LegacyDecoder();
         private int speed = 115_200;
 
-        Line(Link line) {
+        Line(Link line, BlockingQueue<Arrival> arrivals) {
             this.line = line;
+            this.arrivals = arrivals;
         }
 
         @Override
@@ -60,6 +67,8 @@ public final class FakeLegacyBoard implements LinkOpener {
             for (int i = 0; speed != baud && i < written.length; i++) {
                 written[i] ^= (byte) 0xA5;
             }
+            decoder.feed(written, written.length)
+                    .forEach(message -> arrivals.add(new Arrival(message, System.nanoTime())));
             line.write(written);
         }
 
@@ -79,6 +88,7 @@ public final class FakeLegacyBoard implements LinkOpener {
                 speed = newSpeed;
                 synchronized (FakeLegacyBoard.this) {
                     speeds.add(newSpeed);
+                    FakeLegacyBoard.this.notifyAll();
                 }
             }
         }
@@ -94,18 +104,18 @@ public final class FakeLegacyBoard implements LinkOpener {
         return "older";
     }
 
-    private void run(InMemoryLink link) {
-        LegacyDecoder decoder = new LegacyDecoder();
+    private void run(InMemoryLink link, BlockingQueue<Arrival> arrivals) {
         byte[] buffer = new byte[1024];
         try {
             while (true) {
-                List<LegacyMessage> round = new ArrayList<>(
-                        decoder.feed(buffer, link.read(buffer, Duration.ofSeconds(60))));
-                Thread.sleep(ROUND_MILLIS);
-                round.addAll(rest(link, decoder));
-                // The library remembers one message, until the sketch's loop comes round.
-                if (!round.isEmpty()) {
-                    take(round.get(round.size() - 1), link);
+                link.read(buffer, Duration.ofSeconds(60));
+                for (Arrival arrival = arrivals.poll(); arrival != null; arrival = arrivals.poll()) {
+                    Thread.sleep(ROUND_MILLIS);
+                    // The library remembers one message, until the sketch's loop comes round.
+                    while (!arrivals.isEmpty() && arrivals.peek().nanos() - arrival.nanos() < ROUND_MILLIS * 1_000_000L) {
+                        arrival = arrivals.poll();
+                    }
+                    take(arrival.message(), link);
                 }
             }
         } catch (InterruptedException e) {
@@ -114,21 +124,6 @@ public final class FakeLegacyBoard implements LinkOpener {
             // The link's end is the board's.
             return;
         }
-    }
-
-    /** What else has come by now. */
-    private static List<LegacyMessage> rest(InMemoryLink link, LegacyDecoder decoder) {
-        byte[] buffer = new byte[1024];
-        List<LegacyMessage> rest = new ArrayList<>();
-        try {
-            for (int count = link.read(buffer, Duration.ZERO); count > 0; count = link.read(buffer, Duration.ZERO)) {
-                rest.addAll(decoder.feed(buffer, count));
-            }
-        } catch (LinkException e) {
-            // What came before the link's end counts.
-            return rest;
-        }
-        return rest;
     }
 
     private synchronized void take(LegacyMessage message, InMemoryLink link) throws LinkException {
@@ -159,8 +154,11 @@ public final class FakeLegacyBoard implements LinkOpener {
         fault = newFault;
     }
 
-    /** The speeds that the host has changed to, in order. */
-    synchronized List<Integer> speeds() {
+    /** The speeds that the host has changed to, in order, once they are so many. */
+    synchronized List<Integer> speeds(int least) throws InterruptedException {
+        while (speeds.size() < least) {
+            wait();
+        }
         return List.copyOf(speeds);
     }
 

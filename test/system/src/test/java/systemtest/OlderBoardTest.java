@@ -53,7 +53,7 @@ class OlderBoardTest {
         try (Emulator emulator = scenario().start(folder); Host host = Host.of(emulator, "lamp")) {
             ExecutionException refused = assertThrows(ExecutionException.class, () -> host.board.radio(true).get());
             assertInstanceOf(LegacyBoardException.class, refused.getCause());
-            assertEquals(List.of(), emulator.complaints());
+            assertEquals(List.of(), emulator.complaints().stream().filter(line -> line.contains("simavr")).toList());
         }
     }
 
