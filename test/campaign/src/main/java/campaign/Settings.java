@@ -7,13 +7,13 @@ import java.time.Duration;
  * How campaigns are run.
  *
  * @param seed  where all random numbers start.
- * @param small whether to try little, for {@code gradle test}: the same paths in seconds.
+ * @param small whether to try little, for {@code gradle verify}: the same paths in seconds.
  * @param soak  wall time that the soak takes; positive.
  * @param root  the top of the repository.
  */
 public record Settings(long seed, boolean small, Duration soak, Path root) {
 
-    /** The one for campaigns or, if small, the other for {@code gradle test}. */
+    /** The one for campaigns or, if small, the other for {@code gradle verify}. */
     public <T> T choose(T campaign, T test) {
         return small ? test : campaign;
     }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -16,6 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * Each campaign with little of everything: what must always hold holds here, too. What has to be reached in figures does
  * not count. Progress is shown of those only that fail.
  */
+@Tag("verify")
 class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {

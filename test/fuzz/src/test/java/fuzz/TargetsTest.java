@@ -12,6 +12,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.ZipFile;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ class TargetsTest {
         return Target.ofJava();
     }
 
+    @Tag("verify")
     @ParameterizedTest
     @MethodSource("decoders")
     void decoder_anyBytes_noFault(Target target, @TempDir Path folder) throws Exception {
@@ -37,6 +39,7 @@ class TargetsTest {
         assertTrue(run.covered() > 0, run + " has not seen the code");
     }
 
+    @Tag("verify")
     @Test
     void faultyDecoder_isFound(@TempDir Path folder) throws Exception {
         Target target = new Target("faulty", Target.jazzer(FaultyTarget.class));

@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -95,6 +96,7 @@ class HighwayTest {
         assertTrue(svg.getDocumentElement().getTextContent().contains("“Help is coming, says SUPO”"));
     }
 
+    @Tag("verify")
     @Test
     void newerJavaAndJason_showAllBehaviours() throws Exception {
         Path jason = Path.of(System.getProperty("javino.newerJason"));

@@ -12,12 +12,14 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A project that {@code javino new} has written, built and run as its user does who has a release, and no clone. */
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
+@Tag("verify")
 class NewProjectTest {
 
     private static final long PATIENCE_SECONDS = 30;
