@@ -60,9 +60,9 @@ final class Delivery implements Campaign {
         report.never("a nonce with two messages", repeated);
     }
 
-    private record Result(Ledger.Sum shorts, Air.Usage shortAir, Ledger.Sum longs, Air.Usage longAir, long repeated) {
+    private record Result(Ledger.Sum shorts, AirUsage.Sum shortAir, Ledger.Sum longs, AirUsage.Sum longAir, long repeated) {
 
-        void row(Table table, Case of, int length, Ledger.Sum sum, Air.Usage air) {
+        void row(Table table, Case of, int length, Ledger.Sum sum, AirUsage.Sum air) {
             String each = Table.text("%.2f", (double) air.packets() / sum.offered());
             String perByte = sum.delivered() == 0 ? "-" : Table.text("%.1f ms", 1000 * air.seconds() / (sum.delivered() * length));
             table.row(Table.text("%.0e, %d bytes", of.rate, length), sum.offered(), Table.percent(sum.delivered(), sum.offered()),
@@ -73,7 +73,7 @@ final class Delivery implements Campaign {
     private static Result run(Case each, Settings settings, Report report) throws Exception {
         int shorts = settings.choose(9, 2);
         int longs = settings.choose(3, 1);
-        Air air = new Air();
+        AirUsage air = new AirUsage();
         Emulator.Scenario scenario = new Emulator.Scenario().radio("bitErrorRate", each.rate).seed(settings.seed()).listener(air).forgetful();
         try (Closing closing = new Closing()) {
             Field field = closing.add(Field.start(scenario, Collections.nCopies(shorts + longs, new Field.Cell("Station", 2))));
@@ -102,7 +102,7 @@ final class Delivery implements Campaign {
         return pairs.stream().map(pair -> pair.ledger().sum()).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
     }
 
-    private static Air.Usage usage(Air air, List<Pair> pairs) {
+    private static AirUsage.Sum usage(AirUsage air, List<Pair> pairs) {
         return air.of(pairs.stream().flatMap(pair -> pair.posts().stream()).toList());
     }
 }

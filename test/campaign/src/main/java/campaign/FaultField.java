@@ -24,7 +24,7 @@ final class FaultField implements AutoCloseable {
     private static final Duration POLL = Duration.ofMillis(20);
 
     private final Closing closing = new Closing();
-    private final Air air = new Air();
+    private final AirUsage air = new AirUsage();
     private final List<Recovery> recoveries = new ArrayList<>();
     private final List<Recovery> kills = new ArrayList<>();
     private final List<HostProcess> hosts = new ArrayList<>();

@@ -80,7 +80,7 @@ final class Floods {
     }
 
     private void run(List<Case> cases, double seconds, Settings settings, Report report) throws Exception {
-        Air air = new Air();
+        AirUsage air = new AirUsage();
         Timetable timetable = new Timetable();
         Emulator.Scenario scenario = timetable.scenario(settings.seed() + cases.get(0).run, air);
         for (int cell = 0; cell < cases.size(); cell++) {
@@ -118,9 +118,9 @@ final class Floods {
         attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed() + each.run), each.kind.forger(pair, attacker.post()));
     }
 
-    private void note(Case each, Pair pair, Attacker attacker, Air air, double seconds, Report report) {
+    private void note(Case each, Pair pair, Attacker attacker, AirUsage air, double seconds, Report report) {
         Ledger.Sum sum = pair.ledger().sum();
-        Air.Usage forged = air.of(List.of(attacker.post()));
+        AirUsage.Sum forged = air.of(List.of(attacker.post()));
         table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds), each.length, sum.offered(),
             Table.percent(sum.delivered(), sum.offered()), Table.text("%.2f", sum.delivered() / seconds));
         report.progress("flood of %s at %.0f %%: %d of %d unicasts delivered %s", each.kind.title, 100 * each.share, sum.delivered(),

@@ -90,7 +90,7 @@ final class Load implements Campaign {
     }
 
     private void run(List<Case> group, Settings settings) throws Exception {
-        Air air = new Air();
+        AirUsage air = new AirUsage();
         Timetable timetable = new Timetable();
         Emulator.Scenario scenario = timetable.scenario(settings.seed(), air);
         try (Closing closing = new Closing()) {
@@ -124,7 +124,7 @@ final class Load implements Campaign {
         }
     }
 
-    private static Result result(List<Ledger.Sum> sums, double seconds, Air.Usage air) {
+    private static Result result(List<Ledger.Sum> sums, double seconds, AirUsage.Sum air) {
         Ledger.Sum all = sums.stream().reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
         List<Double> shares = sums.stream().filter(sum -> sum.offered() > 0).map(sum -> (double) sum.delivered() / sum.offered()).toList();
         double total = shares.stream().mapToDouble(share -> share).sum();

@@ -24,7 +24,7 @@ final class Soak implements Campaign {
     private static final double STANDSTILL_SECONDS = 60;
     private static final long GROWTH_BYTES = 1024 * 1024;
 
-    private final Air air = new Air();
+    private final AirUsage air = new AirUsage();
     private final Crossings crossings = new Crossings();
     private final Ledger shorts = new Ledger(SHORT);
     private final Ledger longs = new Ledger(LONG);

@@ -20,7 +20,7 @@ public final class Replay {
 
     private final PriorityQueue<Step> steps =
         new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index()));
-    private final Air air = new Air();
+    private final RadioCell cell = new RadioCell();
     private int lines;
     private int events;
     private double now;
@@ -104,15 +104,15 @@ public final class Replay {
 
     private void perform(Event event) throws RefusedException {
         switch (event.name()) {
-            case "rf-tx" -> air.begin(event);
-            case "rf-rx", "rf-damaged" -> air.reach(event);
-            case "reset" -> air.reset(event);
-            case "host-id" -> air.named(event);
-            case "host-transmit" -> air.transmit(event);
-            case "host-handed" -> air.hand(event);
-            case "host-taking" -> air.take(event, "taking");
-            case "host-taken" -> air.take(event, "taken");
-            case "host-outcome" -> air.end(event);
+            case "rf-tx" -> cell.begin(event);
+            case "rf-rx", "rf-damaged" -> cell.reach(event);
+            case "reset" -> cell.reset(event);
+            case "host-id" -> cell.named(event);
+            case "host-transmit" -> cell.transmit(event);
+            case "host-handed" -> cell.hand(event);
+            case "host-taking" -> cell.take(event, "taking");
+            case "host-taken" -> cell.take(event, "taken");
+            case "host-outcome" -> cell.end(event);
             default -> throw new IllegalStateException(event.name());
         }
     }

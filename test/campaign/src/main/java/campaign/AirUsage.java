@@ -7,19 +7,19 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /** Watches a trace: who has been on the air for how long, and whether a nonce was used twice. */
-final class Air implements Consumer<TraceEvent> {
+final class AirUsage implements Consumer<TraceEvent> {
 
-    private final Map<String, Usage> usages = new HashMap<>();
+    private final Map<String, Sum> usages = new HashMap<>();
     private final Nonces nonces = new Nonces();
     private double now;
 
     /** Packets, and the seconds that they took. */
-    record Usage(long packets, double seconds) {
+    record Sum(long packets, double seconds) {
 
-        private static final Usage NONE = new Usage(0, 0);
+        private static final Sum NONE = new Sum(0, 0);
 
-        private Usage plus(Usage other) {
-            return new Usage(packets + other.packets, seconds + other.seconds);
+        private Sum plus(Sum other) {
+            return new Sum(packets + other.packets, seconds + other.seconds);
         }
     }
 
@@ -31,12 +31,12 @@ final class Air implements Consumer<TraceEvent> {
             return;
         }
         double seconds = event.fields().get("end").getAsDouble() - event.fields().get("start").getAsDouble();
-        usages.merge(event.board(), new Usage(1, seconds), Usage::plus);
+        usages.merge(event.board(), new Sum(1, seconds), Sum::plus);
     }
 
     /** What these boards have sent. */
-    synchronized Usage of(Collection<Field.Post> boards) {
-        return boards.stream().map(post -> usages.getOrDefault(post.name(), Usage.NONE)).reduce(Usage.NONE, Usage::plus);
+    synchronized Sum of(Collection<Field.Post> boards) {
+        return boards.stream().map(post -> usages.getOrDefault(post.name(), Sum.NONE)).reduce(Sum.NONE, Sum::plus);
     }
 
     /** Emulated seconds at the last event. */

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
-final class Air {
+final class RadioCell {
     private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
     private static final double DISORDER = 0.002;
