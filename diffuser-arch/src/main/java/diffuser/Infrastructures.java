@@ -46,11 +46,7 @@ final class Infrastructures {
     }
 
     private void follow() {
-        Openness now = openness;
-        Set<Ability> allowed = allowed();
-        for (Ability ability : Ability.values()) {
-            now = allowed.contains(ability) ? now.restored(ability) : now.lost(ability);
-        }
+        Openness now = Openness.of(allowed());
         if (now != openness) {
             openness = now;
             belief = belief(now);

@@ -1,5 +1,8 @@
 package diffuser;
 
+import java.util.Arrays;
+import java.util.Set;
+
 /**
  * How open a MAS is: the paper's definitions 2 to 5 and its table 1 (section 2), and the finite-state machine of its
  * figure 1, whose four symbols are the two abilities lost and restored.
@@ -17,27 +20,30 @@ package diffuser;
  * }</pre>
  *
  * <p>The paper's text names the states, the symbols and, in table 1, what each state can do; the eight transitions
- * follow. It is silent about a symbol that says nothing new, such as +com where there is communicability: here the
- * state stays.
+ * follow, as each state is one set of abilities. It is silent about a symbol that says nothing new, such as +com where
+ * there is communicability: here the state stays.
  */
 public enum Openness {
     /** Definition 5: agents neither enter nor leave the MAS, nor do they communicate directly with another's. */
-    TOTALLY_CLOSED("totallyClosed", false, false),
+    TOTALLY_CLOSED("totallyClosed", Set.of()),
     /** Definition 4: mobile agents enter and leave the MAS, but there is no direct communication with another's agents. */
-    LIMITED_OPEN("limitedOpen", false, true),
+    LIMITED_OPEN("limitedOpen", Set.of(Ability.MOB)),
     /** Definition 3: agents neither enter nor leave the MAS, but they communicate directly with another's. */
-    CLOSED("closed", true, false),
+    CLOSED("closed", Set.of(Ability.COM)),
     /** Definition 2: mobile agents enter and leave the MAS, and agents communicate directly with another's. */
-    OPEN("open", true, true);
+    OPEN("open", Set.of(Ability.COM, Ability.MOB));
 
     private final String atom;
-    private final boolean communicability;
-    private final boolean mobility;
+    private final Set<Ability> abilities;
 
-    Openness(String atom, boolean communicability, boolean mobility) {
+    Openness(String atom, Set<Ability> abilities) {
         this.atom = atom;
-        this.communicability = communicability;
-        this.mobility = mobility;
+        this.abilities = abilities;
+    }
+
+    /** The state of a MAS that has these abilities, and no others. */
+    public static Openness of(Set<Ability> abilities) {
+        return Arrays.stream(values()).filter(state -> state.abilities.equals(abilities)).findFirst().orElseThrow();
     }
 
     /** What an agent calls it, as in {@code openness(totallyClosed)}. */
@@ -45,35 +51,8 @@ public enum Openness {
         return atom;
     }
 
-    /** Whether a MAS in this state has an ability (table 1). */
-    public boolean allows(Ability ability) {
-        return switch (ability) {
-            case COM -> communicability;
-            case MOB -> mobility;
-        };
-    }
-
-    /** The state after -com or -mob. */
-    public Openness lost(Ability ability) {
-        return with(ability, false);
-    }
-
-    /** The state after +com or +mob. */
-    public Openness restored(Ability ability) {
-        return with(ability, true);
-    }
-
-    private Openness with(Ability ability, boolean allowed) {
-        return switch (ability) {
-            case COM -> of(allowed, mobility);
-            case MOB -> of(communicability, allowed);
-        };
-    }
-
-    private static Openness of(boolean communicability, boolean mobility) {
-        if (communicability) {
-            return mobility ? OPEN : CLOSED;
-        }
-        return mobility ? LIMITED_OPEN : TOTALLY_CLOSED;
+    /** What a MAS in this state can do (table 1). */
+    public Set<Ability> abilities() {
+        return abilities;
     }
 }

@@ -1,5 +1,6 @@
 package diffuser;
 
+
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
@@ -40,9 +41,14 @@ class ArgoTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"Argo", "jason.Argo"})
-    void architecture_eachNameOfThePublicOne_isFound(String name) throws Exception {
-        String program = "!start. +!start <- .argo.port(none); .argo.percepts(open); diffuser.note(done).";
+    @CsvSource(delimiter = '|', value = {
+        "Argo          | .argo.port(none); .argo.percepts(open)",
+        "jason.Argo    | .argo.port(none); .argo.percepts(open)",
+        "Difuser       | .difuser.port(none); .difuser.listen(open)",
+        "jason.Difuser | .difuser.port(none); .difuser.listen(open)",
+    })
+    void architecture_eachNameOfThePublicOnes_isFound(String name, String actions) throws Exception {
+        String program = "!start. +!start <- %s; diffuser.note(done).".formatted(actions);
         try (RunningAgent agent = RunningAgent.run(program, null, List.of(name))) {
             agent.notes("done");
             assertInstanceOf(jason.Argo.class, agent.diffuser());

@@ -64,14 +64,7 @@ class GateTest {
             """;
 
     private static RunningAgent ready(FakeBoard board) {
-        return ready(PROGRAM, board);
-    }
-
-    private static RunningAgent ready(String program, FakeBoard board) {
-        RunningAgent agent = RunningAgent.run(program, board);
-        RunningAgent.asked(board, "R open");
-        agent.notes("ready");
-        return agent;
+        return RunningAgent.listening(PROGRAM, board);
     }
 
     /** After what was received before: what is told now is noted next. */
@@ -308,7 +301,7 @@ class GateTest {
     void pass_unachieveOfABroadcast_dropsOnlyWhatABroadcastOfTheSameSenderSet() {
         String program = PROGRAM + "+!keep(X) <- diffuser.note(keeping,X,own); .suspend.";
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             board.receive(ME, "SUPO", "achieve;keep(1)");
             agent.notes("keeping 1 unicast");
             board.receive(ALL, "SUPO", "achieve;keep(2)");
@@ -330,7 +323,7 @@ class GateTest {
     @Test
     void pass_goalWithADeadline_isTakenWithoutIt() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board)) {
+        try (RunningAgent agent = RunningAgent.listening(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board)) {
             board.receive(ME, "SUPO", "achieve;keep(1)[hard_deadline(0)]");
             agent.notes("keeping 1 unicast");
             board.receive(ME, "SUPO", "achieve;keep(2)[hard_deadline(x)]");
@@ -373,7 +366,7 @@ class GateTest {
                 -!ask[error(E)] <- diffuser.note(E).
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             agent.achieve("ask");
             RunningAgent.asked(board, "I CAFE");
             String asked = RunningAgent.next(board.requests, "a question");
@@ -398,7 +391,7 @@ class GateTest {
                 +!go(X) <- diffuser.note(went,X).
                 """ + guard;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             for (String told : List.of("trusted('ROMB')", "trusted(romb)", "trusted('ROMB')[source(self)]",
                     "trusted(X)", "trusted(X)[source(self)]", "trusted('ROMB')[|T]")) {
                 board.receive(ALL, "ROMB", "tell;" + told);
@@ -453,7 +446,7 @@ class GateTest {
         };
         Logger.getLogger("").addHandler(log);
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             board.receive(ME, "ROMB", content);
             board.receive(ALL, "ROMB", content);
             nothingSoFar(agent, board);

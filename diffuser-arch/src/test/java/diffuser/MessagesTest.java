@@ -19,14 +19,7 @@ class MessagesTest {
             """;
 
     private static RunningAgent ready(FakeBoard board) {
-        return ready(PROGRAM, board);
-    }
-
-    private static RunningAgent ready(String program, FakeBoard board) {
-        RunningAgent agent = RunningAgent.run(program, board);
-        RunningAgent.asked(board, "R open");
-        agent.notes("ready");
-        return agent;
+        return RunningAgent.listening(PROGRAM, board);
     }
 
     @Test
@@ -71,7 +64,7 @@ class MessagesTest {
                 +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             board.receive(to, "ROMA", "tell;q(1)");
             agent.notes(cast + " ROMA");
             board.receive(to, "ROMA", "achieve;run(2)");
@@ -96,7 +89,7 @@ class MessagesTest {
     void checkMail_triggerDemandsUnicast_onlySealedOnesCount() {
         String program = PROGRAM + "+help[cast(unicast,S)] <- diffuser.note(S).";
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             sealedAmongForged(board);
             agent.notes("ROMA");
             agent.notes("SUHO");
@@ -109,7 +102,7 @@ class MessagesTest {
     void checkMail_triggerDemandsUnicastOfAnybody_onlySealedOnesCount() {
         String program = PROGRAM + "+help[source(S),cast(unicast,_)] <- diffuser.note(S).";
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             sealedAmongForged(board);
             agent.notes("ROMA");
             agent.notes("SUHO");
@@ -124,7 +117,7 @@ class MessagesTest {
                     diffuser.note(Sealed,All).
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(program, board)) {
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
             sealedAmongForged(board);
             board.receive("////", "SUAM", "tell;check");
             agent.notes("[ROMA,SUHO] [ROMA,SUAM,SUHO,SUPO]");

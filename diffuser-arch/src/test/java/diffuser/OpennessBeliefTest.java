@@ -29,13 +29,13 @@ class OpennessBeliefTest {
     /** An agent that has come from totally closed to a state. */
     private static RunningAgent in(Openness state, FakeBoard board) {
         RunningAgent agent = open(board);
-        if (state.allows(Ability.MOB)) {
+        if (state.abilities().contains(Ability.MOB)) {
             agent.achieve("allow(lte,[mob])");
             changes(agent, "closed", "open");
         }
-        if (!state.allows(Ability.COM)) {
+        if (!state.abilities().contains(Ability.COM)) {
             board.unplug();
-            changes(agent, state.allows(Ability.MOB) ? "open" : "closed", state.atom());
+            changes(agent, state.abilities().contains(Ability.MOB) ? "open" : "closed", state.atom());
         }
         return agent;
     }

@@ -1,6 +1,5 @@
 package diffuser;
 
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -30,21 +29,11 @@ class PublicDifuserTest {
             """;
 
     private static RunningAgent difuser(String program, FakeBoard... boards) {
-        return RunningAgent.run(program, null, List.of(ScriptedPublicDifuser.class.getName()), boards);
+        return RunningAgent.run(program, null, List.of(ScriptedArgo.class.getName()), boards);
     }
 
     private static FakeBoard board(String port) {
         return new FakeBoard(port).withRfId("SUPO");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"Difuser", "jason.Difuser"})
-    void architecture_eachNameOfThePublicOne_isFound(String name) throws Exception {
-        String program = "!start. +!start <- .difuser.port(none); .difuser.listen(open); diffuser.note(done).";
-        try (RunningAgent agent = RunningAgent.run(program, null, List.of(name))) {
-            agent.notes("done");
-            assertInstanceOf(jason.Difuser.class, agent.diffuser());
-        }
     }
 
     @Test

@@ -84,6 +84,14 @@ final class RunningAgent implements AutoCloseable {
         return run(program, null, List.of(ScriptedDiffuser.class.getName()), boards);
     }
 
+    /** An agent whose program opens the radio and notes that it is ready; its board has opened it. */
+    static RunningAgent listening(String program, FakeBoard board) {
+        RunningAgent agent = run(program, board);
+        asked(board, "R open");
+        agent.notes("ready");
+        return agent;
+    }
+
     static RunningAgent run(String program, LocalEnvironment environment, List<String> archs, FakeBoard... boards) {
         List.of(boards).forEach(ScriptedDiffuser::plug);
         return run(new RunningAgent("tester" + COUNT.incrementAndGet()), program, environment, archs);

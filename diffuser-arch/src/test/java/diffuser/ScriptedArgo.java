@@ -1,12 +1,12 @@
 package diffuser;
 
-import jason.Argo;
+import jason.Difuser;
 
 import javino.board.BoardConfig;
 import javino.link.LinkOpener;
 
-/** An Argo whose ports are fake boards, as those of {@link ScriptedDiffuser} are. */
-public class ScriptedArgo extends Argo {
+/** The public Difuser, which is an Argo too; its ports are fake boards, as those of {@link ScriptedDiffuser} are. */
+public class ScriptedArgo extends Difuser {
 
     private static final long serialVersionUID = 1L;
 
