@@ -22,8 +22,9 @@ final class Chart {
     private static final int BETWEEN_LIFELINES = 190;
     private static final int HEAD = 56;
     private static final int ROW = 30;
-    /** Pixels that a letter of 12 pixels takes at most, on the average of a line. */
+    /** Pixels that a monospaced letter of 11 pixels takes. */
     private static final double LETTER = 6.6;
+    private static final int PADDING = 8;
 
     private final List<Observation> evidence = new ArrayList<>();
 
@@ -77,11 +78,12 @@ final class Chart {
 
     /** What a device said or did: a box that begins at its lifeline, and the last one's ends there. */
     private static String box(Device device, String text, int y, String fill) {
-        int width = (int) (text.length() * LETTER) + 16;
-        int left = Math.min(x(device) - 8, WIDTH - 8 - width);
+        int length = (int) Math.round(text.length() * LETTER);
+        int left = Math.min(x(device) - PADDING, WIDTH - length - 3 * PADDING);
+        // By its textLength the text fits its box where monospaced letters are narrower, too.
         return String.format("""
-            <rect x="%d" y="%d" width="%d" height="20" rx="6" fill="%s" stroke="%s"/><text x="%d" y="%d">%s</text>
-            """, left, y - 10, width, fill, device.hue, left + 8, y + 4, escaped(text));
+            <rect x="%d" y="%d" width="%d" height="20" rx="6" fill="%s" stroke="%s"/><text x="%d" y="%d" textLength="%d" font-family="monospace" font-size="11">%s</text>
+            """, left, y - 10, length + 2 * PADDING, fill, device.hue, left + PADDING, y + 4, length, escaped(text));
     }
 
     /** A packet: an arrow to each device that it is for, and above it what an eavesdropper can read. */
