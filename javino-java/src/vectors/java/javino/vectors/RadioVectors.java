@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 
 /** SPEC 6: packets to the bit. */
-final class RadioVectors {
+public final class RadioVectors {
 
     /** Each nibble's symbol as its six bits in the order they are sent. */
     private static final String[] SYMBOLS = {
@@ -50,14 +50,20 @@ final class RadioVectors {
     }
 
     private static Map<String, Object> valid(byte[] payload) {
-        return vector("payload", Wire.hex(payload), "bits", START + code(packet(payload)));
+        return vector("payload", Wire.hex(payload), "bits", bits(payload));
     }
 
     private static Map<String, Object> invalid(String bits, String why) {
         return vector("bits", bits, "why", why);
     }
 
-    private static byte[] packet(byte[] payload) {
+    /** All that the carrier shows of a payload, as text of {@code 0} and {@code 1}, the first sent first. */
+    public static String bits(byte[] payload) {
+        return START + code(packet(payload));
+    }
+
+    /** Count, payload and checksum. */
+    public static byte[] packet(byte[] payload) {
         return counted(payload.length + 3, payload);
     }
 

@@ -4,6 +4,7 @@ import java.time.Duration;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.SerialLink;
+import javino.vectors.RadioVectors;
 
 /** The board with the sketch {@code Transmitter}, which sends any bytes as a packet. */
 public final class Transmitter implements AutoCloseable {
@@ -22,7 +23,7 @@ public final class Transmitter implements AutoCloseable {
 
     /** Sends a payload with the right count and CRC, and waits until it has been on the air. */
     public void send(byte[] payload) throws LinkException {
-        sendPacket(LineCode.packet(payload));
+        sendPacket(RadioVectors.packet(payload));
     }
 
     /** Sends a packet's bytes as they are, and waits until they have been on the air. */

@@ -7,7 +7,6 @@ import harness.Host;
 import harness.LineCode;
 import harness.TestKeys;
 import harness.TraceEvent;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -49,8 +48,7 @@ class ProMiniTest {
 
         List<TraceEvent> edges = emulator.trace().stream().filter(event -> event.is("pin", "mini"))
             .dropWhile(edge -> edge.number("level") == 0).toList();
-        assertEquals("////LAMPBItell;help",
-            new String(LineCode.payload(LineCode.bits(edges, BIT_SECONDS)), StandardCharsets.US_ASCII));
+        assertEquals(LineCode.bits("////LAMPBItell;help"), LineCode.bits(edges, BIT_SECONDS));
         double seconds = edges.get(edges.size() - 1).seconds() - edges.get(0).seconds();
         assertEquals(0, Math.IEEEremainder(seconds, BIT_SECONDS), BIT_SECONDS / 100);
     }
