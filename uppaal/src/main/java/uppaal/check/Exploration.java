@@ -1,9 +1,13 @@
 package uppaal.check;
 
+import java.nio.IntBuffer;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import uppaal.ModelException;
 import uppaal.network.JointMove;
 import uppaal.network.Network;
@@ -16,7 +20,11 @@ public final class Exploration {
     private final Network network;
     private final List<Property> properties;
     private final Successors successors;
-    private final StateStore store;
+    /** In the order of finding. */
+    private final List<int[]> states = new ArrayList<>();
+    /** The number of the state that each was first reached from. */
+    private final List<Integer> parents = new ArrayList<>();
+    private final Set<IntBuffer> known = new HashSet<>();
     private final int[] settled;
     private int deadlocks;
 
@@ -24,7 +32,6 @@ public final class Exploration {
         this.network = network;
         this.properties = List.copyOf(properties);
         this.successors = new Successors(network);
-        this.store = new StateStore(network.slots());
         this.settled = new int[properties.size()];
         Arrays.fill(settled, NOWHERE);
     }
@@ -42,7 +49,7 @@ public final class Exploration {
 
     /** How many states can be reached, the first included. */
     public int states() {
-        return store.size();
+        return states.size();
     }
 
     /** How many of them have no next state. */
@@ -67,8 +74,8 @@ public final class Exploration {
      */
     public static Exploration untilSettled(Network network, List<Property> properties) {
         Exploration exploration = new Exploration(network, properties);
-        exploration.store.add(network.initial(), NOWHERE);
-        for (int number = 0; number < exploration.store.size() && !exploration.anySettled(); number++) {
+        exploration.add(network.initial(), NOWHERE);
+        for (int number = 0; number < exploration.states() && !exploration.anySettled(); number++) {
             exploration.visit(number);
         }
         return exploration;
@@ -79,17 +86,24 @@ public final class Exploration {
     }
 
     private void run() {
-        store.add(network.initial(), NOWHERE);
-        for (int number = 0; number < store.size(); number++) {
+        add(network.initial(), NOWHERE);
+        for (int number = 0; number < states(); number++) {
             visit(number);
         }
     }
 
+    private void add(int[] state, int parent) {
+        if (known.add(IntBuffer.wrap(state))) {
+            states.add(state);
+            parents.add(parent);
+        }
+    }
+
     private void visit(int number) {
-        int[] state = store.get(number);
+        int[] state = states.get(number);
         List<JointMove> moves = possible(state);
         for (JointMove move : moves) {
-            store.add(move.target(), number);
+            add(move.target(), number);
         }
         deadlocks += moves.isEmpty() ? 1 : 0;
         int[] observed = network.observed(state, moves.isEmpty());
@@ -110,11 +124,11 @@ public final class Exploration {
 
     private Trace traceTo(int number) {
         ArrayDeque<JointMove> moves = new ArrayDeque<>();
-        for (int at = number; store.parent(at) != NOWHERE; at = store.parent(at)) {
-            int[] target = store.get(at);
-            moves.addFirst(successors.of(store.get(store.parent(at))).stream()
+        for (int at = number; parents.get(at) != NOWHERE; at = parents.get(at)) {
+            int[] target = states.get(at);
+            moves.addFirst(successors.of(states.get(parents.get(at))).stream()
                 .filter(move -> Arrays.equals(move.target(), target)).findFirst().orElseThrow());
         }
-        return new Trace(network, List.copyOf(moves), store.get(number));
+        return new Trace(network, List.copyOf(moves), states.get(number));
     }
 }
