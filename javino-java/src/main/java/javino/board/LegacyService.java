@@ -41,7 +41,7 @@ final class LegacyService {
     /** Returns when the session was closed. */
     void run(BoardInfo board) throws LinkException, LostException {
         if (Boolean.TRUE.equals(context.radio().get())) {
-            warn(new LegacyBoardException(Request.radio(true).toString()).getMessage());
+            context.listener().warn(new LegacyBoardException(Request.radio(true).toString()).getMessage());
         }
         while (!context.queue().isClosed()) {
             Pending<?> request = context.queue().next(next);
@@ -53,10 +53,6 @@ final class LegacyService {
                 look();
             }
         }
-    }
-
-    private void warn(String what) {
-        context.listener().tell(listener -> listener.warning(what));
     }
 
     private void perform(Pending<?> pending, BoardInfo board) throws LinkException {
@@ -122,7 +118,7 @@ final class LegacyService {
         long more = exchange.skipped() - skipped;
         skipped += more;
         if (more > 0 && !damaged) {
-            warn(more + " bytes from the board were skipped, as they are no message: the line is"
+            context.listener().warn(more + " bytes from the board were skipped, as they are no message: the line is"
                     + " damaged, or its percepts are longer than " + LegacyMessage.MAX_LENGTH + " bytes together");
         }
         damaged = more > 0;

@@ -15,6 +15,10 @@ final class ListenerGuard {
         this.counters = counters;
     }
 
+    void warn(String what) {
+        tell(to -> to.warning(what));
+    }
+
     /** Calls the listener. */
     void tell(Consumer<BoardListener> call) {
         try {

@@ -100,7 +100,7 @@ final class Perception {
 
     void take(List<Bytes> literals, boolean someLeftOut) {
         if (someLeftOut && !leftOut) {
-            listener.tell(to -> to.warning("the board has more percepts than fit one reply; the last ones are left out"));
+            listener.warn("the board has more percepts than fit one reply; the last ones are left out");
         }
         leftOut = someLeftOut;
         if (!literals.equals(percepts)) {
@@ -128,7 +128,7 @@ final class Perception {
                 texts.add(literal.text());
             } catch (ProtocolException e) {
                 counters.count(SessionCounter.DAMAGED_RECORDS);
-                listener.tell(to -> to.warning("a percept was skipped: " + e.getMessage()));
+                listener.warn("a percept was skipped: " + e.getMessage());
             }
         }
         listener.tell(to -> to.percepts(List.copyOf(texts)));

@@ -27,6 +27,7 @@ final class Polling {
     private boolean owesTaken;
     /** Whether the last poll asked for percepts. */
     private boolean asksPercepts;
+    private boolean isLast;
     /** Whether percepts came just now, so that the next poll, made at once, is for what may have had no room. */
     private boolean perceptsCrowd;
 
@@ -107,12 +108,13 @@ final class Polling {
 
     /** Takes over all that the poll brought. */
     void take(PollReply reply) {
-        answered();
+        owesTaken = false;
+        repeats.confirmed();
         List<Bytes> literals = new ArrayList<>();
         for (PollReply.Item item : reply.records()) {
             if (item instanceof PollReply.Percept percept) {
                 literals.add(percept.literal());
-            } else if (item instanceof PollReply.Message message) {
+            } else if (item instanceof PollReply.Message message && !isLast) {
                 takeMessage(message);
             } else if (item instanceof PollReply.Transmission transmission) {
                 end(transmission);
@@ -124,24 +126,11 @@ final class Polling {
         perceptsCrowd = asksPercepts && (reply.more() || owesTaken);
     }
 
-    /** A poll that only says what is taken. */
+    /** A poll that only says what is taken: messages that it brings stay with the board, for the next run of the host. */
     Request lastPoll() {
+        asksPercepts = false;
+        isLast = true;
         return Request.poll(false, taken);
-    }
-
-    /** Takes the outcomes of the last poll; its messages stay with the board, for the next run of the host. */
-    void takeLast(PollReply reply) {
-        answered();
-        for (PollReply.Item item : reply.records()) {
-            if (item instanceof PollReply.Transmission transmission) {
-                end(transmission);
-            }
-        }
-    }
-
-    private void answered() {
-        owesTaken = false;
-        repeats.confirmed();
     }
 
     private void takeMessage(PollReply.Message message) {
@@ -159,8 +148,7 @@ final class Polling {
             context.listener().tell(listener -> listener.message(received));
         } catch (ProtocolException e) {
             context.counters().count(SessionCounter.DAMAGED_RECORDS);
-            context.listener().tell(listener -> listener.warning(
-                    "a message from " + message.origin() + " was skipped: " + e.getMessage()));
+            context.listener().warn("a message from " + message.origin() + " was skipped: " + e.getMessage());
         }
     }
 }

@@ -49,11 +49,11 @@ final class Service {
         try {
             Status status = tell(request).status();
             if (status != Status.OK) {
-                warn(new RequestFailedException(request.toString(), status).getMessage());
+                context.listener().warn(new RequestFailedException(request.toString(), status).getMessage());
             }
         } catch (ProtocolException e) {
             context.counters().count(SessionCounter.BAD_REPLIES);
-            warn("the reply to " + request + " was dropped: " + e.getMessage());
+            context.listener().warn("the reply to " + request + " was dropped: " + e.getMessage());
         }
     }
 
@@ -76,10 +76,6 @@ final class Service {
             throw new ProtocolException(ProtocolError.BAD_REPLY, "list actions answered with " + reply.status());
         }
         return reply.actionNames();
-    }
-
-    private void warn(String what) {
-        context.listener().tell(listener -> listener.warning(what));
     }
 
     /** Returns when the session was closed. */
@@ -156,7 +152,7 @@ final class Service {
     /** Says at the end what was taken, so that its sender learns of it and the next run does not get it again. */
     private void confirm() throws LinkException, LostException {
         try {
-            polling.takeLast(pollReply(ask(polling.lastPoll())));
+            polling.take(pollReply(ask(polling.lastPoll())));
         } catch (ProtocolException e) {
             badPollReply(e);
         }
@@ -166,7 +162,7 @@ final class Service {
         context.counters().count(SessionCounter.BAD_REPLIES);
         // Once for a row of them: there may be fifty a second.
         if (!pollsFail) {
-            warn("replies to polls are dropped: " + e.getMessage());
+            context.listener().warn("replies to polls are dropped: " + e.getMessage());
         }
         pollsFail = true;
     }

@@ -1,5 +1,6 @@
 package javino.link;
 
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -14,7 +15,7 @@ public final class InMemoryLink implements Link {
     private final String name;
     private final BlockingQueue<byte[]> incoming;
     private final BlockingQueue<byte[]> outgoing;
-    private byte[] rest = new byte[0];
+    private ByteBuffer rest = ByteBuffer.allocate(0);
     private volatile boolean closed;
 
     private InMemoryLink(String name, BlockingQueue<byte[]> incoming, BlockingQueue<byte[]> outgoing) {
@@ -51,14 +52,11 @@ public final class InMemoryLink implements Link {
 
     @Override
     public int read(byte[] into, Duration timeout) throws LinkException {
-        if (rest.length == 0) {
-            rest = await(timeout);
+        if (!rest.hasRemaining()) {
+            rest = ByteBuffer.wrap(await(timeout));
         }
-        int count = Math.min(rest.length, into.length);
-        System.arraycopy(rest, 0, into, 0, count);
-        byte[] remaining = new byte[rest.length - count];
-        System.arraycopy(rest, count, remaining, 0, remaining.length);
-        rest = remaining;
+        int count = Math.min(rest.remaining(), into.length);
+        rest.get(into, 0, count);
         return count;
     }
 

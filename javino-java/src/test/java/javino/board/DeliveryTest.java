@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import javino.protocol.Bytes;
@@ -226,16 +227,19 @@ class DeliveryTest extends BoardFixture {
     void close_messageJustHandedOn_saysThatItIsTakenAndLeavesTheNext() throws Exception {
         CompletableFuture<Board> opened = new CompletableFuture<>();
         CompletableFuture<Void> ending = new CompletableFuture<>();
+        List<Integer> handedOn = new CopyOnWriteArrayList<>();
         fake.receive("SUPO", "ROMA", 1, "tell;" + "x".repeat(400));
         fake.receive("SUPO", "ROMA", 2, "tell;" + "y".repeat(400));
         openRarelyPolling(new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
+                handedOn.add(message.id());
                 opened.join().end().thenAccept(ending::complete);
             }
         });
         opened.complete(board);
         ending.get();
+        assertEquals(List.of(1), handedOn);
         assertEquals(List.of(POLL, POLL + "00"), polls());
         open(listener);
         fake.awaitAllTaken();
