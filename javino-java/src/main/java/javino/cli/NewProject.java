@@ -21,20 +21,28 @@ import javino.JavinoException;
 record NewProject(String name, Kind kind, Path javinoHome) {
 
     private static final List<String> COMMON = List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
-            ".gitignore", "logging.properties", "board.json", "src/agt/robot.asl", "sketch/Robot/Robot.ino");
+            ".gitignore", "logging.properties", "board.json", "sketch/Robot/Robot.ino");
 
     /** What runs the agent of a project. */
     enum Kind {
-        JASON("jason", "robot.mas2j", List.of("build.gradle", "robot.mas2j")),
-        JACAMO("jacamo", "robot.jcm", List.of("build.gradle", "robot.jcm", ".jcm-deps.gradle"));
+        JASON("jason", "robot.mas2j", "", List.of("build.gradle", "robot.mas2j", "src/agt/robot.asl")),
+        JACAMO("jacamo", "robot.jcm", """
+                | `src/agt/keeper.asl` | another agent, without a board |
+                | `src/env/house/Diary.java` | an artifact, which both agents use |
+                | `src/org/house.xml` | the organisation, which gives each agent its goals |
+                """, List.of("build.gradle", "robot.jcm", ".jcm-deps.gradle", "src/agt/robot.asl",
+                "src/agt/keeper.asl", "src/env/house/Diary.java", "src/org/house.xml"));
 
         private final String resources;
         private final String masFile;
+        /** Lines of the README's table of files. */
+        private final String moreFiles;
         private final List<String> files;
 
-        Kind(String resources, String masFile, List<String> files) {
+        Kind(String resources, String masFile, String moreFiles, List<String> files) {
             this.resources = resources;
             this.masFile = masFile;
+            this.moreFiles = moreFiles;
             this.files = files;
         }
     }
@@ -71,7 +79,7 @@ record NewProject(String name, Kind kind, Path javinoHome) {
 
     private void write(Path file, String template) throws IOException {
         Files.createDirectories(file.getParent());
-        Files.writeString(file, template.replace("@name@", name).replace("@masFile@", kind.masFile)
+        Files.writeString(file, template.replace("@name@", name).replace("@masFile@", kind.masFile).replace("@moreFiles@", kind.moreFiles)
                 .replace("@javinoHome@", property("javinoHome", javinoHome.toString())));
     }
 

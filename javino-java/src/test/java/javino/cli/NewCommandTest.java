@@ -45,12 +45,12 @@ class NewCommandTest extends CommandFixture {
     }
 
     @Test
-    void new_jacamo_hasTheSameAgentInAProjectOfJaCaMo() throws IOException {
+    void new_jacamo_hasTheSameBoardInAProjectOfJaCaMo() throws IOException {
         Path jason = folder.resolve("one");
         Path jacamo = folder.resolve("two");
         assertEquals(0, run("new", "--jason", jason.toString()), err.toString());
         assertEquals(0, run("new", "--jacamo", jacamo.toString()), err.toString());
-        for (String same : List.of("src/agt/robot.asl", "sketch/Robot/Robot.ino", "board.json", "javino.gradle")) {
+        for (String same : List.of("sketch/Robot/Robot.ino", "board.json", "javino.gradle")) {
             assertEquals(text(jason.resolve(same)), text(jacamo.resolve(same)));
         }
         String library = "org.javino:diffuser-arch:";
@@ -61,6 +61,14 @@ class NewCommandTest extends CommandFixture {
         assertTrue(mas.contains("uses package: javino \"" + library + version + "\"\n"), mas);
         assertTrue(text(jacamo.resolve(".jcm-deps.gradle")).contains("implementation('" + library + version + "')"));
         assertTrue(text(jacamo.resolve("README.md")).contains("`robot.jcm`"));
+        for (String file : List.of("src/agt/keeper.asl", "src/env/house/Diary.java", "src/org/house.xml")) {
+            assertTrue(Files.exists(jacamo.resolve(file)), file);
+            assertTrue(text(jacamo.resolve("README.md")).contains("`" + file + "`"), file);
+            assertFalse(text(jason.resolve("README.md")).contains(file), file);
+        }
+        for (String named : List.of("agent keeper : keeper.asl", "artifact diary : house.Diary()", "organisation house : house.xml")) {
+            assertTrue(mas.contains(named), mas);
+        }
         assertTrue(text(jacamo.resolve("build.gradle")).matches("(?s).*'org\\.jacamo:jacamo:\\d.*"));
     }
 
@@ -70,7 +78,7 @@ class NewCommandTest extends CommandFixture {
         Path project = folder.resolve("robot");
         assertEquals(0, run("new", kind, project.toString()), err.toString());
         for (Path file : files(project)) {
-            assertFalse(text(project.resolve(file)).contains("@"), file.toString());
+            assertFalse(text(project.resolve(file)).matches("(?s).*@\\w+@.*"), file.toString());
         }
     }
 
