@@ -65,7 +65,7 @@ class NumbersTest {
             says("SPEC.md", "begins within %d ms of that one's end", firmware("REPEAT_MILLIS")),
             says("SPEC.md", "waits for %d ms of quiet air", PATIENCE),
             says("SPEC.md", "slots of %d bits", SLOT),
-            says("SPEC.md", "After %d quiet slots, what is new", firmware("LONG_QUIET")),
+            says("SPEC.md", "After %d quiet slots, a new message", firmware("LONG_QUIET")),
             says("SPEC.md", "waits for %d quiet slots and a random number of further ones, of 0…%d, from the second attempt "
                 + "on of 0…%d", firmware("FIRST_SLOTS"), SPAN, (SPAN + 1 << firmware("LAST_DOUBLING")) - 1),
             says("DESIGN.md", "Three digits cost 4 of the %d bytes of a packet", SEALED),
