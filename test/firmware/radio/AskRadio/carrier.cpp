@@ -14,14 +14,25 @@ Bits inverted(Bits bits, size_t place) {
 
 AirLine lineOf(const Bits &bits) { return AirLine().bits(bits, Modem::BIT).silence(30 * Modem::BIT); }
 
+// A line's level in the middle of each step.
+std::vector<bool> levels(const AirLine &line, double step) {
+  std::vector<bool> levels;
+  double end = 0;
+  for (const AirLine::Run &run : line.runs()) {
+    end += run.ticks;
+    while ((levels.size() + 0.5) * step < end) levels.push_back(run.level);
+  }
+  return levels;
+}
+
 // A line on which either of two is on the air.
 AirLine bothOf(const Bits &first, const Bits &second, double shift) {
-  const AirLine a = AirLine().bits(first, Modem::BIT), b = AirLine().bits(second, Modem::BIT);
-  AirLine both;
   const double step = Modem::BIT / 50;
-  const double end = std::max(a.duration(), shift + b.duration());
-  for (double at = step / 2; at < end; at += step)
-    both.hold(a.levelAt(at) || (at >= shift && b.levelAt(at - shift)), step);
+  const std::vector<bool> a = levels(AirLine().bits(first, Modem::BIT), step);
+  const std::vector<bool> b = levels(AirLine().hold(false, shift).bits(second, Modem::BIT), step);
+  AirLine both;
+  for (size_t i = 0; i < a.size() || i < b.size(); i++)
+    both.hold((i < a.size() && a[i]) || (i < b.size() && b[i]), step);
   return both.silence(30 * Modem::BIT);
 }
 
