@@ -5,16 +5,23 @@
 #include <string.h>
 
 #include <simavr/avr_ioport.h>
+#include <simavr/avr_timer.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
 
 #include "firmware.h"
-#include "timer_modes.h"
 
 // simavr may run so many cycles between two looks at the clock; bounds the overrun of board_run.
 #define RUN_LIMIT 64
 // r0…r31 lie at the start of the data space.
 #define REGISTERS 32
+
+// The mode bits of phase-correct PWM, 8 bits: 1 on all timers; 9 and 10 bits: 2 and 3 on those of
+// 16 bits, where 8-bit timers have other modes that simavr knows (ATmega2560 data sheet,
+// tables 16-8 and 17-2).
+#define FIRST_MODE 1
+#define LAST_MODE 3
+#define FIRST_WIDTH 8
 
 // What simavr hands back when a port register changes.
 struct board_port_link {
@@ -101,6 +108,20 @@ static void eeprom_written(void *context) {
   b->listener.eeprom_written(b->listener.context);
 }
 
+// Fills a gap of simavr: it knows no phase-correct PWM, and a timer in such a mode overflows at each of its clocks; the
+// Arduino core puts timers 1 to 5 into that mode at start. Takes it as fast PWM of the same width, which overflows twice as
+// often as the chip would. An idle Arduino then takes a fifteenth of the work.
+static void complete_timer_modes(struct avr_t *avr) {
+  for (avr_io_t *part = avr->io_port; part; part = part->next) {
+    if (!part->kind || strcmp(part->kind, "timer") != 0) continue;
+    avr_timer_t *timer = (avr_timer_t *)part;  // each part begins with its avr_io_t
+    for (int mode = FIRST_MODE; mode <= LAST_MODE; mode++)
+      if (timer->wgm_op[mode].kind == avr_timer_wgm_none)
+        timer->wgm_op[mode] = (avr_timer_wgm_t){.kind = avr_timer_wgm_fast_pwm,
+                                                .size = (uint32_t)(FIRST_WIDTH + mode - FIRST_MODE) & 0xF};
+  }
+}
+
 int board_init(board *b, const model *m, const char *firmware, board_listener listener, char *error,
                size_t error_size) {
   memset(b, 0, sizeof *b);
@@ -113,7 +134,7 @@ int board_init(board *b, const model *m, const char *firmware, board_listener li
   b->avr->frequency = CYCLES_PER_SECOND / m->clock_cycles;
   b->avr->vcc = b->avr->avcc = b->avr->aref = (uint32_t)m->supply_mv;
   b->avr->reset = chip_reset;
-  timer_modes_complete(b->avr);
+  complete_timer_modes(b->avr);
   link_ports(b);
   eeprom_init(&b->memory, b->avr, (eeprom_listener){b, eeprom_written});
   return firmware_load(b->avr, m, firmware, error, error_size);

@@ -9,7 +9,7 @@
 
 #include "clock.h"
 #include "eeprom.h"
-#include "pins.h"
+#include "model.h"
 #include "prng.h"
 
 struct avr_t;

@@ -3,6 +3,8 @@
 #ifndef JAVINO_MODEL_H
 #define JAVINO_MODEL_H
 
+#include <stdbool.h>
+
 typedef struct {
   const char *name;       // in a scenario
   const char *chip;       // as its data sheet writes it
@@ -26,5 +28,23 @@ extern const char *const MODEL_NAMES[];
 
 // The model whose name is the index-th.
 const model *model_at(int index);
+
+// Which port bit of the chip is behind a digital pin.
+typedef struct {
+  char port;  // 'A'…'L' without 'I'
+  int bit;    // 0…7
+} pin_location;
+
+// Where `pin`, one of the model's, is on the chip.
+pin_location pin_locate(const model *m, int pin);
+
+// The pin at a port bit, or -1 where the model brings none out.
+int pin_at(const model *m, char port, int bit);
+
+// Reads a number or "A0" and so on. Returns the pin, or -1 where the model has none of this name.
+int pin_parse(const model *m, const char *text);
+
+// Whether the simulated converter takes values for the pin.
+bool pin_is_analog(const model *m, int pin);
 
 #endif

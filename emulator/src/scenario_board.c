@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pins.h"
+#include "model.h"
 
 #define DEFAULT_TX_PIN 12
 #define DEFAULT_RX_PIN 11

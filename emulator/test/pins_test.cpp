@@ -5,7 +5,7 @@
 #include <set>
 
 extern "C" {
-#include "pins.h"
+#include "model.h"
 }
 
 static void expect_pin(const model &m, int pin, char port, int bit) {
