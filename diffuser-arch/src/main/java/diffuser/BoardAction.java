@@ -5,7 +5,6 @@ import java.util.concurrent.atomic.AtomicLong;
 
 import jason.JasonException;
 import jason.asSemantics.TransitionSystem;
-import jason.asSemantics.Unifier;
 import jason.asSyntax.Term;
 
 /**
@@ -33,9 +32,9 @@ public abstract class BoardAction extends DiffuserAction {
     }
 
     @Override
-    public final Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
-        checkArguments(args);
-        CompletableFuture<?> answer = start(Diffuser.of(ts), args);
+    protected final void perform(Diffuser diffuser, Term[] args) throws JasonException {
+        CompletableFuture<?> answer = start(diffuser, args);
+        TransitionSystem ts = diffuser.getTS();
         String key = getClass().getSimpleName() + "/javino/" + COUNT.incrementAndGet();
         Intentions.await(ts.getC(), key);
         answer.whenComplete((done, thrown) -> {
@@ -45,6 +44,5 @@ public abstract class BoardAction extends DiffuserAction {
                 Intentions.fail(ts, key, Failure.of(thrown));
             }
         });
-        return true;
     }
 }

@@ -1,6 +1,10 @@
 package diffuser;
 
+import jason.JasonException;
 import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.Term;
 
 /** An internal action of an agent with a board: it does something, so no context may ask it. Takes one argument. */
 public abstract class DiffuserAction extends DefaultInternalAction {
@@ -21,4 +25,19 @@ public abstract class DiffuserAction extends DefaultInternalAction {
     public final boolean canBeUsedInContext() {
         return false;
     }
+
+    @Override
+    public final Object execute(TransitionSystem ts, Unifier un, Term[] args) throws JasonException {
+        checkArguments(args);
+        perform(Diffuser.of(ts), args);
+        return true;
+    }
+
+    /**
+     * Does what the action is for.
+     *
+     * @param args checked.
+     * @throws JasonException why the action fails.
+     */
+    protected abstract void perform(Diffuser diffuser, Term[] args) throws JasonException;
 }

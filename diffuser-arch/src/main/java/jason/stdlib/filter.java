@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 
 import jason.JasonException;
-import jason.asSemantics.TransitionSystem;
-import jason.asSemantics.Unifier;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.LogExpr;
@@ -48,16 +46,13 @@ public class filter extends DiffuserAction {
     }
 
     @Override
-    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
-        checkArguments(args);
-        Diffuser diffuser = Diffuser.of(ts);
+    protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
         switch (Names.of(args[0]).orElse("")) {
             case "except" -> diffuser.filter(filter(Filter.Kind.EXCEPT, args));
             case "only", "value" -> diffuser.filter(filter(Filter.Kind.ONLY, args));
             case "remove" -> remove(diffuser, args);
             default -> throw unknown(args[0]);
         }
-        return true;
     }
 
     private void remove(Diffuser diffuser, Term[] args) throws JasonException {

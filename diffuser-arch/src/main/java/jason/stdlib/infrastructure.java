@@ -4,8 +4,6 @@ import java.util.EnumSet;
 import java.util.Set;
 
 import jason.JasonException;
-import jason.asSemantics.TransitionSystem;
-import jason.asSemantics.Unifier;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Term;
 
@@ -42,12 +40,10 @@ public class infrastructure extends DiffuserAction {
     }
 
     @Override
-    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
-        checkArguments(args);
+    protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
         String name = Names.of(args[0]).orElseThrow(() -> JasonException.createWrongArgument(this,
                 "a name for the infrastructure was expected, not '" + args[0] + "'."));
-        Diffuser.of(ts).setInfrastructure(name, abilities(args[1]));
-        return true;
+        diffuser.setInfrastructure(name, abilities(args[1]));
     }
 
     private Set<Ability> abilities(Term argument) throws JasonException {

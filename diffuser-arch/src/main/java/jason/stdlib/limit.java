@@ -1,7 +1,6 @@
 package jason.stdlib;
 
-import jason.asSemantics.TransitionSystem;
-import jason.asSemantics.Unifier;
+import jason.JasonException;
 import jason.asSyntax.Term;
 
 import diffuser.Arguments;
@@ -28,9 +27,7 @@ public class limit extends DiffuserAction {
     private static final long serialVersionUID = 1L;
 
     @Override
-    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
-        checkArguments(args);
-        Diffuser.of(ts).limitPercepts(Arguments.milliseconds(this, args[0]));
-        return true;
+    protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
+        diffuser.limitPercepts(Arguments.milliseconds(this, args[0]));
     }
 }

@@ -1,7 +1,6 @@
 package jason.stdlib;
 
-import jason.asSemantics.TransitionSystem;
-import jason.asSemantics.Unifier;
+import jason.JasonException;
 import jason.asSyntax.Term;
 
 import diffuser.Arguments;
@@ -30,9 +29,7 @@ public class silence extends DiffuserAction {
     private static final long serialVersionUID = 1L;
 
     @Override
-    public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws Exception {
-        checkArguments(args);
-        Diffuser.of(ts).limitSilence(Arguments.milliseconds(this, args[0]));
-        return true;
+    protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
+        diffuser.limitSilence(Arguments.milliseconds(this, args[0]));
     }
 }
