@@ -6,58 +6,58 @@
 #include <avr/io.h>
 #endif
 
-/// How much the board remembers, in one place. Each value can be set with -D on the compiler's command line. Of two
-/// defaults the first fits an ATmega2560 (8 KiB of RAM, 4 KiB of EEPROM), the second an ATmega328P (2 KiB and 1 KiB).
-/// What each costs in RAM stands beside it.
+/// The sizes of all that a board remembers. -D on the compiler's command line sets each of them. If there are two
+/// defaults, the first fits an ATmega2560 (8 KiB of RAM, 4 KiB of EEPROM), the second an ATmega328P (2 KiB and 1 KiB).
+/// Each comment says the cost in RAM.
 #if defined(JAVINO_SMALL) || (defined(RAMEND) && RAMEND < 0x1000)
 #define JAVINO_BY_CHIP(large, small) small
 #else
 #define JAVINO_BY_CHIP(large, small) large
 #endif
 
-/// Keys in the EEPROM store, next and previous ones included, 1…63 (one reply lists them all). 4 bytes of RAM and 44 of EEPROM
-/// each, and for one place more, which a new key is written to before an old one goes.
+/// Keys in the EEPROM store, with next and previous ones, 1…63 (one reply lists them all). Each takes 4 bytes of RAM and
+/// 44 of EEPROM, and so does one more place, where a new key is written before an old one is deleted.
 #ifndef JAVINO_KEYS
 #define JAVINO_KEYS JAVINO_BY_CHIP(16, 6)
 #endif
 
-/// Origins, counted once for each key, whose last nonce is remembered, at least as many as keys, at most 253. Each key of a
-/// pair has a place kept for it; groups share the others. 13 bytes of RAM each.
+/// Origins, counted once for each key, whose last nonce is remembered: at least as many as keys, at most 253. Each key of
+/// a pair has its own place; groups share the others. 13 bytes of RAM each.
 #ifndef JAVINO_REPLAY_ENTRIES
 #define JAVINO_REPLAY_ENTRIES JAVINO_BY_CHIP(24, 6)
 #endif
 
-/// Places of the ring that holds the floors of these nonces, more than the entries by one or more, at most 254. 26 bytes
-/// of EEPROM each. The more of them are free, the longer the EEPROM lasts: see ReplayMemory.h.
+/// Places of the ring with the floors of these nonces: more than the entries above, at most 254. 26 bytes of EEPROM
+/// each. The more of them are free, the longer the EEPROM lasts: see ReplayMemory.h.
 #ifndef JAVINO_FLOOR_SLOTS
 #define JAVINO_FLOOR_SLOTS JAVINO_BY_CHIP(96, 23)
 #endif
 
 /// The longest message (SPEC 2) that the board sends, receives and exchanges with its host, 84…511 bytes; a content is
-/// 17 shorter. It sizes two packets of the serial line, each half-received message and the least that the two queues below
-/// hold.
+/// 17 shorter. It sets the size of two packets of the serial line, of each half-received message, and the least size
+/// of the two queues below.
 #ifndef JAVINO_MAX_MESSAGE
 #define JAVINO_MAX_MESSAGE JAVINO_BY_CHIP(511, 84)
 #endif
 
-/// Bytes for received messages that wait for the host: each takes its content and 17 more. RAM as it says.
+/// Bytes of RAM for received messages that wait for the host: each takes its content and 17 bytes more.
 #ifndef JAVINO_RECEIVE_BYTES
 #define JAVINO_RECEIVE_BYTES JAVINO_BY_CHIP(640, 96)
 #endif
 
-/// Bytes for messages that wait for the air: each takes its content and 26 more, a broadcast 12. RAM as it says.
+/// Bytes of RAM for messages that wait for the air: each takes its content and 26 bytes more, a broadcast 12.
 #ifndef JAVINO_TRANSMIT_BYTES
 #define JAVINO_TRANSMIT_BYTES JAVINO_BY_CHIP(640, 96)
 #endif
 
-/// Messages in pieces that can be received at the same time, 0…8. RAM: the longest message and 172 bytes each. With none,
-/// all that does not fit one packet is dropped and counted: a sealed content of more than 53 bytes, a broadcast of more
-/// than 67.
+/// Messages in pieces that can be received at the same time, 0…8. RAM: the longest message and 172 bytes each. With 0,
+/// the board drops and counts all that does not fit one packet: a sealed content of more than 53 bytes, a broadcast of
+/// more than 67.
 #ifndef JAVINO_REASSEMBLIES
 #define JAVINO_REASSEMBLIES JAVINO_BY_CHIP(2, 0)
 #endif
 
-/// How often a multicast is sent, 1…4, and a broadcast: neither is acknowledged (SPEC 7.2). No RAM.
+/// How many times the board sends a multicast, and a broadcast, 1…4: neither is acknowledged (SPEC 7.2). No RAM.
 #ifndef JAVINO_MULTICAST_SENDS
 #define JAVINO_MULTICAST_SENDS 2
 #endif
@@ -80,12 +80,12 @@
 #define JAVINO_ACTIONS JAVINO_BY_CHIP(16, 8)
 #endif
 
-/// Places of the ring that holds the boot epoch, 4…64. 6 bytes of EEPROM each; each is good for 25 000 boots.
+/// Places of the ring with the boot epoch, 4…64. 6 bytes of EEPROM each; each lasts for 25 000 boots.
 #ifndef JAVINO_EPOCH_SLOTS
 #define JAVINO_EPOCH_SLOTS 16
 #endif
 
-/// The first byte of EEPROM that Javino uses; the README tells the layout.
+/// The first byte of EEPROM that Javino uses; the README has the layout.
 #ifndef JAVINO_EEPROM_START
 #define JAVINO_EEPROM_START 0
 #endif
@@ -115,7 +115,7 @@ static_assert(JAVINO_REPLAY_ENTRIES >= JAVINO_KEYS && JAVINO_REPLAY_ENTRIES <= 2
               "JAVINO_REPLAY_ENTRIES must be JAVINO_KEYS at least, and at most 253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,
               "JAVINO_FLOOR_SLOTS must be greater than JAVINO_REPLAY_ENTRIES, and at most 254");
-// A board must be able to receive what fits one radio packet, and tell its host the outcomes of 16 transmissions.
+// A board must be able to receive any single radio packet, and to tell its host the outcomes of 16 transmissions.
 static_assert(JAVINO_MAX_MESSAGE >= 84 && JAVINO_MAX_MESSAGE <= 511, "JAVINO_MAX_MESSAGE must be 84…511");
 static_assert(JAVINO_RECEIVE_BYTES >= JAVINO_MAX_MESSAGE + 3 && JAVINO_RECEIVE_BYTES <= 4096,
               "JAVINO_RECEIVE_BYTES must hold the longest message and 3 bytes, and be at most 4096");

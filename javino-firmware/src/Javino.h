@@ -6,7 +6,7 @@
 #include "delivery/Broadcaster.h"
 #include "radio/AskRadio.h"
 
-// A sketch that wants the radio on another timer than 1 says so, in one of its files, before it includes this one:
+// For a radio on another timer than 1, write this in one file of the sketch, before this header is included:
 // #define JAVINO_RADIO_TIMER 3
 #ifdef JAVINO_RADIO_TIMER
 #include "radio/AskHardwareAvrTimer.h"

@@ -12,7 +12,7 @@ class Arguments {
   Arguments() : name_(nullptr), nameLength_(0), inner_(nullptr), innerLength_(0), count_(0) {}
 
   /// Reads an action.
-  /// @return false where there is no name, or brackets or quotes do not match, or an argument is empty.
+  /// @return false if there is no name, or brackets or quotes do not match, or an argument is empty.
   bool parse(const uint8_t *action, uint16_t length);
 
   /// The action's name, not ended by a zero.
@@ -22,11 +22,11 @@ class Arguments {
   uint8_t count() const { return count_; }
 
   // Reads argument `index` (from 0) as a whole number.
-  // Returns false, and `into` is untouched, where there is none, it is no whole number or none that a long holds.
+  // Returns false, and leaves `into` as it was, if there is no such argument or it is no whole number that fits a long.
   bool integer(uint8_t index, long &into) const;
 
-  // Copies argument `index` (from 0) as text: the content of a quoted one, any other as it stands. Ends it by a zero.
-  // Returns false, and `into` holds nothing of use, where there is none or it needs more than `size` bytes.
+  // Copies argument `index` (from 0) as text, ended by a zero: the content of a quoted argument, any other unchanged.
+  // Returns false, with `into` undefined, if there is no such argument or it needs more than `size` bytes.
   bool text(uint8_t index, char *into, size_t size) const;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace javino {
 
-/// Takes what the board perceives now, while a sketch's percept callback runs. Each percept is an AgentSpeak literal;
-/// the whole fits one reply (some 500 bytes, 3 more for each percept). What does not fit is left out, counted, and
-/// the agent told so.
+/// Collects the board's percepts while a sketch's percept callback runs. Each percept is an AgentSpeak literal. All
+/// together fit one reply (some 500 bytes, each percept with 3 more). Percepts that do not fit are left out and
+/// counted, and the agent is told.
 class Percepts {
  public:
   Percepts(Reply &reply, Counters &counters) : reply_(reply), counters_(counters), leftOut_(false) {}
@@ -26,15 +26,15 @@ class Percepts {
   void add(const FlashText *name, long number);
   void add(const FlashText *name, unsigned long number);
 
-  // `name("text")`, with what needs it in the text escaped
+  // `name("text")`, with quotes, backslashes and line feeds in the text escaped
   void add(const FlashText *name, const char *text) { write(name, Text(text)); }
   void add(const FlashText *name, const FlashText *text) { write(name, Text(text)); }
 
-  // A whole literal, as it stands: `position(3,"km")`
+  // A whole literal, written unchanged: `position(3,"km")`
   void literal(const char *text) { write(Text(text)); }
   void literal(const FlashText *text) { write(Text(text)); }
 
-  /// Whether some did not fit.
+  /// Whether some percepts did not fit.
   bool leftOut() const { return leftOut_; }
 
  private:

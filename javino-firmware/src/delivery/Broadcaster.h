@@ -13,39 +13,39 @@
 
 namespace javino {
 
-/// A board that no agent drives: it sends and hears broadcasts, plain and short, in the form that all boards understand
+/// A board without an agent: it sends and receives short plain broadcasts, in the form that all boards understand
 /// (SPEC 2, 6), and waits for quiet air as they do (SPEC 7.4). It needs neither a host nor the EEPROM.
 class Broadcaster {
  public:
   /// The most bytes of a text: what fits one packet.
   static const uint8_t MAX_TEXT = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
 
-  /// A sketch's function for what is heard.
+  /// A sketch's function that is called for each broadcast of another board.
   /// @param from the sender's address, four digits and a zero
-  /// @param text what it sent, ended by a zero
+  /// @param text the text of the broadcast, ended by a zero
   typedef void (*Hearer)(const char *from, const char *text);
 
   // The radio outlives the broadcaster.
   explicit Broadcaster(Radio &radio) : radio_(radio), channel_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
 
-  // Names the function that is told what comes.
+  // Sets the function that is called for each broadcast of another board.
   void onHeard(Hearer hearer) { hearer_ = hearer; }
 
-  // Starts the radio; call it once, in setup(). The address is this board's own, another than that of any board in reach:
-  // four letters or digits such as "ROMA". Returns false where it is none, or the radio could not be started.
+  // Starts the radio; call it once, in setup(). The address is this board's own, and no other board in range has it:
+  // four letters or digits such as "ROMA". Returns false if it is no address, or if the radio does not start.
   bool begin(const char *address);
 
-  // Sends a text of 1…67 bytes as soon as the air is free. Returns false, and sends nothing, where it has another length,
-  // or the text before still waits for the air.
+  // Sends a text of 1…67 bytes as soon as the air is free. Returns false, and sends nothing, if it has another length,
+  // or if the last text still waits for the air.
   bool send(const char *text);
 
   // Whether a text waits for the air.
   bool isBusy() const { return length_ != 0; }
 
-  // Does what there is to do; call it from loop(), and at least every 5 ms.
+  // Does all work that is due; call it from loop(), and at least every 5 ms.
   void run();
 
-  // Packets that came, since the boot, and were no broadcast of another board, or one that had come before.
+  // The number of packets since the boot that were no broadcast of another board, or a repeat of one.
   uint32_t ignored() const { return ignored_; }
 
  private:
