@@ -26,7 +26,7 @@ class IgnoredFilesTest {
 
     /** What is written: by a command, by a scenario's board, or by the reader, who is told its name. */
     private static final Pattern MADE = Pattern.compile("(?:--out|--renew|--trace) ([a-z][\\w/.]*)|\"eeprom\": \"([\\w/]+)"
-        + "|`(?:examples/highway/)?(agents/\\w+\\.asl|\\w+\\.mas2j|fleet\\.\\w+)`");
+        + "|`(?:examples/highway/)?(agents/\\w+\\.asl|\\w+\\.mas2j|(?:fleet|follower)\\.\\w+)`");
 
     @TempDir
     private Path folder;
