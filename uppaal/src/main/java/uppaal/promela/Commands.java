@@ -18,6 +18,14 @@ import uppaal.network.Transition;
  * The checker finds them while it runs; the two share nothing that decides who moves with whom.
  */
 final class Commands {
+    /**
+     * One joint move as a guarded command.
+     *
+     * @param guard a Promela expression
+     * @param effect Promela statements, divided by semicolons
+     */
+    record Command(String guard, String effect) { }
+
     private final Network network;
     private final Terms terms;
     private final List<Command> commands = new ArrayList<>();

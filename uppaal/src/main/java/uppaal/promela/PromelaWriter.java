@@ -15,7 +15,7 @@ import uppaal.network.Slot;
 public final class PromelaWriter {
     private final Network network;
     private final Terms terms;
-    private final List<Command> commands;
+    private final List<Commands.Command> commands;
     private final StringBuilder text = new StringBuilder();
 
     private PromelaWriter(Network network) {
