@@ -6,7 +6,7 @@
 #include "../support/Flash.h"
 #include "Arguments.h"
 #include "Reply.h"
-#include "Status.h"
+#include "../support/Status.h"
 
 namespace javino {
 

@@ -7,10 +7,9 @@ Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
       replays_(keys_),
       nonces_(epoch_),
       delivery_(radio, id_, epoch_, keys_, replays_, nonces_, counters_),
-      sender_(delivery_.outbox(), id_, keys_, nonces_),
       poll_(delivery_.outbox().outcomes(), delivery_.inbox(), counters_),
       keyCommands_(keys_, replays_, nonces_),
-      commands_(firmwareName, radio, id_, keyCommands_, delivery_, sender_, poll_, actions_, counters_),
+      commands_(firmwareName, radio, id_, keys_, nonces_, keyCommands_, delivery_, poll_, actions_, counters_),
       session_(port, commands_, counters_) {}
 
 bool Board::begin() {
@@ -26,7 +25,6 @@ bool Board::begin() {
 // The host first: what it asks for is then sent before the CPU sleeps. A packet that comes in the very round of a poll
 // waits for the next one.
 void Board::run() {
-  radio_.update();
   session_.run();
   delivery_.run();
 }

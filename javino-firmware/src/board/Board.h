@@ -7,13 +7,12 @@
 #include "../storage/BootEpoch.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Actions.h"
 #include "Commands.h"
-#include "Counters.h"
+#include "../support/Counters.h"
 #include "KeyCommands.h"
 #include "Poll.h"
-#include "Sender.h"
 #include "SerialPort.h"
 #include "SerialSession.h"
 
@@ -48,7 +47,6 @@ class Board {
   ReplayMemory replays_;
   NonceSource nonces_;
   Delivery delivery_;
-  Sender sender_;
   Actions actions_;
   Poll poll_;
   KeyCommands keyCommands_;

@@ -43,11 +43,33 @@ Status Commands::dispatch(const Frame &request, Reply &reply) {
                  reply);
 }
 
-Status Commands::transmit(const Frame &request, Reply &reply) {
-  uint8_t number = 0;
-  const Status status = sender_.send(request, number);
-  reply.add(number);
-  return status;
+// Puts a frame to an RF address, with the plain content as message, into the outbox.
+Status Commands::transmit(const Frame &frame, Reply &reply) {
+  const Status status = mayTransmit(frame);
+  if (status != Status::OK) return status;
+  Outbox &outbox = delivery_.outbox();
+  reply.add(frame.destination.isBroadcast() ? outbox.addPlain(frame) : outbox.addUnsealed(frame));
+  return Status::OK;
+}
+
+// The first that applies, in the order of SPEC 4.4.
+Status Commands::mayTransmit(const Frame &frame) const {
+  const Status addresses = checkAddresses(frame);
+  if (addresses != Status::OK) return addresses;
+  const bool sealed = !frame.destination.isBroadcast();
+  if (sealed && keys_.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
+  const uint16_t length = static_cast<uint16_t>(HEADER_LENGTH + (sealed ? SEAL_LENGTH : 0) + frame.length);
+  if (frame.length > MAX_CONTENT_LENGTH || !delivery_.carries(length)) return Status::TOO_LONG;
+  if (!delivery_.outbox().fits(length)) return Status::QUEUE_FULL;
+  return sealed ? nonces_.status() : Status::OK;
+}
+
+Status Commands::checkAddresses(const Frame &frame) const {
+  if (!id_.isSet()) return Status::NO_RF_ID;
+  if (frame.origin != id_.address()) return Status::WRONG_ORIGIN;
+  const Address::Class to = frame.destination.classOf();
+  const bool canBeSentTo = to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST;
+  return canBeSentTo && frame.destination != id_.address() ? Status::OK : Status::BAD_DESTINATION;
 }
 
 Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply &reply) {
@@ -58,13 +80,13 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'C': return actions_.list(body, length, reply);
     case 'I': return setRfId(body, length);
     case 'R': return openRadio(body, length);
-    case 'E': return keys_.raiseEpoch(body, length);
+    case 'E': return keyCommands_.raiseEpoch(body, length);
     case 'K':
-    case 'N': return keysChanged(keys_.store(name == 'N', body, length, reply));
-    case 'U': return keys_.use(body, length, delivery_.underWay());
-    case 'F': return keysChanged(keys_.finish(body, length));
-    case 'D': return keysChanged(keys_.erase(body, length));
-    case 'L': return keys_.list(length, reply);
+    case 'N': return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
+    case 'U': return keyCommands_.use(body, length, delivery_.underWay());
+    case 'F': return keysChanged(keyCommands_.finish(body, length));
+    case 'D': return keysChanged(keyCommands_.erase(body, length));
+    case 'L': return keyCommands_.list(length, reply);
     case 'S': return statistics(length, reply);
     default: return Status::UNKNOWN_COMMAND;
   }
@@ -76,7 +98,7 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   uint8_t fixed[FIXED_OF_HELLO];
   fixed[0] = PROTOCOL_VERSION;
   id_.address().write(fixed + 1);
-  writeUint24(fixed + 1 + Address::TEXT_LENGTH, keys_.epoch());
+  writeUint24(fixed + 1 + Address::TEXT_LENGTH, keyCommands_.epoch());
   reply.add(fixed, sizeof fixed);
   reply.add(reinterpret_cast<const uint8_t *>(firmwareName_),
             static_cast<uint16_t>(strnlen(firmwareName_, MAX_FIRMWARE_NAME)));

@@ -4,15 +4,15 @@
 
 #include "../delivery/Delivery.h"
 #include "../radio/Radio.h"
+#include "../secure/NonceSource.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Actions.h"
-#include "Counters.h"
+#include "../support/Counters.h"
 #include "KeyCommands.h"
 #include "Poll.h"
 #include "Reply.h"
-#include "Sender.h"
 
 namespace javino {
 
@@ -20,14 +20,15 @@ namespace javino {
 class Commands {
  public:
   /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
-  Commands(const char *firmwareName, Radio &radio, RfId &id, KeyCommands &keys, Delivery &delivery, Sender &sender,
-           Poll &poll, Actions &actions, Counters &counters)
+  Commands(const char *firmwareName, Radio &radio, RfId &id, const KeyStore &keys, const NonceSource &nonces,
+           KeyCommands &keyCommands, Delivery &delivery, Poll &poll, Actions &actions, Counters &counters)
       : firmwareName_(firmwareName),
         radio_(radio),
         id_(id),
         keys_(keys),
+        nonces_(nonces),
+        keyCommands_(keyCommands),
         delivery_(delivery),
-        sender_(sender),
         poll_(poll),
         actions_(actions),
         counters_(counters),
@@ -42,7 +43,9 @@ class Commands {
 
  private:
   Status dispatch(const Frame &request, Reply &reply);
-  JAVINO_NOINLINE Status transmit(const Frame &request, Reply &reply);
+  JAVINO_NOINLINE Status transmit(const Frame &frame, Reply &reply);
+  Status mayTransmit(const Frame &frame) const;
+  Status checkAddresses(const Frame &frame) const;
   Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
   Status hello(const uint8_t *body, uint16_t length, Reply &reply);
   Status poll(const uint8_t *body, uint16_t length, Reply &reply);
@@ -54,9 +57,10 @@ class Commands {
   const char *const firmwareName_;
   Radio &radio_;
   RfId &id_;
-  KeyCommands &keys_;
+  const KeyStore &keys_;
+  const NonceSource &nonces_;
+  KeyCommands &keyCommands_;
   Delivery &delivery_;
-  Sender &sender_;
   Poll &poll_;
   Actions &actions_;
   Counters &counters_;

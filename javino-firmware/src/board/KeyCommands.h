@@ -5,9 +5,9 @@
 #include "../secure/NonceSource.h"
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Reply.h"
-#include "Status.h"
+#include "../support/Status.h"
 
 namespace javino {
 

@@ -3,9 +3,8 @@
 #include <stdint.h>
 
 #include "../support/Flash.h"
-#include "../support/NoInline.h"
-#include "Counters.h"
-#include "Record.h"
+#include "../support/Inlining.h"
+#include "../support/Counters.h"
 #include "Reply.h"
 
 namespace javino {

@@ -4,8 +4,8 @@
 
 #include "../delivery/Inbox.h"
 #include "../delivery/Outcomes.h"
-#include "../support/NoInline.h"
-#include "Counters.h"
+#include "../support/Inlining.h"
+#include "../support/Counters.h"
 #include "Percepts.h"
 #include "Reply.h"
 

@@ -8,7 +8,7 @@ class Stream;
 namespace javino {
 
 /// The bytes between host and board; no function waits. The seam for the port; bound when linking, to
-/// ArduinoSerialPort.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
+/// ArduinoSeams.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
 /// bytes of flash.
 class SerialPort {
  public:

@@ -4,9 +4,9 @@
 
 #include "../framing/CobsEncoder.h"
 #include "../framing/PacketDecoder.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Commands.h"
-#include "Counters.h"
+#include "../support/Counters.h"
 #include "Reply.h"
 #include "SerialPort.h"
 

@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Aes128.h"
 
 namespace javino {

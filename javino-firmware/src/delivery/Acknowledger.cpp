@@ -46,18 +46,18 @@ void Acknowledger::keysChanged() {
 void Acknowledger::run() {
   if (count_ == 0) return;
   noteBusyAir();
-  if (channel_.quietSlots() < slots_) return;
+  if (medium_.quietSlots() < slots_) return;
   uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
   const uint8_t length = build(entries_[0], frame);
-  if (length == 0 || channel_.send(frame, length)) remove(0);
+  if (length == 0 || medium_.send(frame, length)) remove(0);
 }
 
 void Acknowledger::noteBusyAir() {
-  if (channel_.hearsCarrier() && !deferred_) {
+  if (medium_.hearsCarrier() && !deferred_) {
     deferred_ = true;
     counters_.count(Counter::RADIO_DEFERRED);
   }
-  const bool isBusy = channel_.hearsCarrier() || channel_.isSending();
+  const bool isBusy = medium_.hearsCarrier() || medium_.isSending();
   if (isBusy && slots_ == FRESH_SLOTS) {
     slots_ = static_cast<uint8_t>(LEAST_PUT_OFF_SLOTS + random_.next(FURTHER_SLOTS_MASK));
   }

@@ -3,16 +3,16 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../addressing/Address.h"
-#include "../board/Counters.h"
+#include "../framing/Address.h"
+#include "../support/Counters.h"
 #include "../framing/Limits.h"
 #include "../secure/Proof.h"
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "../support/Random.h"
-#include "Channel.h"
+#include "MediumAccess.h"
 
 namespace javino {
 
@@ -22,9 +22,9 @@ namespace javino {
 /// A few wait at a time; when more come the oldest is dropped, as its sender will ask again.
 class Acknowledger {
  public:
-  Acknowledger(Channel &channel, const RfId &id, const KeyStore &keys, const ReplayMemory &replays, Random &random,
+  Acknowledger(MediumAccess &medium, const RfId &id, const KeyStore &keys, const ReplayMemory &replays, Random &random,
                Counters &counters)
-      : channel_(channel),
+      : medium_(medium),
         id_(id),
         keys_(keys),
         replays_(replays),
@@ -76,7 +76,7 @@ class Acknowledger {
   JAVINO_NOINLINE uint8_t build(const Entry &entry, uint8_t *frame) const;
   void writeBody(const Entry &entry, uint8_t *body) const;
 
-  Channel &channel_;
+  MediumAccess &medium_;
   const RfId &id_;
   const KeyStore &keys_;
   const ReplayMemory &replays_;

@@ -2,13 +2,13 @@
 
 #include <stdint.h>
 
-#include "../board/Counters.h"
+#include "../support/Counters.h"
 #include "../framing/Frame.h"
 #include "../secure/Envelope.h"
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
 #include "../storage/RfId.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "BroadcastMemory.h"
 #include "Inbox.h"

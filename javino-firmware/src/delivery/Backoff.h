@@ -17,7 +17,7 @@ class Backoff {
   /// @param quietSlots how long the air has been quiet by now
   void begin(uint8_t attempt, uint8_t quietSlots, Random &random);
 
-  /// Counts on; to be asked each time the channel was looked at.
+  /// Counts on; to be asked each time the medium was looked at.
   /// @return whether the wait is over
   bool isOver(uint8_t quietSlots);
 

@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 
 namespace javino {
 

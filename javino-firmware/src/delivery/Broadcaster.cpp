@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "../radio/Counting.h"
+#include "../support/Counters.h"
 #include "../support/Clock.h"
 
 namespace javino {
@@ -14,29 +14,28 @@ bool Broadcaster::begin(const char *address) {
     return false;
   }
   random_.seed(address_.value(), 0);
-  channel_.begin();
+  medium_.begin();
   return true;
 }
 
 bool Broadcaster::send(const char *text) {
   const size_t length = strlen(text);
-  if (isBusy() || length == 0 || length > MAX_TEXT) return false;
+  if (isBusy() || length == 0 || length > medium_.pieceLength()) return false;
   Frame::writeHeader(frame_, Address::broadcast(), address_, static_cast<uint16_t>(length));
   memcpy(frame_ + HEADER_LENGTH, text, length);
   length_ = static_cast<uint8_t>(HEADER_LENGTH + length);
-  backoff_.begin(0, channel_.quietSlots(), random_);
+  backoff_.begin(0, medium_.quietSlots(), random_);
   return true;
 }
 
 void Broadcaster::run() {
-  radio_.update();
-  channel_.update();
+  medium_.update();
   uint8_t length;
   while (const uint8_t *packet = radio_.receive(length)) {
     hear(packet, length);
     radio_.release();
   }
-  if (isBusy() && backoff_.isOver(channel_.quietSlots()) && channel_.send(frame_, length_)) length_ = 0;
+  if (isBusy() && backoff_.isOver(medium_.quietSlots()) && medium_.send(frame_, length_)) length_ = 0;
 }
 
 void Broadcaster::hear(const uint8_t *packet, uint8_t length) {
@@ -54,9 +53,11 @@ void Broadcaster::hear(const uint8_t *packet, uint8_t length) {
 }
 
 bool Broadcaster::isNew(const Frame &frame, const uint8_t *packet, uint8_t length) {
-  if (!frame.destination.isBroadcast() || !frame.origin.isDevice() || frame.origin == address_) return false;
+  if (frame.length > MAX_TEXT || !frame.destination.isBroadcast() || !frame.origin.isDevice() ||
+      frame.origin == address_)
+    return false;
   const uint32_t now = clock::millis();
-  return !heard_.isRepeat(frame.origin, packet, length, now - channel_.airtimeMillis(length), now);
+  return !heard_.isRepeat(frame.origin, packet, length, now - medium_.airtimeMillis(length), now);
 }
 
 }  // namespace javino

@@ -2,14 +2,14 @@
 
 #include <stdint.h>
 
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 #include "../framing/Frame.h"
 #include "../framing/Limits.h"
 #include "../radio/Radio.h"
 #include "../support/Random.h"
 #include "Backoff.h"
 #include "BroadcastMemory.h"
-#include "Channel.h"
+#include "MediumAccess.h"
 
 namespace javino {
 
@@ -17,8 +17,8 @@ namespace javino {
 /// (SPEC 2, 6), and waits for quiet air as they do (SPEC 7.4). It needs neither a host nor the EEPROM.
 class Broadcaster {
  public:
-  /// The most bytes of a text: what fits one packet.
-  static const uint8_t MAX_TEXT = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
+  /// The most bytes of a text: what fits one packet; fewer where the radio carries fewer.
+  static const uint8_t MAX_TEXT = PIECE_LENGTH;
 
   /// A sketch's function that is called for each broadcast of another board.
   /// @param from the sender's address, four digits and a zero
@@ -26,7 +26,7 @@ class Broadcaster {
   typedef void (*Hearer)(const char *from, const char *text);
 
   // The radio outlives the broadcaster.
-  explicit Broadcaster(Radio &radio) : radio_(radio), channel_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
+  explicit Broadcaster(Radio &radio) : radio_(radio), medium_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
 
   // Sets the function that is called for each broadcast of another board.
   void onHeard(Hearer hearer) { hearer_ = hearer; }
@@ -53,7 +53,7 @@ class Broadcaster {
   bool isNew(const Frame &frame, const uint8_t *packet, uint8_t length);
 
   Radio &radio_;
-  Channel channel_;
+  MediumAccess medium_;
   Backoff backoff_;
   Random random_;
   BroadcastMemory heard_;

@@ -18,17 +18,17 @@ void Courier::run() {
     case IDLE: break;
     case CONTENDING:
       noteCarrier();
-      if (backoff_.isOver(channel_.quietSlots())) send();
+      if (backoff_.isOver(medium_.quietSlots())) send();
       break;
     case PAUSING:
       noteCarrier();
-      if (channel_.quietSlots() != 0) send();
+      if (medium_.quietSlots() != 0) send();
       break;
     case ON_AIR:
-      if (!channel_.isSending()) packetSent();
+      if (!medium_.isSending()) packetSent();
       break;
     case AWAITING:
-      patience_ = static_cast<uint8_t>(patience_ > channel_.quietMillis() ? patience_ - channel_.quietMillis() : 0);
+      patience_ = static_cast<uint8_t>(patience_ > medium_.quietMillis() ? patience_ - medium_.quietMillis() : 0);
       if (patience_ == 0) attemptFailed();
       break;
   }
@@ -67,7 +67,7 @@ bool Courier::seal(bool again) {
 
 // Begins the first attempt of a frame that nobody has seen yet.
 void Courier::restart() {
-  count_ = pieces::count(outbox_.first().length);
+  count_ = pieces::count(outbox_.first().length, medium_.pieceLength());
   if (count_ > 1) {
     id_ = nextId_;
     nextId_ = static_cast<uint8_t>((nextId_ + 1) % IDS);
@@ -80,13 +80,13 @@ void Courier::restart() {
 
 void Courier::contend(uint8_t pending) {
   pending_ = pending;
-  backoff_.begin(attempt_, channel_.quietSlots(), random_);
+  backoff_.begin(attempt_, medium_.quietSlots(), random_);
   phase_ = CONTENDING;
 }
 
 // Counts each packet that waits for another's carrier to end, once.
 void Courier::noteCarrier() {
-  if (deferred_ || !channel_.hearsCarrier()) return;
+  if (deferred_ || !medium_.hearsCarrier()) return;
   deferred_ = true;
   counters_.count(Counter::RADIO_DEFERRED);
 }
@@ -98,10 +98,11 @@ void Courier::send() {
   onAir_ = static_cast<uint8_t>(1 << index);
   const bool wantsAnswer = isUnicast() && pending_ == onAir_;
   uint8_t piece[MAX_RADIO_PAYLOAD];
-  const bool taken = count_ == 1
-                         ? channel_.send(record.bytes, static_cast<uint8_t>(record.length))
-                         : channel_.send(piece, pieces::cut(record.bytes, record.length, id_,
-                                                            wantsAnswer ? index | pieces::WANTS_ANSWER : index, piece));
+  const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
+  const bool taken =
+      count_ == 1
+          ? medium_.send(record.bytes, static_cast<uint8_t>(record.length))
+          : medium_.send(piece, pieces::cut(record.bytes, record.length, id_, digit, medium_.pieceLength(), piece));
   if (!taken) return;
   if (sent_ == 0) sentAt_ = clock::millis();
   if ((sent_ & onAir_) != 0) counters_.count(Counter::RADIO_RESENT);

@@ -2,16 +2,16 @@
 
 #include <stdint.h>
 
-#include "../board/Counters.h"
+#include "../support/Counters.h"
 #include "../framing/Frame.h"
 #include "../secure/Envelope.h"
 #include "../secure/NonceSource.h"
 #include "../secure/Proof.h"
 #include "../storage/KeyStore.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "../support/Random.h"
 #include "Backoff.h"
-#include "Channel.h"
+#include "MediumAccess.h"
 #include "Outbox.h"
 
 namespace javino {
@@ -20,8 +20,8 @@ namespace javino {
 /// acknowledgement of a unicast and tries again, until its outcome is known (SPEC 7).
 class Courier {
  public:
-  Courier(Channel &channel, const KeyStore &keys, NonceSource &nonces, Random &random, Counters &counters)
-      : channel_(channel),
+  Courier(MediumAccess &medium, const KeyStore &keys, NonceSource &nonces, Random &random, Counters &counters)
+      : medium_(medium),
         keys_(keys),
         nonces_(nonces),
         random_(random),
@@ -78,7 +78,7 @@ class Courier {
   bool onStale(const uint8_t *floor, uint16_t uptime);
   bool cannotHaveHadIt(uint16_t uptime) const;
 
-  Channel &channel_;
+  MediumAccess &medium_;
   const KeyStore &keys_;
   NonceSource &nonces_;
   Random &random_;

@@ -4,13 +4,13 @@ namespace javino {
 
 void Delivery::begin() {
   seed();
-  channel_.begin();
+  medium_.begin();
   courier_.begin();
 }
 
 // What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.
 void Delivery::run() {
-  channel_.update();
+  medium_.update();
   receiver_.run();
   acknowledger_.run();
   courier_.run();

@@ -11,9 +11,10 @@
 #include "../support/Random.h"
 #include "Acknowledger.h"
 #include "Admission.h"
-#include "Channel.h"
+#include "MediumAccess.h"
 #include "Courier.h"
 #include "Inbox.h"
+#include "Pieces.h"
 #include "Receiver.h"
 
 namespace javino {
@@ -30,12 +31,12 @@ class Delivery {
       : id_(id),
         epoch_(epoch),
         keys_(keys),
-        channel_(radio),
-        acknowledger_(channel_, id, keys, replays, random_, counters),
+        medium_(radio),
+        acknowledger_(medium_, id, keys, replays, random_, counters),
         inbox_(replays, acknowledger_),
         admission_(id, keys, replays, inbox_, acknowledger_, counters),
-        courier_(channel_, keys, nonces, random_, counters),
-        receiver_(radio, channel_, id, admission_, courier_, counters) {}
+        courier_(medium_, keys, nonces, random_, counters),
+        receiver_(radio, medium_, id, admission_, courier_, counters) {}
 
   /// To be called once, after a boot, when id and epoch are known and the radio has begun.
   void begin();
@@ -52,10 +53,13 @@ class Delivery {
   void open(bool open) { receiver_.open(open); }
 
   /// Whether another board's carrier is heard, or something is to be sent: the host may soon have something to be told.
-  bool isActive() const { return channel_.hearsCarrier() || courier_.isBusy(); }
+  bool isActive() const { return medium_.hearsCarrier() || courier_.isBusy(); }
 
   /// The place of the key that the message under way is sealed with, or NO_SLOT.
   uint8_t underWay() const { return courier_.underWay(); }
+
+  /// Whether a frame of this length fits the radio's packets.
+  bool carries(uint16_t frameLength) const { return pieces::count(frameLength, medium_.pieceLength()) <= MAX_PIECES; }
 
   Outbox &outbox() { return courier_.outbox(); }
   Inbox &inbox() { return inbox_; }
@@ -65,7 +69,7 @@ class Delivery {
   const BootEpoch &epoch_;
   const KeyStore &keys_;
   Random random_;
-  Channel channel_;
+  MediumAccess medium_;
   Acknowledger acknowledger_;
   Inbox inbox_;
   Admission admission_;

@@ -2,8 +2,8 @@
 
 #include <stdint.h>
 
-#include "../addressing/Address.h"
-#include "../support/NoInline.h"
+#include "../framing/Address.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

@@ -6,7 +6,7 @@
 #include "../framing/Frame.h"
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "ByteQueue.h"
 

@@ -9,19 +9,19 @@ namespace javino {
 static const uint8_t INDEX_MASK = MAX_PIECES - 1;
 static const uint8_t INDEXES = MAX_PIECES + pieces::WANTS_ANSWER;
 
-void PieceReceiver::accept(const Frame &piece, uint32_t begun) {
+void PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun) {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const uint8_t id = pieces::idOf(piece.destination);
   const uint8_t index = pieces::indexOf(piece.destination);
   const uint8_t at = index & INDEX_MASK;
   const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
   Frame whole;
-  if (index >= INDEXES || piece.length == 0 || piece.length > PIECE_LENGTH || (at == 0 && !startsFrame(piece, whole))) {
+  if (index >= INDEXES || piece.length == 0 || (at == 0 && !startsFrame(piece, longest, whole))) {
     counters_.count(Counter::RADIO_PIECES_DROPPED);
     return;
   }
   if (at == 0 ? !isWanted(piece, whole, wantsAnswer) : ignored_.covers(piece.origin, id, now)) return;
-  PartialFrame *partial = placeFor(piece, at == 0, begun);
+  PartialFrame *partial = placeFor(piece, longest, at == 0, begun);
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
     counters_.count(Counter::RADIO_PIECES_DROPPED);
     return;
@@ -31,13 +31,15 @@ void PieceReceiver::accept(const Frame &piece, uint32_t begun) {
 }
 
 // Whether a first piece begins a frame that has to be cut, and that can be handed on. Reads its header.
-bool PieceReceiver::startsFrame(const Frame &piece, Frame &whole) const {
-  if (piece.length != PIECE_LENGTH || Frame::parseHeader(piece.message, whole) != FrameError::NONE) return false;
-  const uint16_t longest =
+bool PieceReceiver::startsFrame(const Frame &piece, uint8_t longest, Frame &whole) {
+  if (piece.length != longest || Frame::parseHeader(piece.message, whole) != FrameError::NONE) return false;
+  const uint16_t most =
       static_cast<uint16_t>(whole.destination.isBroadcast() ? MAX_CONTENT_LENGTH : MAX_CONTENT_LENGTH + SEAL_LENGTH);
+  const uint8_t count = pieces::count(static_cast<uint16_t>(HEADER_LENGTH + whole.length), longest);
   const Address::Class to = whole.destination.classOf();
-  return (to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST) &&
-         whole.origin == piece.origin && whole.length > MAX_RADIO_PAYLOAD - HEADER_LENGTH && whole.length <= longest;
+  return count > 1 && count <= MAX_PIECES && whole.length <= most &&
+         (to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST) &&
+         whole.origin == piece.origin;
 }
 
 // Whether the frame that a first piece begins is of use. Where not, its other pieces are ignored too.
@@ -57,12 +59,12 @@ bool PieceReceiver::isWanted(const Frame &piece, const Frame &whole, bool wantsA
   return false;
 }
 
-PartialFrame *PieceReceiver::placeFor(const Frame &piece, bool isFirst, uint32_t begun) {
+PartialFrame *PieceReceiver::placeFor(const Frame &piece, uint8_t longest, bool isFirst, uint32_t begun) {
   const uint8_t id = pieces::idOf(piece.destination);
   PartialFrame *partial = reassembly_.find(piece.origin, id);
   if (partial != nullptr) return partial;
   bool expired = false;
-  partial = reassembly_.begin(piece.origin, id, isFirst, expired);
+  partial = reassembly_.begin(piece.origin, id, longest, isFirst, expired);
   if (expired) counters_.count(Counter::RADIO_EXPIRED);
   if (partial != nullptr) partial->begun = begun;
   return partial;

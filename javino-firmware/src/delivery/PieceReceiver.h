@@ -2,9 +2,9 @@
 
 #include <stdint.h>
 
-#include "../board/Counters.h"
+#include "../support/Counters.h"
 #include "../framing/Frame.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Admission.h"
 #include "IgnoredMessages.h"
 #include "Reassembly.h"
@@ -17,8 +17,9 @@ class PieceReceiver {
   PieceReceiver(Admission &admission, Counters &counters) : admission_(admission), counters_(counters) {}
 
   /// Takes in a frame to a piece's address, from another board.
+  /// @param longest the most bytes of a piece, 16…67
   /// @param begun when its packet began, in ms
-  JAVINO_NOINLINE void accept(const Frame &piece, uint32_t begun);
+  JAVINO_NOINLINE void accept(const Frame &piece, uint8_t longest, uint32_t begun);
 
   /// Forgets what has got no new piece for 5 s; to be called often.
   void run();
@@ -27,9 +28,9 @@ class PieceReceiver {
   void clear() { reassembly_.clear(); }
 
  private:
-  bool startsFrame(const Frame &piece, Frame &whole) const;
+  static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
   bool isWanted(const Frame &piece, const Frame &whole, bool wantsAnswer);
-  PartialFrame *placeFor(const Frame &piece, bool isFirst, uint32_t begun);
+  PartialFrame *placeFor(const Frame &piece, uint8_t longest, bool isFirst, uint32_t begun);
   JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
   static void answer(Admission &admission, const PartialFrame &partial);
 
@@ -44,7 +45,7 @@ class NoPieceReceiver {
  public:
   NoPieceReceiver(Admission &, Counters &counters) : counters_(counters) {}
 
-  void accept(const Frame &, uint32_t) { counters_.count(Counter::RADIO_PIECES_DROPPED); }
+  void accept(const Frame &, uint8_t, uint32_t) { counters_.count(Counter::RADIO_PIECES_DROPPED); }
   void run() {}
   void clear() {}
 

@@ -5,23 +5,23 @@
 namespace javino {
 namespace pieces {
 
-uint8_t count(uint16_t frameLength) {
-  if (frameLength <= MAX_RADIO_PAYLOAD) return 1;
-  return static_cast<uint8_t>((frameLength + PIECE_LENGTH - 1) / PIECE_LENGTH);
+uint8_t count(uint16_t frameLength, uint8_t longest) {
+  if (frameLength <= static_cast<uint16_t>(HEADER_LENGTH + longest)) return 1;
+  return static_cast<uint8_t>((frameLength + longest - 1u) / longest);
 }
 
-uint8_t length(uint16_t frameLength, uint8_t index) {
-  const uint16_t left = static_cast<uint16_t>(frameLength - index * PIECE_LENGTH);
-  return static_cast<uint8_t>(left < PIECE_LENGTH ? left : PIECE_LENGTH);
+uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest) {
+  const uint16_t left = static_cast<uint16_t>(frameLength - index * longest);
+  return static_cast<uint8_t>(left < longest ? left : longest);
 }
 
-uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t *into) {
+uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into) {
   Frame whole;
   Frame::parseHeader(frame, whole);
   const uint8_t at = index & (MAX_PIECES - 1);
-  const uint8_t bytes = length(frameLength, at);
+  const uint8_t bytes = length(frameLength, at, longest);
   Frame::writeHeader(into, Address::piece(id, index), whole.origin, bytes);
-  memcpy(into + HEADER_LENGTH, frame + at * PIECE_LENGTH, bytes);
+  memcpy(into + HEADER_LENGTH, frame + at * longest, bytes);
   return static_cast<uint8_t>(HEADER_LENGTH + bytes);
 }
 

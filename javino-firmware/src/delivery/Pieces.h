@@ -3,23 +3,31 @@
 #include <stdint.h>
 
 #include "../framing/Frame.h"
-#include "../support/NoInline.h"
+#include "../radio/Radio.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 
-/// How a frame that is too long for one packet is cut (SPEC 7.1).
+/// Bytes of a frame that a piece holds where packets carry the most, as the ASK radio's do (SPEC 7.1).
+static const uint8_t PIECE_LENGTH = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
+static const uint8_t MAX_PIECES = 8;
+
+static_assert(MAX_FRAME_LENGTH <= MAX_PIECES * PIECE_LENGTH, "SPEC 7.1");
+
+/// How a frame that is too long for one packet is cut (SPEC 7.1). `longest`: the most bytes of a piece, 16…67, as the
+/// radio carries ten more.
 namespace pieces {
 
 /// Added to the index of a piece whose sender wants an answer.
 static const uint8_t WANTS_ANSWER = 8;
 
-/// The pieces of a frame, 1…8; 1 where it travels whole.
+/// The pieces of a frame; 1 where it travels whole, more than MAX_PIECES where it cannot.
 /// @param frameLength 10…521 bytes
-uint8_t count(uint16_t frameLength);
+JAVINO_NOINLINE uint8_t count(uint16_t frameLength, uint8_t longest);
 
 /// The bytes of a frame that a piece holds.
 /// @param index 0…count() - 1
-uint8_t length(uint16_t frameLength, uint8_t index);
+uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest);
 
 /// One bit for each of `count` pieces.
 inline uint8_t all(uint8_t count) { return static_cast<uint8_t>((1u << count) - 1); }
@@ -27,9 +35,9 @@ inline uint8_t all(uint8_t count) { return static_cast<uint8_t>((1u << count) - 
 /// Builds a piece.
 /// @param id 0…63
 /// @param index with WANTS_ANSWER or without
-/// @param into room for 77 bytes
+/// @param into room for a piece and its header
 /// @return the piece's length
-JAVINO_NOINLINE uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t *into);
+uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into);
 
 /// The id digit in a piece's address.
 inline uint8_t idOf(const Address &piece) { return static_cast<uint8_t>(piece.member() >> 6); }

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "Pieces.h"
-
 namespace javino {
 
 static const uint16_t EXPIRY_MILLIS = 5000;
@@ -17,19 +15,15 @@ uint16_t lengthIn(const uint8_t *first) {
   return static_cast<uint16_t>(HEADER_LENGTH + whole.length);
 }
 
-// Whether a frame of this length has this piece.
-bool isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) {
-  return index < pieces::count(frameLength) && pieceLength == pieces::length(frameLength, index);
-}
-
 }  // namespace
 
-void PartialFrame::begin(const Address &from, uint8_t number) {
+void PartialFrame::begin(const Address &from, uint8_t number, uint8_t longest) {
   have_ = 0;
   refusals_ = 0;
   doubted_ = 0;
   origin = from;
   id = number;
+  longest_ = longest;
   for (Aside &aside : aside_) aside.length = 0;
 }
 
@@ -46,10 +40,15 @@ uint8_t PartialFrame::have() const {
   return have;
 }
 
-bool PartialFrame::isWhole() const { return hasFirst() && have() == pieces::all(pieces::count(length())); }
+bool PartialFrame::isWhole() const { return hasFirst() && have() == pieces::all(pieces::count(length(), longest_)); }
+
+// Whether a frame of this length has this piece.
+bool PartialFrame::isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) const {
+  return index < pieces::count(frameLength, longest_) && pieceLength == pieces::length(frameLength, index, longest_);
+}
 
 bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
-  if (static_cast<uint16_t>(index * PIECE_LENGTH + pieceLength) > MAX_FRAME_LENGTH) return false;
+  if (pieceLength > longest_ || static_cast<uint16_t>(index * longest_ + pieceLength) > MAX_FRAME_LENGTH) return false;
   if (index == 0 || !hasFirst() || isPieceOf(length(), index, pieceLength)) return true;
   return aside_[0].length != 0 && isPieceOf(lengthIn(aside_[0].bytes), index, pieceLength);
 }
@@ -57,20 +56,20 @@ bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
 bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now) {
   if (!fits(index, pieceLength)) return false;
   const uint8_t bit = static_cast<uint8_t>(1 << index);
-  uint8_t *at = bytes + index * PIECE_LENGTH;
+  uint8_t *place = at(index);
   last_ = index;
   doubted_ = static_cast<uint8_t>(doubted_ & ~bit);
   if ((have_ & bit) != 0) {
-    if (lengths_[index] == pieceLength && memcmp(at, piece, pieceLength) == 0) return true;
+    if (lengths_[index] == pieceLength && memcmp(place, piece, pieceLength) == 0) return true;
     Aside &aside = aside_[index != 0];
     aside.index = index;
     aside.length = lengths_[index];
-    memcpy(aside.bytes, at, aside.length);
+    memcpy(aside.bytes, place, aside.length);
   }
   have_ |= bit;
   lastNew = now;
   lengths_[index] = pieceLength;
-  memcpy(at, piece, pieceLength);
+  memcpy(place, piece, pieceLength);
   return true;
 }
 
@@ -78,10 +77,10 @@ bool PartialFrame::choose(uint8_t turn) { return swap(aside_[(turn & 1) == 0]); 
 
 bool PartialFrame::swap(Aside &aside) {
   if (aside.length == 0) return false;
-  uint8_t *at = bytes + aside.index * PIECE_LENGTH;
-  for (uint8_t i = 0; i < PIECE_LENGTH && at + i < bytes + sizeof bytes; i++) {
-    const uint8_t other = at[i];
-    at[i] = aside.bytes[i];
+  uint8_t *place = at(aside.index);
+  for (uint8_t i = 0; i < PIECE_LENGTH && place + i < bytes + sizeof bytes; i++) {
+    const uint8_t other = place[i];
+    place[i] = aside.bytes[i];
     aside.bytes[i] = other;
   }
   const uint8_t length = lengths_[aside.index];
@@ -111,7 +110,7 @@ PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {
   return nullptr;
 }
 
-PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, bool hasFirst, bool &expired) {
+PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, uint8_t longest, bool hasFirst, bool &expired) {
   PartialFrame *place = nullptr;
   for (PartialFrame &frame : frames_) {
     if (frame.isFree() || (hasFirst && !frame.hasFirst() && place == nullptr)) place = &frame;
@@ -119,7 +118,7 @@ PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, bool hasFirst
   }
   if (place == nullptr) return nullptr;
   expired = !place->isFree();
-  place->begin(origin, id);
+  place->begin(origin, id, longest);
   return place;
 }
 

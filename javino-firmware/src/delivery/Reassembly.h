@@ -3,9 +3,10 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 #include "../framing/Limits.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
+#include "Pieces.h"
 
 namespace javino {
 
@@ -27,7 +28,8 @@ class PartialFrame {
   void clear() { have_ = 0; }
 
   /// Begins with nothing of a message.
-  void begin(const Address &from, uint8_t number);
+  /// @param longest the most bytes of a piece, 16…67
+  void begin(const Address &from, uint8_t number, uint8_t longest);
 
   /// Whether a first piece is here, and with it a frame's header.
   bool hasFirst() const { return (have_ & 1) != 0; }
@@ -68,12 +70,15 @@ class PartialFrame {
     uint8_t bytes[PIECE_LENGTH];
   };
 
+  bool isPieceOf(uint16_t frameLength, uint8_t index, uint8_t pieceLength) const;
   bool fits(uint8_t index, uint8_t pieceLength) const;
+  uint8_t *at(uint8_t index) { return bytes + index * longest_; }
   JAVINO_NOINLINE bool swap(Aside &aside);
 
   uint8_t have_;  // bit k: piece k is here; 0: this place is free
   uint8_t last_;  // the piece that came last
   uint8_t refusals_;
+  uint8_t longest_;
   uint8_t doubted_;  // bit k: piece k is here, but is to be sent once more
   uint8_t lengths_[MAX_PIECES];
   Aside aside_[2];  // of the first piece, and of any other
@@ -93,7 +98,7 @@ class Reassembly {
   /// @param hasFirst whether its first piece is what came
   /// @param expired set where another message was forgotten for it
   /// @return null where no place is free
-  PartialFrame *begin(const Address &origin, uint8_t id, bool hasFirst, bool &expired);
+  PartialFrame *begin(const Address &origin, uint8_t id, uint8_t longest, bool hasFirst, bool &expired);
 
   /// Forgets what has got no new piece for 5 s.
   /// @return how many messages that were

@@ -32,12 +32,12 @@ void Receiver::accept(uint8_t *packet, uint8_t length) {
 }
 
 void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
-  const uint32_t begun = clock::millis() - channel_.airtimeMillis(length);
+  const uint32_t begun = clock::millis() - medium_.airtimeMillis(length);
   if (frame.destination.classOf() == Address::PIECE) {
     if (frame.origin == id_.address()) {
       counters_.count(Counter::RADIO_OWN);
     } else {
-      pieces_.accept(frame, begun);
+      pieces_.accept(frame, medium_.pieceLength(), begun);
     }
   } else if (admission_.isForUs(frame)) {
     admission_.accept(frame, packet, length, begun);

@@ -2,12 +2,12 @@
 
 #include <stdint.h>
 
-#include "../board/Counters.h"
+#include "../support/Counters.h"
 #include "../framing/Frame.h"
 #include "../radio/Radio.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Admission.h"
-#include "Channel.h"
+#include "MediumAccess.h"
 #include "Courier.h"
 #include "PieceReceiver.h"
 
@@ -17,10 +17,10 @@ namespace javino {
 /// blocked only acknowledgements of our own messages are looked at.
 class Receiver {
  public:
-  Receiver(Radio &radio, const Channel &channel, const RfId &id, Admission &admission, Courier &courier,
+  Receiver(Radio &radio, const MediumAccess &medium, const RfId &id, Admission &admission, Courier &courier,
            Counters &counters)
       : radio_(radio),
-        channel_(channel),
+        medium_(medium),
         id_(id),
         admission_(admission),
         courier_(courier),
@@ -39,7 +39,7 @@ class Receiver {
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
 
   Radio &radio_;
-  const Channel &channel_;
+  const MediumAccess &medium_;
   const RfId &id_;
   Admission &admission_;
   Courier &courier_;

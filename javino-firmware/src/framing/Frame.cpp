@@ -1,6 +1,6 @@
 #include "Frame.h"
 
-#include "../addressing/Base64Digit.h"
+#include "Address.h"
 
 namespace javino {
 

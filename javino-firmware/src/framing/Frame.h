@@ -2,8 +2,8 @@
 
 #include <stdint.h>
 
-#include "../addressing/Address.h"
-#include "../support/NoInline.h"
+#include "Address.h"
+#include "../support/Inlining.h"
 #include "Limits.h"
 
 namespace javino {

@@ -3,7 +3,6 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../radio/Radio.h"
 
 namespace javino {
 
@@ -17,8 +16,6 @@ static const uint16_t MAX_FRAME_LENGTH = HEADER_LENGTH + MAX_MESSAGE_LENGTH;
 static const uint8_t NONCE_LENGTH = 6;
 static const uint8_t TAG_LENGTH = 8;
 static const uint8_t PROOF_LENGTH = 8;
-static const uint8_t PIECE_LENGTH = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
-static const uint8_t MAX_PIECES = 8;
 
 /// Beside a content, a poll reply of the longest message holds status, flags, and of a record M the head, number,
 /// addresses and id (SPEC 4.3).
@@ -32,7 +29,6 @@ static const uint16_t MIN_PACKET_LENGTH = 1 + HEADER_LENGTH + 2;
 static const uint8_t SEAL_LENGTH = NONCE_LENGTH + TAG_LENGTH;
 
 static_assert(MAX_MESSAGE_LENGTH != 511 || (MAX_CONTENT_LENGTH == 494 && MAX_PACKET_LENGTH == 524), "SPEC's table");
-static_assert(MIN_PACKET_LENGTH == 13 && PIECE_LENGTH == 67, "SPEC's table");
-static_assert(MAX_FRAME_LENGTH <= MAX_PIECES * PIECE_LENGTH, "SPEC 7.1");
+static_assert(MIN_PACKET_LENGTH == 13, "SPEC's table");
 
 }  // namespace javino

@@ -1,6 +1,6 @@
 #include "PacketDecoder.h"
 
-#include "Crc16.h"
+#include "../support/Crc16.h"
 
 namespace javino {
 

@@ -10,7 +10,7 @@
 #include <avr/interrupt.h>
 
 #include "AskHardware.h"
-#include "OutOfLine.h"
+#include "../support/Inlining.h"
 
 /// The timer, by its number: 1; on a Leonardo 1 or 3; on a Mega 1, 3, 4 or 5; or 0, which goes on to run millis(). The
 /// PWM of its pins is lost.

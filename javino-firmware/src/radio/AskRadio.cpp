@@ -1,7 +1,7 @@
 #include "AskRadio.h"
 
 #include "AskHardware.h"
-#include "Counting.h"
+#include "../support/Counters.h"
 
 namespace javino {
 
@@ -11,6 +11,10 @@ namespace {
 // left to wait for.
 const uint8_t BITS_TO_ALARM = 5;
 const uint8_t SILENCE_ALARMS = 2;
+
+// A carrier is heard from its twelfth bit on, and seen by the loop within 1 ms: another that begins a slot later is
+// put off.
+const uint16_t SLOT_BITS = 16;
 
 // 0 for a rate that cannot be had: none of ours, or too high for a slow timer.
 uint16_t ticksPerBit(uint16_t bitRate) {
@@ -71,6 +75,12 @@ bool AskRadio::carrier() const {
   askhardware::InterruptLock lock;
   return carrier_.isHeard();
 }
+
+uint16_t AskRadio::airtimeMillis(uint8_t length) const {
+  return static_cast<uint16_t>(RadioEncoder::bitsOf(length) * 1000ul / bitRate_);
+}
+
+uint8_t AskRadio::slotMillis() const { return static_cast<uint8_t>((SLOT_BITS * 1000u + bitRate_ - 1) / bitRate_); }
 
 uint8_t *AskRadio::receive(uint8_t &length) {
   while (RadioPacket *packet = queue_.oldest()) {

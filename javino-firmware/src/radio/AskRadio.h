@@ -32,11 +32,12 @@ class AskRadio : public Radio {
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return sending_; }
   bool carrier() const override;
-  uint16_t bitRate() const override { return bitRate_; }
+  uint8_t longestPayload() const override { return MAX_RADIO_PAYLOAD; }
+  uint16_t airtimeMillis(uint8_t length) const override;
+  uint8_t slotMillis() const override;
   uint8_t *receive(uint8_t &length) override;
   void release() override { queue_.release(); }
   void counters(RadioCounters &into) const override;
-  void update() override {}
   bool idle() const override { return queue_.empty(); }
 
   /// Interrupt: the RX pin went to this level.

@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-#include "OutOfLine.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

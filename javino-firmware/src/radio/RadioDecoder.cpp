@@ -1,6 +1,6 @@
 #include "RadioDecoder.h"
 
-#include "Counting.h"
+#include "../support/Counters.h"
 #include "LineCode.h"
 
 namespace javino {

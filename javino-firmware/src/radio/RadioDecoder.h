@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 #include "CarrierSense.h"
-#include "OutOfLine.h"
+#include "../support/Inlining.h"
 #include "Radio.h"
 #include "RadioQueue.h"
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "../framing/Crc16.h"
+#include "../support/Crc16.h"
 
 namespace javino {
 

@@ -18,7 +18,13 @@ class RadioEncoder {
   /// @return false, and nothing changes, where the length is out of range.
   bool start(const uint8_t *payload, uint8_t length, uint8_t *packet);
 
-  /// @return whether next() has another bit: 84 + 12 n times for n bytes of payload.
+  /// The bits of a packet: 84 + 12 n for n bytes of payload.
+  static uint16_t bitsOf(uint8_t length) {
+    return static_cast<uint16_t>(linecode::BITS_PER_SYMBOL *
+                                 (linecode::PREAMBLE_SYMBOLS + 2 * (length + linecode::PACKET_OVERHEAD)));
+  }
+
+  /// @return whether next() has another bit: bitsOf() times.
   bool hasNext() const { return bitsLeft_ != 0; }
 
   /// @return the next bit, true for carrier on; false where hasNext() is false.

@@ -1,6 +1,6 @@
 #include "RadioPacket.h"
 
-#include "../framing/Crc16.h"
+#include "../support/Crc16.h"
 
 namespace javino {
 

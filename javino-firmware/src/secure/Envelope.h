@@ -4,7 +4,7 @@
 
 #include "../crypto/DerivedKeys.h"
 #include "../framing/Frame.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

@@ -2,9 +2,9 @@
 
 #include <stdint.h>
 
-#include "../board/Status.h"
+#include "../support/Status.h"
 #include "../storage/BootEpoch.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

@@ -2,9 +2,9 @@
 
 #include <stdint.h>
 
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 #include "../crypto/DerivedKeys.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

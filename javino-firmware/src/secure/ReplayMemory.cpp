@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "../framing/Crc16.h"
+#include "../support/Crc16.h"
 #include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
 

@@ -3,11 +3,11 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 #include "../framing/Limits.h"
 #include "../storage/KeyStore.h"
 #include "../storage/Retained.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

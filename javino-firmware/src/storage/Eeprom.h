@@ -4,7 +4,7 @@
 
 namespace javino {
 
-/// Bytes that survive a loss of power. The seam for the EEPROM; bound when linking, to ArduinoEeprom.cpp on a board and
+/// Bytes that survive a loss of power. The seam for the EEPROM; bound when linking, to ArduinoSeams.cpp on a board and
 /// to a simulated one in the host tests, torn writes and all. A chip has one EEPROM, so there is no object to pass.
 namespace eeprom {
 

@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 #include "../crypto/DerivedKeys.h"
 #include "../framing/Limits.h"
 #include "EepromRecord.h"

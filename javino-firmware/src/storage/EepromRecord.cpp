@@ -1,6 +1,6 @@
 #include "EepromRecord.h"
 
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 #include "Eeprom.h"
 
 namespace javino {

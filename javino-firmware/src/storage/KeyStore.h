@@ -3,10 +3,10 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../addressing/Address.h"
-#include "../board/Status.h"
+#include "../framing/Address.h"
+#include "../support/Status.h"
 #include "../crypto/DerivedKeys.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 

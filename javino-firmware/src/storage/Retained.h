@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
-#include "../addressing/Address.h"
+#include "../framing/Address.h"
 #include "../framing/Limits.h"
 
 namespace javino {
@@ -25,7 +25,7 @@ struct TakenNonces {
 };
 
 /// RAM that a reset leaves alone, but a loss of power does not: whoever uses it has to find out what it is worth. The
-/// seam is bound when linking, to ArduinoRetained.cpp on a board and to SimulatedRam in the host tests.
+/// seam is bound when linking, to ArduinoSeams.cpp on a board and to SimulatedRam in the host tests.
 namespace retained {
 
 TakenNonces &takenNonces();

@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-#include "NoInline.h"
+#include "Inlining.h"
 
 namespace javino {
 

@@ -4,7 +4,7 @@
 
 namespace javino {
 
-/// The time since the boot. The seam for the core's timer; bound when linking, to ArduinoClock.cpp on a board and to a
+/// The time since the boot. The seam for the core's timer; bound when linking, to ArduinoSeams.cpp on a board and to a
 /// clock that the test sets in the host tests.
 namespace clock {
 

@@ -1,6 +1,6 @@
 #include "Random.h"
 
-#include "../framing/Crc16.h"
+#include "Crc16.h"
 #include "BigEndian.h"
 
 namespace javino {

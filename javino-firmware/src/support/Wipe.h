@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "NoInline.h"
+#include "Inlining.h"
 
 namespace javino {
 

@@ -6,7 +6,7 @@
 #include "Mailbox.h"
 #include "crypto/Cfb128.h"
 #include "crypto/Cmac.h"
-#include "framing/Crc16.h"
+#include "support/Crc16.h"
 #include "framing/PacketDecoder.h"
 #include "radio/AskRadio.h"
 #include "secure/Envelope.h"

@@ -1,5 +1,4 @@
-#include <addressing/Address.h>
-#include <addressing/Base64Digit.h>
+#include <framing/Address.h>
 #include <gtest/gtest.h>
 
 #include "support/Vectors.h"

@@ -1,4 +1,4 @@
-#include <framing/Crc16.h>
+#include <support/Crc16.h>
 #include <gtest/gtest.h>
 
 #include "support/Reference.h"

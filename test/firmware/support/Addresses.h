@@ -1,6 +1,6 @@
 #pragma once
 
-#include <addressing/Address.h>
+#include <framing/Address.h>
 
 // Devices; the last two are next to each other.
 const javino::Address ROMA(0x44e300);

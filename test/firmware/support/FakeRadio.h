@@ -14,11 +14,12 @@ class FakeRadio : public javino::Radio {
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return onAir_; }
   bool carrier() const override { return heard; }
-  uint16_t bitRate() const override { return 2000; }
+  uint8_t longestPayload() const override { return payload; }
+  uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(42 + 6 * length); }
+  uint8_t slotMillis() const override { return 8; }
   uint8_t *receive(uint8_t &length) override;
   void release() override { in_.pop_front(); }
   void counters(javino::RadioCounters &into) const override { into = counts; }
-  void update() override { updates++; }
   bool idle() const override { return in_.empty(); }
 
   void arrive(const Bytes &payload) { in_.push_back(payload); }
@@ -29,7 +30,7 @@ class FakeRadio : public javino::Radio {
   bool works = true;     ///< whether begin() succeeds
   bool refuses = false;  ///< whether send() does nothing
   bool heard = false;    ///< whether another board's carrier is on the air
-  int updates = 0;
+  uint8_t payload = javino::MAX_RADIO_PAYLOAD;
   javino::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
 

@@ -7,12 +7,12 @@
 
 using namespace javino;
 
-std::vector<Bytes> cut(const Bytes &frame, uint8_t id) {
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest) {
   std::vector<Bytes> all;
   const uint16_t length = static_cast<uint16_t>(frame.size());
-  for (uint8_t index = 0; index < pieces::count(length); index++) {
-    Bytes piece(MAX_RADIO_PAYLOAD);
-    piece.resize(pieces::cut(frame.data(), length, id, index, piece.data()));
+  for (uint8_t index = 0; index < pieces::count(length, longest); index++) {
+    Bytes piece(HEADER_LENGTH + longest);
+    piece.resize(pieces::cut(frame.data(), length, id, index, longest, piece.data()));
     all.push_back(piece);
   }
   return all;

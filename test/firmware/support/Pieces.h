@@ -1,5 +1,7 @@
 #pragma once
 
+#include <delivery/Pieces.h>
+
 #include <string>
 #include <vector>
 
@@ -7,7 +9,8 @@
 
 /// The pieces of a whole frame, all without a wish for an answer.
 /// @param id 0…63
-std::vector<Bytes> cut(const Bytes &frame, uint8_t id);
+/// @param longest the most bytes of a piece
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javino::PIECE_LENGTH);
 
 /// A piece whose sender wants an answer.
 Bytes wantingAnswer(Bytes piece);

@@ -52,7 +52,7 @@ bool TestBoard::reboot() {
   clock.millis = 0;
   port = FakePort();
   radio = FakeRadio();
-  board.reset(new javino::Board(javino::SerialPort(port), radio, "test 1.0"));
+  board.reset(new javino::Board(javino::SerialPort(port), other_ == nullptr ? radio : *other_, "test 1.0"));
   return board->begin();
 }
 

@@ -49,7 +49,8 @@ struct BoardReply {
 /// and the RAM that a reset leaves alone outlive reboots.
 class TestBoard {
  public:
-  TestBoard() { reboot(); }
+  /// @param other the board's radio, which outlives it, instead of the fake one
+  explicit TestBoard(javino::Radio *other = nullptr) : other_(other) { reboot(); }
 
   /// Makes this board's hardware the chip's: for tests with several boards, before each use of one.
   void use();
@@ -116,6 +117,7 @@ class TestBoard {
   std::unique_ptr<javino::Board> board;
 
  private:
+  javino::Radio *const other_;
   PollReply pollWith(const Bytes &body);
 
   uint8_t sequence_ = 0;

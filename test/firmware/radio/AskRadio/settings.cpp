@@ -39,7 +39,18 @@ TEST(AskRadio, hearsNothingBeforeItBegins) {
   EXPECT_EQ(payload[0], 2);
 }
 
-TEST(AskRadio, tellsItsBitRate) { EXPECT_EQ(AskRadio(11, 12, 4800).bitRate(), 4800); }
+// 84 bits and 12 more for each byte; a slot is 16 bits, rounded up.
+TEST(AskRadio, tellsAirtimeAndSlotOfItsBitRate) {
+  EXPECT_EQ(AskRadio().airtimeMillis(1), 48);
+  EXPECT_EQ(AskRadio().airtimeMillis(77), 504);
+  EXPECT_EQ(AskRadio().slotMillis(), 8);
+  EXPECT_EQ(AskRadio(11, 12, 4800).airtimeMillis(77), 210);
+  EXPECT_EQ(AskRadio(11, 12, 4800).slotMillis(), 4);
+  EXPECT_EQ(AskRadio(11, 12, 200).airtimeMillis(77), 5040);
+  EXPECT_EQ(AskRadio(11, 12, 200).slotMillis(), 80);
+}
+
+TEST(AskRadio, carriesTheLongestPayload) { EXPECT_EQ(AskRadio().longestPayload(), javino::MAX_RADIO_PAYLOAD); }
 
 TEST(AskRadio, sendsAndReceivesAtEachRate) {
   for (uint16_t rate : {200, 300, 1200, 2000, 4800, 9600}) {

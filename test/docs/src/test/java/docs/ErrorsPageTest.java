@@ -57,7 +57,7 @@ class ErrorsPageTest {
     @Test
     void board_eachStatus_hasAnEntryAndIsTheSameOnBothSides() {
         List<String> firmware = found("(?m)^  ([A-Z_]+) = \\d+",
-                Repository.text("javino-firmware/src/board/Status.h")).toList();
+                Repository.text("javino-firmware/src/support/Status.h")).toList();
         assertEquals(Arrays.stream(Status.values()).map(Enum::name).toList(), firmware);
         assertEntries("From the board", firmware.stream().filter(status -> !status.equals("OK")));
     }

@@ -25,7 +25,7 @@ record Firmware(Path folder) {
     Map<String, Integer> constants(int unit) {
         int span = number("delivery/Backoff.cpp", "FIRST_MASK = (\\d+);") + 1;
         int doublings = number("delivery/Backoff.cpp", "LAST_DOUBLING = (\\d+);");
-        int slotBits = number("delivery/Channel.cpp", "SLOT_BITS = (\\d+);");
+        int slotBits = number("radio/AskRadio.cpp", "SLOT_BITS = (\\d+);");
         int patience = number("delivery/Courier.cpp", "PATIENCE_MILLIS = (\\d+);") * BIT_RATE / (1000 * slotBits);
         Map<String, Integer> constants = new LinkedHashMap<>();
         constants.put("ATTEMPTS", number("delivery/Courier.cpp", "MAX_ATTEMPTS = (\\d+);"));

@@ -1,20 +1,15 @@
-#include "Channel.h"
+#include "MediumAccess.h"
 
 #include "../support/Clock.h"
 
 namespace javino {
 
-// A carrier is heard from its twelfth bit on, and seen by the loop within 1 ms: another that begins a slot later is
-// put off.
-static const uint16_t SLOT_BITS = 16;
-static const uint16_t PACKET_BITS = 84;  // of a packet without payload (SPEC 6)
-static const uint16_t BITS_A_BYTE = 12;
-
-void Channel::begin() {
-  slotMillis_ = static_cast<uint8_t>((SLOT_BITS * 1000u + radio_.bitRate() - 1) / radio_.bitRate());
+void MediumAccess::begin() {
+  slotMillis_ = radio_.slotMillis();
+  pieceLength_ = static_cast<uint8_t>(radio_.longestPayload() - HEADER_LENGTH);
 }
 
-void Channel::update() {
+void MediumAccess::update() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const bool wasBusy = busy_;
   carrier_ = radio_.carrier();
@@ -34,15 +29,11 @@ void Channel::update() {
   }
 }
 
-bool Channel::send(const uint8_t *payload, uint8_t length) {
+bool MediumAccess::send(const uint8_t *payload, uint8_t length) {
   if (!radio_.send(payload, length)) return false;
   busy_ = true;
   quietSlots_ = 0;
   return true;
-}
-
-uint16_t Channel::airtimeMillis(uint8_t length) const {
-  return static_cast<uint16_t>((PACKET_BITS + BITS_A_BYTE * length) * 1000ul / radio_.bitRate());
 }
 
 }  // namespace javino

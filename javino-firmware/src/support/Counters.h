@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "Inlining.h"
+
 namespace javino {
 
 /// The counters' numbers (SPEC 4.5).
@@ -35,18 +37,23 @@ enum class Counter : uint8_t {
   RADIO_STALE,
   RADIO_MENDED,
   RADIO_BLOCKED,
-  RADIO_ANSWERS_DROPPED
+  RADIO_ANSWERS_DROPPED,
+  END  ///< one more than the last
 };
+
+/// Adds one; the counter stops at 4294967295.
+inline void countUp(uint32_t &counter) {
+  if (counter != UINT32_MAX) counter++;
+}
 
 /// What was done, damaged and dropped since the boot; nothing is dropped without a count.
 class Counters {
  public:
-  static const uint8_t COUNT = static_cast<uint8_t>(Counter::RADIO_ANSWERS_DROPPED);
+  static const uint8_t COUNT = static_cast<uint8_t>(Counter::END) - 1;
 
   Counters() : values_() {}
 
-  /// Adds one; a counter stops at 4294967295.
-  void count(Counter counter);
+  JAVINO_NOINLINE void count(Counter counter) { countUp(values_[indexOf(counter)]); }
 
   /// Takes over a value that is counted elsewhere.
   void set(Counter counter, uint32_t value) { values_[indexOf(counter)] = value; }

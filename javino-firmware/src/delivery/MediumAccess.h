@@ -3,14 +3,15 @@
 #include <stdint.h>
 
 #include "../radio/Radio.h"
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
+#include "Pieces.h"
 
 namespace javino {
 
-/// The air as a sender sees it: whether it is busy, and for how many slots of 16 bits it has been quiet (SPEC 7.4).
-class Channel {
+/// Medium access (SPEC 7.4): whether the air is busy, and for how many slots it has been quiet.
+class MediumAccess {
  public:
-  explicit Channel(Radio &radio)
+  explicit MediumAccess(Radio &radio)
       : radio_(radio),
         slotMillis_(1),
         busy_(true),
@@ -44,11 +45,15 @@ class Channel {
 
   /// How long a packet is on the air.
   /// @param length of its payload, in bytes
-  uint16_t airtimeMillis(uint8_t length) const;
+  uint16_t airtimeMillis(uint8_t length) const { return radio_.airtimeMillis(length); }
+
+  /// The most bytes that a packet carries beside a header, 16…67.
+  uint8_t pieceLength() const { return pieceLength_; }
 
  private:
   Radio &radio_;
   uint8_t slotMillis_;
+  uint8_t pieceLength_;  // set by begin()
   bool busy_;
   bool carrier_;
   uint8_t quietSlots_;

@@ -2,9 +2,18 @@
 
 #include <stdint.h>
 
-#include "../support/NoInline.h"
+#include "../support/Inlining.h"
 
 namespace javino {
+
+/// What base64Value() gives for a byte outside the alphabet.
+static const uint8_t NOT_A_DIGIT = 0xFF;
+
+/// @return the value 0…63 of a Base64 digit (RFC 4648 section 4: `A`…`Z`, `a`…`z`, `0`…`9`, `+`, `/`), or NOT_A_DIGIT.
+uint8_t base64Value(uint8_t digit);
+
+/// @param value 0…63
+uint8_t base64Digit(uint8_t value);
 
 /// An address on the air or on the serial line: four Base64 digits, 24 bits (SPEC 1).
 class Address {

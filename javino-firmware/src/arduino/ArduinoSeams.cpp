@@ -1,0 +1,42 @@
+#include <Arduino.h>
+#include <EEPROM.h>
+
+#include "../board/SerialPort.h"
+#include "../storage/Eeprom.h"
+#include "../storage/Retained.h"
+#include "../support/Clock.h"
+
+// The seams SerialPort, Eeprom, Retained and Clock on the Arduino core.
+
+#ifdef __AVR__
+#define JAVINO_RETAINED __attribute__((section(".noinit")))
+#else
+#define JAVINO_RETAINED
+#endif
+
+namespace javino {
+
+bool SerialPort::canRead() const { return serial_.available() > 0; }
+
+uint8_t SerialPort::read() { return static_cast<uint8_t>(serial_.read()); }
+
+// The core's write() waits when its buffer of 64 bytes is full, so it is never called then.
+bool SerialPort::canWrite() const { return serial_.availableForWrite() > 0; }
+
+void SerialPort::write(uint8_t byte) { serial_.write(byte); }
+
+// The EEPROM's writes wait with interrupts on: serial bytes and the radio go on meanwhile.
+uint8_t eeprom::read(uint16_t at) { return EEPROM.read(at); }
+
+void eeprom::write(uint16_t at, uint8_t value) { EEPROM.write(at, value); }
+
+// The start-up code clears .bss and fills .data, but leaves .noinit, which the linker places right behind them. On a Mega
+// the boot loader runs before each start-up: its own variables lie at the bottom of the RAM, its stack at the top; what
+// is in the middle, above some hundred bytes of .data and .bss, it does not touch.
+static TakenNonces nonces JAVINO_RETAINED;
+
+TakenNonces &retained::takenNonces() { return nonces; }
+
+uint32_t clock::millis() { return ::millis(); }
+
+}  // namespace javino
