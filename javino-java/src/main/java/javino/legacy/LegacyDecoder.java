@@ -1,8 +1,9 @@
 package javino.legacy;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javino.protocol.Bytes;
 
 /**
@@ -11,26 +12,14 @@ import javino.protocol.Bytes;
  */
 public final class LegacyDecoder {
 
-    /** What the next byte is to be, if nothing is damaged. */
-    private enum State {
-        /** The first letter of the preamble; between messages. */
-        FIRST_F,
-        SECOND_F,
-        THIRD_F,
-        /** The last letter of the preamble; one more f than there should be is no harm. */
-        E,
-        SIZE_HIGH,
-        SIZE_LOW,
-        TEXT
-    }
-
+    /** All that comes before a text. */
+    private static final Pattern BEGINNING = Pattern.compile(LegacyMessage.PREAMBLE + "([0-9A-Fa-f]{2})");
     private static final int HEXADECIMAL = 16;
 
-    private final byte[] text = new byte[LegacyMessage.MAX_LENGTH];
-    private State state = State.FIRST_F;
-    /** Bytes since the message under way began. */
-    private int begun;
-    private int size;
+    /** What has come before the text of the message under way. */
+    private final StringBuilder beginning = new StringBuilder();
+    /** The text, as far as {@link #length}; null before its size is known. */
+    private byte[] text;
     private int length;
     private long skipped;
 
@@ -45,18 +34,17 @@ public final class LegacyDecoder {
         List<LegacyMessage> messages = new ArrayList<>(1);
         int at = 0;
         while (at < count) {
-            if (state == State.TEXT) {
-                int taken = Math.min(count - at, size - length);
+            if (text == null) {
+                accept((char) (bytes[at] & 0xFF));
+                at++;
+            } else {
+                int taken = Math.min(count - at, text.length - length);
                 System.arraycopy(bytes, at, text, length, taken);
                 length += taken;
-                begun += taken;
                 at += taken;
-            } else {
-                accept(bytes[at] & 0xFF);
-                at++;
             }
-            if (state == State.TEXT && length == size) {
-                messages.add(new LegacyMessage(Bytes.copyOf(Arrays.copyOf(text, length))));
+            if (text != null && length == text.length) {
+                messages.add(new LegacyMessage(Bytes.copyOf(text)));
                 restart();
             }
         }
@@ -69,10 +57,10 @@ public final class LegacyDecoder {
      * @return whether there was one.
      */
     public boolean abandon() {
-        boolean underWay = begun > 0;
+        int begun = beginning.length() + length;
         skipped += begun;
         restart();
-        return underWay;
+        return begun > 0;
     }
 
     /** How many bytes belonged to no message, so far. */
@@ -80,48 +68,23 @@ public final class LegacyDecoder {
         return skipped;
     }
 
-    /** Takes a byte that comes before the text. */
-    private void accept(int value) {
-        begun++;
-        switch (state) {
-            case FIRST_F -> expect(value == 'f', State.SECOND_F);
-            case SECOND_F -> expect(value == 'f', State.THIRD_F);
-            case THIRD_F -> expect(value == 'f', State.E);
-            case E -> {
-                if (value == 'f') {
-                    skipped++;
-                    begun--;
-                } else {
-                    expect(value == 'e', State.SIZE_HIGH);
-                }
-            }
-            case SIZE_HIGH, SIZE_LOW -> size(value);
-            case TEXT -> throw new IllegalStateException("a text is not taken byte by byte");
-        }
-    }
-
-    private void expect(boolean asExpected, State next) {
-        if (asExpected) {
-            state = next;
-        } else {
+    private void accept(char next) {
+        beginning.append(next);
+        Matcher matcher = BEGINNING.matcher(beginning);
+        if (matcher.matches()) {
+            text = new byte[Integer.parseInt(matcher.group(1), HEXADECIMAL)];
+        } else if (beginning.toString().equals("ffff")) {
+            // One more f than there should be is no harm.
+            beginning.deleteCharAt(0);
+            skipped++;
+        } else if (!matcher.hitEnd()) {
             abandon();
-        }
-    }
-
-    private void size(int value) {
-        int digit = value < 0x80 ? Character.digit(value, HEXADECIMAL) : -1;
-        if (digit < 0) {
-            abandon();
-        } else {
-            size = size * HEXADECIMAL + digit;
-            state = state == State.SIZE_HIGH ? State.SIZE_LOW : State.TEXT;
         }
     }
 
     private void restart() {
-        state = State.FIRST_F;
-        begun = 0;
-        size = 0;
+        beginning.setLength(0);
+        text = null;
         length = 0;
     }
 }
