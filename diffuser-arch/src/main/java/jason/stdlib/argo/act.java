@@ -1,10 +1,6 @@
 package jason.stdlib.argo;
 
-/**
- * <p>Internal action: <b><code>.argo.act</code></b>, as agents for the Argo architecture write it.
- *
- * @see jason.stdlib.act
- */
+/** {@code .argo.act}, as agents for Argo write {@link jason.stdlib.act}. */
 public class act extends jason.stdlib.act {
 
     private static final long serialVersionUID = 1L;

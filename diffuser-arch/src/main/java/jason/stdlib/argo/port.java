@@ -1,11 +1,8 @@
 package jason.stdlib.argo;
 
 /**
- * <p>Internal action: <b><code>.argo.port</code></b>, as agents for the Argo architecture write it.
- *
+ * {@code .argo.port}, as agents for Argo write {@link jason.stdlib.port}.
  * It takes a second argument, whether the agent may sleep, which means nothing here: it sleeps until something arrives.
- *
- * @see jason.stdlib.port
  */
 public class port extends jason.stdlib.port {
 

@@ -1,10 +1,6 @@
 package jason.stdlib.difuser;
 
-/**
- * <p>Internal action: <b><code>.difuser.limit</code></b>, as agents for the Difuser architecture write it.
- *
- * @see jason.stdlib.limit
- */
+/** {@code .difuser.limit}, as agents for the public Difuser write {@link jason.stdlib.limit}. */
 public class limit extends jason.stdlib.limit {
 
     private static final long serialVersionUID = 1L;
