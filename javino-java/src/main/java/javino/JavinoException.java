@@ -1,6 +1,6 @@
 package javino;
 
-/** The base of all that can go wrong with a board, its link or its protocol; the message is one line with the evidence. */
+/** The base of all errors of a board, its link or its protocol; the message is one line with the evidence. */
 public class JavinoException extends Exception {
 
     private static final long serialVersionUID = 1L;

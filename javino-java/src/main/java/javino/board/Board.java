@@ -20,18 +20,18 @@ import javino.protocol.Request;
 import javino.protocol.Status;
 
 /**
- * A session with one board, which is greeted, polled, and found again when it was gone, all on a daemon thread.
+ * A session with one board. A daemon thread says hello to the board, polls it, and finds it again when it was lost.
  *
- * <p>Nothing here waits for the board: requests return futures, which complete on the session's thread (so what
- * depends on them must not block). A request made while the board is offline waits for it, at most
+ * <p>No method waits for the board: requests return futures, which complete on the session's thread (so actions that
+ * depend on them must not block). A request made while the board is offline waits for it, at most
  * {@link BoardConfig#patience()}. A future fails with
  * <ul>
- * <li>{@link RequestFailedException} where the board refused,
- * <li>{@link LegacyBoardException} where the board speaks the older protocol (SPEC 8), but for actions and percepts,
- * <li>{@link BoardOfflineException} where it was not reached,
- * <li>{@link OutcomeUnknownException} where it was lost or reset while the request was under way,
- * <li>{@link QueueFullException} where too many requests wait,
- * <li>{@link ProtocolException} where the reply made no sense.
+ * <li>{@link RequestFailedException} if the board refused,
+ * <li>{@link LegacyBoardException} if the board speaks the older protocol (SPEC 8), except for actions and percepts,
+ * <li>{@link BoardOfflineException} if it was not reached,
+ * <li>{@link OutcomeUnknownException} if it was lost or reset while the request was under way,
+ * <li>{@link QueueFullException} if too many requests wait,
+ * <li>{@link ProtocolException} if the reply was not understood.
  * </ul>
  */
 public final class Board implements AutoCloseable {
@@ -58,7 +58,7 @@ public final class Board implements AutoCloseable {
         }
     }
 
-    /** Begins a session; the board need not be there yet. */
+    /** Starts a session; the board need not be there yet. */
     public static Board open(LinkOpener opener, BoardConfig config, BoardListener listener) {
         Board board = new Board(opener, config, listener);
         board.thread.start();
@@ -66,8 +66,8 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Has the sketch perform an action. A board that speaks the older protocol answers none: there the future completes
-     * when the action has left.
+     * Makes the sketch perform an action. A board that speaks the older protocol does not answer: there the future
+     * completes when the action has left the host.
      *
      * @param action {@code name} or {@code name(arguments)}, 1…510 bytes of UTF-8.
      * @throws IllegalArgumentException if the action is empty or too long.
@@ -77,7 +77,7 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Has a content sent by radio from the board's own address.
+     * Sends a content by radio from the board's own address.
      *
      * @throws IllegalArgumentException if the destination is the serial line.
      */
@@ -103,7 +103,7 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Gives the board its address; it keeps it.
+     * Sets the board's address, which the board stores.
      *
      * @throws IllegalArgumentException if the address is no device's.
      */
@@ -115,7 +115,7 @@ public final class Board implements AutoCloseable {
         });
     }
 
-    /** Has radio messages received, or not, now and whenever the board comes online again. */
+    /** Switches the reception of radio messages on or off, now and whenever the board comes online again. */
     public CompletableFuture<Void> radio(boolean open) {
         // At once, so that of two threads' wishes the last to be remembered is also the last to be performed.
         synchronized (context.radio()) {
@@ -125,7 +125,7 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Stores a key in the board, in the place of all that it has for the address; it keeps it.
+     * Stores a key in the board and replaces all its keys for the address.
      *
      * @param address the device or group that the key is shared with.
      * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
@@ -136,7 +136,7 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Raises the first half of the board's nonces; one that is not lower stays. The board goes on with it.
+     * Raises the board's epoch, the first half of its nonces; an epoch that is not lower stays.
      *
      * @throws IllegalArgumentException if the epoch is not 0…0xFFFFFE.
      */
@@ -145,9 +145,9 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Stores a key in the board as the next one of an address that has one: frames that come sealed with it are accepted
-     * and acknowledged; the one so far seals, until {@link #useKey}. Fails with NO_KEY where there is none so far, with
-     * BAD_ARGUMENT where another renewal is not finished.
+     * Stores a key in the board as the next one of an address that has one: frames sealed with it are accepted and
+     * acknowledged; the current key seals until {@link #useKey}. Fails with NO_KEY if there is no current key, and with
+     * BAD_ARGUMENT if another renewal is not finished.
      *
      * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
      * @throws IllegalArgumentException if the address is neither a device's nor a group's.
@@ -157,23 +157,23 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Has the board seal with the next key of an address, once all who share it accept it; frames that come sealed with
-     * the one so far are still accepted, until {@link #finishRenewal}. Fails with NO_KEY where there is no next one, with
-     * BUSY while a message is under way that is sealed with the one so far: then it is to be tried again.
+     * Makes the board seal with the next key of an address; call it when all devices that share the key accept it.
+     * Frames sealed with the key before are still accepted until {@link #finishRenewal}. Fails with NO_KEY if there is
+     * no next key, and with BUSY while a message sealed with the key before is under way: then try again.
      */
     public CompletableFuture<Void> useKey(Address address) {
         return ask(Request.useKey(address), Board::nothing);
     }
 
     /**
-     * Has the board forget the previous key of an address, once all who share it seal with the one after it; fails with
-     * NO_KEY where there is none.
+     * Makes the board delete the previous key of an address; call it when all devices that share the key seal with the
+     * next one. Fails with NO_KEY if there is no previous key.
      */
     public CompletableFuture<Void> finishRenewal(Address address) {
         return ask(Request.finishRenewal(address), Board::nothing);
     }
 
-    /** Has the board forget all keys of an address. */
+    /** Makes the board delete all keys of an address. */
     public CompletableFuture<Void> deleteKey(Address address) {
         return ask(Request.deleteKey(address), Board::nothing);
     }
@@ -183,21 +183,23 @@ public final class Board implements AutoCloseable {
         return ask(Request.listKeys(), Reply::storedKeys);
     }
 
-    /** The board's counters, since it booted: as a rule when this session opened its port. */
+    /** The board's counters since it booted, as a rule when this session opened its port. */
     public CompletableFuture<Map<Counter, Long>> statistics() {
         return ask(Request.statistics(), Reply::statistics);
     }
 
-    /** Has percepts asked for, or not; without, the listener is told an empty set. At first they are not. */
+    /**
+     * Switches percepts on or off; off is the default. When they are switched off, the listener is told an empty set.
+     */
     public void percepts(boolean wanted) {
         context.perception().setWanted(wanted);
         context.queue().wake();
     }
 
     /**
-     * Limits how often percepts are asked for.
+     * Limits how often the session asks for percepts.
      *
-     * @param least the least time between two sets; zero, as at first, for each poll.
+     * @param least the least time between two sets; zero, the default, for each poll.
      * @throws IllegalArgumentException if it is negative.
      */
     public void perceptInterval(Duration least) {
@@ -208,11 +210,11 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Waits for percepts that are asked for from now on, so that they show what an action has changed. It completes when
-     * the listener was told of them, if they are others than before; or where none come: they are not wanted, the board
-     * is not there or goes, or {@link #perceptInterval} lets them come later. It never fails.
+     * Waits for percepts that are asked for from now on, so that they show the effect of an action. It completes after
+     * the listener was told of them, if they have changed; or at once if none come: they are switched off, the board is
+     * not there or is lost, or {@link #perceptInterval} delays them too long. It never fails.
      *
-     * @param within how much later they may come.
+     * @param within the longest delay that is waited for.
      */
     public CompletableFuture<Void> reading(Duration within) {
         CompletableFuture<Void> taken = context.perception().reading(within);
@@ -225,24 +227,24 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * What first comes of the session: who the board is, or in one line why it cannot be reached. After a failure the
-     * session still tries, but where the board speaks another version of the protocol.
+     * The first result of the session: the board's description, or the reason why it cannot be reached. After a failure
+     * the session still tries, unless the board speaks another version of the protocol.
      */
     public CompletableFuture<BoardInfo> greeted() {
         return session.greeted().copy();
     }
 
-    /** How the session stands with the board. */
+    /** The state of the session. */
     public BoardState state() {
         return session.state();
     }
 
-    /** The board as it was greeted last, with its present address; nothing before the first time. */
+    /** The board's description from its last hello, with its present address; nothing before the first hello. */
     public Optional<BoardInfo> info() {
         return session.info();
     }
 
-    /** The session's own counters. */
+    /** The counters of the session itself. */
     public Map<SessionCounter, Long> counters() {
         return context.counters().snapshot();
     }
@@ -250,7 +252,7 @@ public final class Board implements AutoCloseable {
     /**
      * Ends the session without waiting for it; requests that wait fail.
      *
-     * @return completes when the port is free for others, as a rule within a tenth of a second.
+     * @return completes when the port is free for others, usually within a tenth of a second.
      */
     public CompletableFuture<Void> end() {
         context.queue().close("the session was closed");

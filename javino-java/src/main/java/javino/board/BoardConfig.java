@@ -4,13 +4,13 @@ import java.time.Duration;
 import java.util.function.Consumer;
 
 /**
- * How a session behaves. All times are positive.
+ * The settings of a session. All times are positive.
  *
- * @param pollInterval   from one poll to the next while nothing else is to do; 35 ms by default. While the board
+ * @param pollInterval   from one poll to the next while there are no other requests; 35 ms by default. While the board
  *                       receives or sends by radio it is at most 15 ms.
- * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more
- *                       where the board writes to its EEPROM (SPEC 4.2).
- * @param attempts       how often a request is sent before the board counts as offline, at least 1; 5 by default.
+ * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more if
+ *                       the board writes to its EEPROM (SPEC 4.2).
+ * @param attempts       how many times a request is sent before the board counts as offline, at least 1; 5 by default.
  * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.
  * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
@@ -48,7 +48,7 @@ public record BoardConfig(Duration pollInterval, Duration replyTimeout, int atte
         return create(builder -> { });
     }
 
-    /** The defaults, but for what the consumer sets. */
+    /** The defaults, except for values that the consumer sets. */
     public static BoardConfig create(Consumer<Builder> configure) {
         Builder builder = new Builder();
         configure.accept(builder);

@@ -2,7 +2,7 @@ package javino.board;
 
 import javino.JavinoException;
 
-/** A request was not performed since the board cannot be reached or the session has ended. */
+/** A request was not performed, because the board cannot be reached or the session has ended. */
 public final class BoardOfflineException extends JavinoException {
 
     private static final long serialVersionUID = 1L;

@@ -2,7 +2,7 @@ package javino.board;
 
 import javino.JavinoException;
 
-/** A request was not performed since the board speaks the older protocol, in which there is no such request (SPEC 8). */
+/** A request was not performed, because the board speaks the older protocol, which has no such request (SPEC 8). */
 public final class LegacyBoardException extends JavinoException {
 
     private static final long serialVersionUID = 1L;

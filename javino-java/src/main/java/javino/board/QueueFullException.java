@@ -2,7 +2,7 @@ package javino.board;
 
 import javino.JavinoException;
 
-/** A request was refused, and not performed, since too many others wait for the board. */
+/** A request was refused, and not performed, because too many others wait for the board. */
 public final class QueueFullException extends JavinoException {
 
     private static final long serialVersionUID = 1L;

@@ -13,7 +13,7 @@ public interface Link extends AutoCloseable {
     void write(byte[] bytes) throws LinkException;
 
     /**
-     * Waits until at least one byte is there, and reads what is.
+     * Waits until at least one byte is there, and reads all that are.
      *
      * @param into    filled from its start.
      * @param timeout how long to wait at most; implementations may round it up to 100 ms.
@@ -23,9 +23,9 @@ public interface Link extends AutoCloseable {
     int read(byte[] into, Duration timeout) throws LinkException;
 
     /**
-     * How long bytes are under way, so that a reader can let them gather instead of being woken for each few.
+     * How long bytes take on the line, so that a reader can collect them instead of waking for each few.
      *
-     * @return zero, unless the link is slow and knows it.
+     * @return zero, unless the link is slow and knows its speed.
      */
     default Duration timeFor(int bytes) {
         return Duration.ZERO;
@@ -34,15 +34,15 @@ public interface Link extends AutoCloseable {
     /**
      * The speed of the line.
      *
-     * @return bits a second; zero where the link has no such thing.
+     * @return bits a second; zero if the link has no speed.
      */
     default int baud() {
         return 0;
     }
 
     /**
-     * Changes the speed of the line, and leaves it open: a board is not reset by it. What is still under way may be
-     * spoilt. Does nothing where the link has no such thing.
+     * Changes the speed of the line, which stays open, so that a board is not reset. Bytes still on the line may be
+     * damaged. Does nothing if the link has no speed.
      *
      * @param baud bits a second.
      * @throws LinkException if the link is broken, or does not take this speed.

@@ -1,6 +1,6 @@
 package javino.link;
 
-/** Knows where a board is, and opens a link to it, again and again if need be. */
+/** Knows the place of a board, and opens a link to it, as often as needed. */
 public interface LinkOpener {
 
     /**
@@ -10,6 +10,6 @@ public interface LinkOpener {
      */
     Link open() throws LinkException;
 
-    /** What a user calls this link, such as {@code /dev/ttyACM0}. */
+    /** The user's name for this link, such as {@code /dev/ttyACM0}. */
     String name();
 }

@@ -15,7 +15,7 @@ import javino.JavinoException;
 /** A serial port: 8 data bits, no parity, one stop bit, no flow control (SPEC 4). */
 public final class SerialLink implements Link {
 
-    /** The rate that boards have unless they were built otherwise. */
+    /** The default baud rate of boards. */
     public static final int DEFAULT_BAUD = 115_200;
 
     /** A start bit, eight of data, a stop bit. */
@@ -69,7 +69,7 @@ public final class SerialLink implements Link {
     /**
      * The serial ports of this computer; none is opened.
      *
-     * @return what the system says of the device behind each, by the path that opens it, in the order of the paths.
+     * @return for each path that opens a port, the system's description of the device; in the order of the paths.
      * @throws JavinoException if serial ports cannot be used at all on this computer.
      */
     public static SortedMap<String, String> ports() throws JavinoException {

@@ -1,2 +1,2 @@
-/** Ways to a board: a serial port, and an in-memory one for tests. Bytes only; no knowledge of the protocol. */
+/** Links to a board: a serial port, and one in memory for tests. They carry bytes and know nothing of the protocol. */
 package javino.link;

@@ -40,7 +40,7 @@ public record ActionNames(int count, Bytes told) {
         return ends().size() == count;
     }
 
-    /** Those that are there whole, in the sketch's order. */
+    /** The names that are there as a whole, in the sketch's order. */
     public List<String> names() throws ProtocolException {
         List<String> names = new ArrayList<>();
         int start = 0;

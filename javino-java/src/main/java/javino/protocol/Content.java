@@ -3,24 +3,24 @@ package javino.protocol;
 import java.util.Optional;
 
 /**
- * What one agent says to another: {@code force;term} in UTF-8, or {@code force#conversation;term} where it asks or
+ * What one agent says to another: {@code force;term} in UTF-8, or {@code force#conversation;term} for questions and
  * answers (SPEC 3).
  *
  * @param force        what the message is meant to do.
- * @param conversation of a question and of its answer, so that they find each other; else empty.
+ * @param conversation the number that joins a question and its answer; else empty.
  * @param term         an AgentSpeak term, at least one byte; the whole content has at most 494 bytes.
  */
 public record Content(Force force, Optional<Conversation> conversation, String term) {
 
-    /** The most bytes of a content: sealed it fits a frame, and opened one poll reply. */
+    /** The most bytes of a content: the sealed content fits a frame, and the opened one a poll reply. */
     public static final int MAX_LENGTH = 494;
 
     private static final char DIVIDER = ';';
     private static final char CONVERSATION_MARK = '#';
 
     /**
-     * @throws IllegalArgumentException if the term is empty, has no UTF-8 form, or is too long; if a question or
-     *                                  {@code sorry} has no conversation, or what neither asks nor answers has one.
+     * @throws IllegalArgumentException if the term is empty, has no UTF-8 form, or is too long; if a question or {@code
+     *         sorry} has no conversation, or a content that is no question and no answer has one.
      */
     public Content {
         if (!fits(force, conversation.isPresent())) {
@@ -37,7 +37,7 @@ public record Content(Force force, Optional<Conversation> conversation, String t
         }
     }
 
-    /** What neither asks nor answers. */
+    /** A content that is no question and no answer. */
     public Content(Force force, String term) {
         this(force, Optional.empty(), term);
     }

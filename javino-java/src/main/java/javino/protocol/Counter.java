@@ -2,7 +2,7 @@ package javino.protocol;
 
 import java.util.Optional;
 
-/** What a board counts since its boot (SPEC 4.5). */
+/** The counters of a board since its boot (SPEC 4.5). */
 public enum Counter {
     /** Requests that came undamaged. */
     SERIAL_REQUESTS("serialRequests"),
@@ -16,9 +16,11 @@ public enum Counter {
     RADIO_RECEIVED("radioReceived"),
     /** Radio packets with a wrong symbol, count or CRC. */
     RADIO_DAMAGED("radioDamaged"),
-    /** Radio packets that came while no buffer was free, or were broken off since the board began to send or to block. */
+    /**
+     * Radio packets that came while no buffer was free, or were broken off because the board began to send or to block.
+     */
     RADIO_MISSED("radioMissed"),
-    /** Right packets that hold no frame, or one from no device. */
+    /** Right packets that have no frame, or a frame whose origin is no device. */
     RADIO_BAD_FRAMES("radioBadFrames"),
     /** Frames to reserved addresses. */
     RADIO_RESERVED("radioReserved"),
@@ -32,9 +34,9 @@ public enum Counter {
     RADIO_BAD_TAG("radioBadTag"),
     /** Sealed frames whose nonce is not newer than the last. */
     RADIO_REPLAYED("radioReplayed"),
-    /** Sealed frames refused since their origin's nonce could not be remembered. */
+    /** Sealed frames refused because their origin's nonce could not be remembered. */
     RADIO_REPLAY_FULL("radioReplayFull"),
-    /** Good messages dropped since the receive queue was full. */
+    /** Good messages dropped because the receive queue was full. */
     RADIO_QUEUE_FULL("radioQueueFull"),
     /** Packets sent. */
     RADIO_SENT("radioSent"),
@@ -50,19 +52,19 @@ public enum Counter {
     RADIO_ACKNOWLEDGED("radioAcknowledged"),
     /** Unicasts reported undelivered. */
     RADIO_UNDELIVERED("radioUndelivered"),
-    /** Acknowledgements for what is under way with a wrong proof or shape. */
+    /** Acknowledgements for the message under way with a wrong proof or shape. */
     RADIO_BAD_PROOFS("radioBadProofs"),
     /** Packets sent again. */
     RADIO_RESENT("radioResent"),
-    /** Packets put off since a carrier was heard. */
+    /** Packets delayed because a carrier was heard. */
     RADIO_DEFERRED("radioDeferred"),
-    /** Sealed frames refused since they are not above the floor that a reboot left (SPEC 5.1). */
+    /** Sealed frames refused because they are not above the floor that a reboot left (SPEC 5.1). */
     RADIO_STALE("radioStale"),
-    /** Packets of which one symbol was mended. */
+    /** Packets of which one symbol was corrected. */
     RADIO_MENDED("radioMended"),
-    /** Frames, but acknowledgements, that came while the radio was blocked. */
+    /** Frames other than acknowledgements that came while the radio was blocked. */
     RADIO_BLOCKED("radioBlocked"),
-    /** Acknowledgements that were not sent since too many waited; their senders ask again. */
+    /** Acknowledgements that were not sent because too many waited; their senders ask again. */
     RADIO_ANSWERS_DROPPED("radioAnswersDropped");
 
     private static final Counter[] VALUES = values();

@@ -3,7 +3,7 @@ package javino.protocol;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** What a message is meant to do to its receiver: the performatives of Jason, and {@code sorry} (SPEC 3). */
+/** The effect that a message is to have on its receiver: the performatives of Jason, and {@code sorry} (SPEC 3). */
 public enum Force {
     /** The receiver comes to believe the term. */
     TELL("tell"),
@@ -13,7 +13,7 @@ public enum Force {
     ACHIEVE("achieve"),
     /** The receiver drops the goal. */
     UNACHIEVE("unachieve"),
-    /** The receiver has an event of which no belief comes. */
+    /** The receiver has an event without a belief. */
     SIGNAL("signal"),
     /** The receiver answers with one belief that matches the term. */
     ASK_ONE("askOne"),
@@ -23,7 +23,7 @@ public enum Force {
     ASK_HOW("askHow"),
     /** The receiver comes to have the plans. */
     TELL_HOW("tellHow"),
-    /** The receiver gives up the plans that it had from the sender. */
+    /** The receiver drops the plans that it had from the sender. */
     UNTELL_HOW("untellHow"),
     /** The receiver's question has no answer that can be sent (KQML's term). */
     SORRY("sorry");
@@ -56,8 +56,8 @@ public enum Force {
     }
 
     /**
-     * Whether it is taken only from a unicast or multicast: what makes an agent speak in somebody's name, what shows its
-     * plans, and what changes them, no stranger may send.
+     * Whether it is accepted only by unicast or multicast: no stranger may make an agent answer, see its plans or
+     * change them.
      */
     public boolean requiresSeal() {
         return switch (this) {

@@ -3,7 +3,7 @@ package javino.protocol;
 /**
  * The unit of serial line and air: {@code destination(4) origin(4) size(2) message(n)} (SPEC 2).
  *
- * @param destination whom it is for.
+ * @param destination its receiver or receivers.
  * @param origin      a device, or {@link Address#SERIAL}.
  * @param message     0…511 bytes.
  */

@@ -2,9 +2,9 @@ package javino.protocol;
 
 import java.util.Optional;
 
-/** What became of a transmission (SPEC 4.3, record {@code T}). The ordinal is the value on the line. */
+/** How a transmission ended (SPEC 4.3, record {@code T}). The ordinal is the value on the line. */
 public enum Outcome {
-    /** A broadcast or multicast has been on the air; who heard it nobody knows. */
+    /** A broadcast or multicast has been on the air; nobody knows which devices received it. */
     SENT,
     /** The receiver's host has taken a unicast, and its board has proved it (SPEC 7.2). */
     DELIVERED,

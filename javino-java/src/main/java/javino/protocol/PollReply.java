@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a poll brings (SPEC 4.3).
+ * The answer to a poll (SPEC 4.3).
  *
  * @param more    whether more is waiting, so that the host should poll again at once.
  * @param leftOut whether some percepts did not fit.
- * @param airActive whether something is being received or sent, so that there may be more soon.
+ * @param airActive whether the board is receiving or sending, so that more may come soon.
  * @param records in the order of the reply: transmissions, percepts, messages.
  */
 public record PollReply(boolean more, boolean leftOut, boolean airActive, List<Item> records) {
@@ -34,21 +34,22 @@ public record PollReply(boolean more, boolean leftOut, boolean airActive, List<I
     }
 
     /**
-     * A message from the radio, opened where it was sealed.
+     * A message from the radio, opened if it was sealed.
      *
-     * @param number      0…255 and around; to be named as taken.
+     * @param number      0…255 and around; the host names it as taken.
      * @param destination the device, its group, or all.
      * @param origin      the device that sent it.
-     * @param id          0…0xFFFFFF; the same if the board, reset meanwhile, gives the message again. 0 for a broadcast.
-     * @param content     what it said; by the sender's word a {@link Content}.
+     * @param id          0…0xFFFFFF; the same if the board, reset meanwhile, gives the message again. 0 for a
+     *                    broadcast.
+     * @param content     its bytes; according to the sender a {@link Content}.
      */
     public record Message(int number, Address destination, Address origin, int id, Bytes content) implements Item {
     }
 
     /**
-     * What became of a transmission.
+     * The end of a transmission.
      *
-     * @param number  0…255, as answered when it was asked for.
+     * @param number  0…255, from the reply to its request.
      * @param outcome how it ended.
      */
     public record Transmission(int number, Outcome outcome) implements Item {

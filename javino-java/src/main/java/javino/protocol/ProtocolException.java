@@ -2,7 +2,7 @@ package javino.protocol;
 
 import javino.JavinoException;
 
-/** Received bytes that are not what SPEC.md says; {@link #error()} says in which way. */
+/** Received bytes do not follow SPEC.md; {@link #error()} says in which way. */
 public final class ProtocolException extends JavinoException {
 
     private static final long serialVersionUID = 1L;

@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A board's answer (SPEC 4.2): a status and, where that is OK, a body whose form depends on the request.
+ * A board's answer (SPEC 4.2): a status and, if that is OK, a body whose form depends on the request.
  *
  * @param status how the request went.
- * @param body   what the readers below make sense of.
+ * @param body   the bytes that the methods below read.
  */
 public record Reply(Status status, Bytes body) {
 
@@ -21,8 +21,8 @@ public record Reply(Status status, Bytes body) {
     /**
      * A key that a board has.
      *
-     * @param address whom it is shared with.
-     * @param role    whether it seals, did so before, or is to be the next that does.
+     * @param address the device or group that it is shared with.
+     * @param role    whether it is the current, the previous or the next key.
      * @param check   its check value (SPEC 5.2), 3 bytes.
      */
     public record StoredKey(Address address, Role role, Bytes check) {
@@ -32,9 +32,9 @@ public record Reply(Status status, Bytes body) {
     public enum Role {
         /** It seals. */
         CURRENT,
-        /** It was renewed, and that is not finished: frames sealed with it are still accepted. */
+        /** The key before a renewal that is not finished: frames sealed with it are still accepted. */
         PREVIOUS,
-        /** It is to seal next: frames sealed with it are accepted. */
+        /** The key that is to seal next: frames sealed with it are accepted. */
         NEXT
     }
 

@@ -1,7 +1,7 @@
 package javino.protocol;
 
 /**
- * What a host asks of its board (SPEC 4.3). {@code toString} describes it for error lines and never shows a key.
+ * A request of a host to its board (SPEC 4.3). {@code toString} describes it for error lines and never shows a key.
  *
  * @param command     which request it is.
  * @param frame       that carries it.
@@ -11,42 +11,42 @@ public record Request(Command command, Frame frame, String description) {
 
     /** The version of the protocol that these classes speak. */
     public static final int PROTOCOL_VERSION = 1;
-    /** In the place of a message's number: no message was taken over yet. */
+    /** Instead of a message's number: no message was taken yet. */
     public static final int NOTHING_TAKEN = -1;
 
     static final int MAX_OFFSET = 0xFFFF;
 
-    /** The requests that there are, with their letters on the line. */
+    /** All requests, with their letters on the line. */
     public enum Command {
         /** Tells the host's protocol version and asks who the board is. */
         HELLO('H'),
         /** Asks for what is new. */
         POLL('P'),
-        /** Has an action performed. */
+        /** Performs an action. */
         ACT('A'),
         /** Asks for the names of the sketch's actions. */
         LIST_ACTIONS('C'),
         /** Gives the board its address. */
         SET_RF_ID('I'),
-        /** Says whether received radio messages are wanted. */
+        /** Says whether the board is to receive radio messages. */
         RADIO('R'),
-        /** Raises the board's boot epoch, where it is lower. */
+        /** Raises the board's boot epoch if it is lower. */
         RAISE_EPOCH('E'),
-        /** Stores a key in the place of all that there is for the address. */
+        /** Stores a key and replaces all keys of the address. */
         SET_KEY('K'),
-        /** Stores a key as the next one: frames sealed with it are accepted, and the one so far still seals. */
+        /** Stores a key as the next one: frames sealed with it are accepted, and the current key still seals. */
         RENEW_KEY('N'),
-        /** Has the next key seal, and the key so far be the previous one. */
+        /** Makes the next key the current one, and the current one the previous. */
         USE_KEY('U'),
-        /** Has the previous key forgotten. */
+        /** Deletes the previous key. */
         FINISH_RENEWAL('F'),
-        /** Has all keys of an address forgotten. */
+        /** Deletes all keys of an address. */
         DELETE_KEY('D'),
         /** Asks which keys are stored. */
         LIST_KEYS('L'),
         /** Asks for the board's counters. */
         STATISTICS('S'),
-        /** Has a content transmitted: the frame is for another device, and has no letter. */
+        /** Transmits a content: the frame is for another device, and has no letter. */
         TRANSMIT('\0');
 
         private final char letter;
@@ -84,7 +84,7 @@ public record Request(Command command, Frame frame, String description) {
      * {@link Command#POLL}.
      *
      * @param percepts whether percepts are wanted.
-     * @param taken    the number 0…255 of the last message taken over, or {@link #NOTHING_TAKEN}.
+     * @param taken    the number 0…255 of the last message taken, or {@link #NOTHING_TAKEN}.
      * @throws IllegalArgumentException if the number is out of range.
      */
     public static Request poll(boolean percepts, int taken) {
@@ -109,7 +109,7 @@ public record Request(Command command, Frame frame, String description) {
     /**
      * {@link Command#LIST_ACTIONS}.
      *
-     * @param offset how many bytes of the names are there already, 0…65535.
+     * @param offset the number of bytes of the names that are known already, 0…65535.
      * @throws IllegalArgumentException if the offset is out of range.
      */
     public static Request listActions(int offset) {
@@ -197,7 +197,7 @@ public record Request(Command command, Frame frame, String description) {
     /**
      * {@link Command#TRANSMIT}.
      *
-     * @param destination whom it is for; the board judges whether it can be reached.
+     * @param destination the receiver; the board checks whether anything can be sent to it.
      * @param origin      the board's RF id.
      * @param content     plain; the board seals it.
      * @throws IllegalArgumentException if the destination is the serial line, which would be a command.
