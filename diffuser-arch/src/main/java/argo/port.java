@@ -1,8 +1,8 @@
 package argo;
 
 /**
- * {@code argo.port}, as agents for Argo write {@link jason.stdlib.port}.
- * It takes a second argument, whether the agent may sleep, which means nothing here: it sleeps until something arrives.
+ * {@code argo.port}, as agents for Argo write {@link jason.stdlib.port}. It accepts a second argument, whether the
+ * agent may sleep, and ignores it: the agent always sleeps until something arrives.
  */
 public class port extends jason.stdlib.port {
 

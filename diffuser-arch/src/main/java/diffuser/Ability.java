@@ -1,6 +1,6 @@
 package diffuser;
 
-/** What a MAS may be able to do beyond itself; its names are those of the symbols in the paper's figure 1. */
+/** An ability of a MAS beyond its borders; the names are those of the symbols in the paper's figure 1. */
 public enum Ability {
     /**
      * Direct communication (the paper's definition 1): an agent of this MAS and one of another exchange messages from

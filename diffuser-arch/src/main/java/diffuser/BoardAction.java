@@ -8,8 +8,8 @@ import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.Term;
 
 /**
- * An internal action that waits for the board: its intention waits, not its agent, until the board has answered, and goes
- * on or fails in the agent's own cycle, as after Jason's {@code .wait}.
+ * An internal action that waits for the board. Its intention, not its agent, waits until the board has answered, and
+ * goes on or fails in the agent's own cycle, as after Jason's {@code .wait}.
  */
 public abstract class BoardAction extends DiffuserAction {
 

@@ -20,7 +20,7 @@ public final class Destinations {
     }
 
     /**
-     * Whom a message is for: {@code broadcast}, {@code "////"}, {@code "//SU"}, {@code "SU\\"} or a device.
+     * The receiver of a message: {@code broadcast}, {@code "////"}, {@code "//SU"}, {@code "SU\\"} or a device.
      *
      * @throws JasonException bad_address if it is anything else.
      */

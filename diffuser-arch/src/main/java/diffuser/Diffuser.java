@@ -33,8 +33,8 @@ import javino.protocol.Outcome;
  * An agent with a board. Written as {@code agentArchClass diffuser.Diffuser} in a {@code .mas2j}, or as
  * {@code ag-arch: diffuser.Diffuser} in a {@code .jcm}.
  *
- * <p>It translates between the board on one side and percepts, messages and actions on the other, and passes on all
- * that is not the board's to the architectures behind it. A reasoning cycle never waits for the board.
+ * <p>It translates between the board on one side and percepts, messages and actions on the other, and passes everything
+ * else on to the architectures behind it. A reasoning cycle never waits for the board.
  *
  * <p>Its methods are for the agent's own thread, as Jason calls them.
  */
@@ -85,27 +85,27 @@ public class Diffuser extends AgArch {
                 + " architecture diffuser.Diffuser (agentArchClass in a .mas2j, ag-arch in a .jcm)").toException();
     }
 
-    /** How a port is opened; another kind of link, or another baud rate, is a subclass. */
+    /** Opens a port; override it for another kind of link or another baud rate. */
     protected LinkOpener link(String port) {
         return SerialLink.opener(port);
     }
 
-    /** What beliefs call a port: a string; something else is a subclass. */
+    /** The term for a port in beliefs: a string, unless a subclass overrides it. */
     protected Term portTerm(String port) {
         return ASSyntax.createString(port);
     }
 
-    /** How the session with the board behaves; other times are a subclass. */
+    /** The settings of the session with the board; override it for other times. */
     protected BoardConfig boardConfig() {
         return BoardConfig.create();
     }
 
     /**
-     * Looks for a board on a port, in place of the one before.
+     * Looks for a board on a port, and leaves the port before.
      *
      * @param port a path or a system's name of a port, as {@link SerialLink#opener(String)} takes it.
-     * @return completes as soon as it is known whether a board is there, or another port was opened in its place; never
-     *         fails, since a board may come later.
+     * @return completes as soon as it is known whether a board is there, or when another port is opened; never fails,
+     *         since a board may come later.
      */
     public CompletableFuture<Void> openPort(String port) {
         PlainLines.everywhere();
@@ -117,16 +117,16 @@ public class Diffuser extends AgArch {
         return device.decided();
     }
 
-    /** Leaves the port, if one was opened: the agent has no board then. */
+    /** Leaves the port, if one was opened; then the agent has no board. */
     public void closePort() {
         closeDevice();
         device = null;
     }
 
     /**
-     * Makes sensors beliefs, or not.
+     * Sets whether the sensors' percepts are beliefs.
      *
-     * @return completes when the agent's plan may go on: here at once, as in a subclass it may not.
+     * @return completes when the agent's plan may go on: here at once; a subclass may let it wait.
      */
     public CompletableFuture<Void> sense(SensorMode wanted) {
         change(old -> old.withPercepts(wanted));
@@ -136,9 +136,9 @@ public class Diffuser extends AgArch {
     /**
      * Waits for a reading of the sensors that begins after this. For any thread.
      *
-     * @param within how much later than now it may begin; where {@link #limitPercepts} lets it come only after that,
-     *               or sensors are not read, or there is no board, nothing is waited for.
-     * @return completes when the agent believes what was read; never fails.
+     * @param within how much later than now the reading may begin. There is no wait if {@link #limitPercepts} delays it
+     *               longer, if sensors are not read, or if there is no board.
+     * @return completes when the agent believes the reading; never fails.
      */
     protected CompletableFuture<Void> reading(Duration within) {
         return device().map(board -> board.reading(within)).orElseGet(() -> CompletableFuture.completedFuture(null))
@@ -149,57 +149,58 @@ public class Diffuser extends AgArch {
                 });
     }
 
-    /** Believes of the sensors only what this filter lets pass, too. */
+    /** Adds a filter: the agent believes only percepts that all filters let pass. */
     public void filter(Filter filter) {
         change(old -> old.withFilter(filter));
     }
 
-    /** Does without all filters of these kinds. */
+    /** Removes all filters of these kinds. */
     public void removeFilters(Filter.Kind... kinds) {
         change(old -> old.withoutFilters(List.of(kinds)));
     }
 
-    /** Sets the least time between two readings of the sensors; zero for as often as the board is polled. */
+    /** Sets the least time between two readings of the sensors; zero for a reading at each poll. */
     public void limitPercepts(Duration least) {
         change(old -> old.withLimit(least));
     }
 
     /**
-     * Sets for how long the radio may hear nobody until that counts as loss of communicability; zero, as at first, for
-     * as long as it likes.
+     * Sets how long the radio may hear nobody before communicability counts as lost; zero, the default, for ever.
      */
     public void limitSilence(Duration longest) {
         change(old -> old.withSilence(longest));
     }
 
-    /** Remembers what an infrastructure other than the board's radio allows from now on. */
+    /** Sets the abilities that an infrastructure other than the board's radio gives from now on. */
     public void setInfrastructure(String name, Set<Ability> allows) {
         infrastructures.set(name, Set.copyOf(allows));
     }
 
-    /** How open the MAS is by this agent's board and the infrastructures that it knows of, as it last perceived. */
+    /**
+     * The openness of the MAS, by this agent's board and the infrastructures that it knows, as it last perceived it.
+     */
     public Openness openness() {
         return infrastructures.openness();
     }
 
-    /** Sets the device's address: now where a board is there, or else as soon as one comes. */
+    /** Sets the device's address: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> setRfId(Address id) {
         change(old -> old.withRfId(id));
         return whereThere(board -> board.setRfId(id));
     }
 
-    /** Listens to the radio, or not: now where a board is there, or else as soon as one comes. */
+    /** Switches the reception of radio messages on or off: now if a board is there, or else as soon as one comes. */
     public CompletableFuture<Void> openRadio(boolean open) {
         change(old -> old.withRadio(open));
         return whereThere(board -> board.radio(open));
     }
 
     /**
-     * Has the board perform an action.
+     * Makes the board perform an action.
      *
      * @param action {@code name} or {@code name(arguments)}.
-     * @return fails with what {@link Failure#of} reads.
-     * @throws JasonException no_port if no port was opened; too_long if the action fits no request.
+     * @return fails with an exception that {@link Failure#of} reads. @throws JasonException no_port if no port was
+     *         opened; too_long if the action fits no request.
      */
     public CompletableFuture<Void> perform(String action) throws JasonException {
         Device board = requireDevice();
@@ -211,7 +212,7 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Has the board transmit a message; what becomes of it is told the agent as an event.
+     * Makes the board transmit a message; an event tells the agent how it ended.
      *
      * @return completes as soon as the board has taken the message; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
@@ -223,9 +224,9 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Has the board transmit a message; what becomes of it is told by the future alone.
+     * Makes the board transmit a message; only the future tells how it ended.
      *
-     * @param letter one that is acknowledged.
+     * @param letter a message that is acknowledged.
      * @return completes when the message is delivered; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
      */

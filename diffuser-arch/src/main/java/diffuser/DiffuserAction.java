@@ -6,7 +6,10 @@ import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Term;
 
-/** An internal action of an agent with a board: it does something, so no context may ask it. Takes one argument. */
+/**
+ * An internal action of an agent with a board. It has an effect, so contexts of plans must not call it. It takes one
+ * argument.
+ */
 public abstract class DiffuserAction extends DefaultInternalAction {
 
     private static final long serialVersionUID = 1L;
@@ -34,7 +37,7 @@ public abstract class DiffuserAction extends DefaultInternalAction {
     }
 
     /**
-     * Does what the action is for.
+     * Performs the action.
      *
      * @param args checked.
      * @throws JasonException why the action fails.

@@ -7,18 +7,17 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.LogicalFormula;
 
 /**
- * Which sensors an agent does not want to believe. It is for the board's thread too, so that what it says depends on a
- * percept alone.
+ * Chooses which percepts an agent believes. The board's thread uses it too, so its result depends only on the percept.
  *
- * @param kind      what it does with percepts that match.
- * @param patterns  of which a percept must match one; what a variable stands for is nothing to the others.
+ * @param kind      says what to do with percepts that match.
+ * @param patterns  patterns of which a percept must match one; each has its own variables.
  * @param condition compares values of a percept that matches, or is true.
  */
 public record Filter(Kind kind, List<Literal> patterns, LogicalFormula condition) {
 
     /** What a filter does with percepts that match. */
     public enum Kind {
-        /** They alone are believed. */
+        /** Only they are believed. */
         EXCEPT,
         /** They are not believed. */
         ONLY

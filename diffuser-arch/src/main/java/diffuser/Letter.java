@@ -17,7 +17,7 @@ import javino.protocol.Content;
 import javino.protocol.Conversation;
 import javino.protocol.Force;
 
-/** A message for the radio: what travels, and how the agent that gave it calls it. */
+/** A message for the radio: the content that travels, and the terms by which its agent knows it. */
 public final class Letter {
 
     private static final String DELIVERED = "delivered";

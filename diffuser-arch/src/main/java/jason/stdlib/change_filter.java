@@ -1,8 +1,8 @@
 package jason.stdlib;
 
 /**
- * <p>Internal action: <b><code>.change_filter(<i>File</i>)</code></b>, as the first agents for the Argo architecture write
- * it. Filters are not read from files, so it fails, and says what to write.
+ * <p>Internal action: <b><code>.change_filter(<i>File</i>)</code></b>, as the first agents for the Argo architecture
+ * write it. This architecture reads no filters from files, so the action fails, and says what to write instead.
  *
  * @see filter
  */

@@ -10,17 +10,19 @@ import diffuser.Letter;
 /**
  * <p>Internal action: <b><code>.deliver(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
  *
- * <p>Description: sends a message by radio to one device, as <code>.diffuse</code> does, and suspends the intention
- * until the other device's agent has the message: that may take seconds. It fails with the error
+ * <p>Description: sends a message by radio to one device, as <code>.diffuse</code> does. The intention is suspended
+ * until the other device's agent has the message; that may take seconds. It fails with the error
  * <code>undelivered</code> if no acknowledgement came, though the message may have arrived all the same, and with the
  * errors of <code>.diffuse</code>. There is no event <code>delivered</code> or <code>undelivered</code>, since the
- * intention itself learns it.
+ * intention itself gets the result.
  *
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): a device such as <code>"ROMA"</code>. Messages to
  *     all or to a group are not acknowledged: send those with <code>.diffuse</code>.
- * <li>+ Force (atom): as of <code>.diffuse</code>. Of a question it is delivery that is waited for, not the answer.
- * <li>+ Content (literal or list of literals, or what goes with the force): with the force, at most 494 bytes.
+ * <li>+ Force (atom): as of <code>.diffuse</code>. For a question the action waits for its delivery, not for the
+ * answer.
+ * <li>+ Content (literal or list of literals; for questions and plans see <code>.diffuse</code>): with the force, at
+ * most 494 bytes.
  * </ul>
  *
  * <p>Examples:<ul>

@@ -12,34 +12,35 @@ import diffuser.Letter;
 /**
  * <p>Internal action: <b><code>.diffuse(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
  *
- * <p>Description: sends a message by radio, from the address that <code>.setMyRFId</code> gave: to all in range, in
- * plain, or to a group or one device, encrypted with the key that the board shares with them. The intention is suspended
- * until the board has taken the message. It fails, among others, with the errors <code>no_key</code>,
+ * <p>Description: sends a message by radio from the address that <code>.setMyRFId</code> has set. A message to all in
+ * range is plain; one to a group or a device is encrypted with the key that the board shares with them. The intention
+ * is suspended until the board has taken the message. It fails, among others, with the errors <code>no_key</code>,
  * <code>no_rf_id</code>, <code>not_sealed</code>, <code>too_long</code>, <code>queue_full</code>,
  * <code>port_off</code>.
  *
- * <p>What becomes of a message to a device is told later by an event, to which no belief belongs:
+ * <p>An event without a belief tells later how a message to a device ended:
  * <code>+delivered(<i>To</i>,<i>Force</i>,<i>Content</i>)[source(percept)]</code> or
  * <code>+undelivered(<i>To</i>,<i>Force</i>,<i>Content</i>)[source(percept)]</code>. Messages to all or to a group are
- * not acknowledged: they are <code>undelivered</code> if the board was lost before it had sent them, and else there is
- * no event.
+ * not acknowledged: they are <code>undelivered</code> if the board was lost before it sent them; otherwise there is no
+ * event.
  *
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): <code>broadcast</code> or <code>"////"</code>;
  *     <code>"//SU"</code> or <code>"SU\\"</code> for the group SU; or a device such as <code>"ROMA"</code>.
  * <li>+ Force (atom): <code>tell</code>, <code>untell</code>, <code>achieve</code>, <code>unachieve</code> or
- *     <code>signal</code>; and, but not to all, <code>askOne</code>, <code>askAll</code>, <code>askHow</code>,
- *     <code>tellHow</code> or <code>untellHow</code>. What is answered is told as a belief or learnt as a plan; to wait
- *     for an answer there is <code>.send(<i>To</i>,<i>Force</i>,<i>Content</i>,<i>Answer</i>)</code>.
- * <li>+ Content (literal or list of literals, or what goes with the force): with the force, at most 494 bytes; up to 67
- *     bytes to all and 53 to a group or device fit one radio packet, longer ones are cut into pieces.
+ *     <code>signal</code>; and, to a group or device only, <code>askOne</code>, <code>askAll</code>,
+ *     <code>askHow</code>, <code>tellHow</code> or <code>untellHow</code>. Answers come as beliefs or are learnt as
+ *     plans; to wait for an answer use <code>.send(<i>To</i>,<i>Force</i>,<i>Content</i>,<i>Answer</i>)</code>.
+ * <li>+ Content (literal or list of literals; a triggering event, a plan or its label for the forces of plans): with
+ * the force, at most 494 bytes. Up to 67 bytes to all and 53 to a group or device fit one radio packet; longer ones are
+ * cut into pieces.
  * </ul>
  *
  * <p>Examples:<ul>
  * <li> <code>.diffuse(broadcast,tell,help)</code>
  * <li> <code>.diffuse("//SU",tell,someoneNeedHelp)</code>
  * <li> <code>.diffuse("ROMA",achieve,goTo(12,"km"))</code>
- * <li> <code>.diffuse("//SU",askOne,free(_))</code>: each that answers makes a belief <code>free(X)</code>.
+ * <li> <code>.diffuse("//SU",askOne,free(_))</code>: each answer makes a belief <code>free(X)</code>.
  * </ul>
  *
  * @see deliver

@@ -19,20 +19,19 @@ import diffuser.Names;
 /**
  * <p>Internal action: <b><code>.filter(<i>Kind</i>,<i>Percepts</i>,<i>Condition</i>)</code></b>.
  *
- * <p>Description: chooses which of the board's sensors are believed. Several filters hold all at once; the belief
- * <code>port(_,_)</code> is no sensor, and stays. Can be said before there is a board.
+ * <p>Description: chooses which of the board's percepts are believed. Several filters hold at the same time. The belief
+ * <code>port(_,_)</code> is no percept of a sensor, and stays. The action can be called before there is a board.
  *
  * <p>Parameters:<ul>
- * <li>+ Kind (atom): <code>except</code>: only these percepts are believed; <code>only</code> or <code>value</code>: only
- *     these are not; <code>remove</code>, without further parameters or with a kind or <code>all</code>: these filters
- *     hold no longer.
+ * <li>+ Kind (atom): <code>except</code>: only these percepts are believed; <code>only</code> or <code>value</code>:
+ *     only these are not; <code>remove</code>, alone or with a kind or <code>all</code>: removes these filters.
  * <li>+ Percepts (literal or list of literals): patterns, whose variables match any value.
- * <li>+ Condition (comparison, optional): a percept matches only where it holds of the pattern's variables.
+ * <li>+ Condition (comparison, optional): a percept matches only if the comparison holds for the pattern's variables.
  * </ul>
  *
  * <p>Examples:<ul>
- * <li> <code>.filter(except, light(_))</code>: of the sensors <code>light</code> alone is believed.
- * <li> <code>.filter(only, distance(X), X &gt; 200)</code>: what is far away is not.
+ * <li> <code>.filter(except, light(_))</code>: of the sensors only <code>light</code> is believed.
+ * <li> <code>.filter(only, distance(X), X &gt; 200)</code>: distances above 200 are not believed.
  * <li> <code>.filter(remove)</code>
  * </ul>
  */

@@ -12,12 +12,12 @@ import diffuser.Diffuser;
 /**
  * <p>Internal action: <b><code>.getRFMessages(<i>S</i>)</code></b>.
  *
- * <p>Description: listens to the radio, or not. At first it is blocked. A message that comes is a message as from any
- * agent, whose sender is the address of the device that sent it: <code>tell;help</code> from <code>ROMA</code> is
- * believed as <code>help[source(S)]</code> with <code>S</code> the atom <code>ROMA</code>, which can be answered with
- * <code>.diffuse(S,tell,helpComing)</code>. Its annotation <code>cast(unicast,S)</code>, <code>cast(multicast,S)</code>
- * or <code>cast(broadcast,S)</code> says how it came; a broadcast can be forged by anyone. Where no board is there,
- * this holds as soon as one comes; otherwise the intention is suspended until the board has done it.
+ * <p>Description: switches the reception of radio messages on or off; off is the default. A message is like one of any
+ * agent; its sender is the address of the device: the agent believes <code>tell;help</code> from <code>ROMA</code> as
+ * <code>help[source(S)]</code> with <code>S</code> the atom <code>ROMA</code>, and can answer with
+ * <code>.diffuse(S,tell,helpComing)</code>. The annotation <code>cast(unicast,S)</code>, <code>cast(multicast,S)</code>
+ * or <code>cast(broadcast,S)</code> says how the message came; anyone can forge a broadcast. If there is no board, the
+ * setting holds as soon as one comes; otherwise the intention is suspended until the board has it.
  *
  * <p>Parameters:<ul>
  * <li>+ S (atom): <code>open</code> or <code>block</code>.

@@ -15,19 +15,19 @@ import diffuser.Names;
 /**
  * <p>Internal action: <b><code>.infrastructure(<i>Name</i>,<i>Abilities</i>)</code></b>.
  *
- * <p>Description: tells what an infrastructure other than the board's radio allows from now on, such as the telephone
- * network, for the belief <code>openness(S)</code>. Nothing is checked or used: who knows the infrastructure says it.
- * An ability is lost with the last infrastructure that gives it.
+ * <p>Description: tells which abilities an infrastructure other than the board's radio, such as the telephone network,
+ * gives from now on, for the belief <code>openness(S)</code>. The action neither checks nor uses the infrastructure. An
+ * ability is lost with the last infrastructure that gives it.
  *
  * <p>Parameters:<ul>
- * <li>+ Name (atom or string): any name for it; what is said of the same name is replaced.
+ * <li>+ Name (atom or string): any name for it; a new call with the same name replaces the last one.
  * <li>+ Abilities (list): of <code>com</code>, if agents of this MAS and another can exchange messages by it, and
- * <code>mob</code>, if agents can move by it from one MAS to another; <code>[]</code> if it is out of order.
+ * <code>mob</code>, if agents can move by it from one MAS to another; <code>[]</code> if it does not work.
  * </ul>
  *
  * <p>Examples:<ul>
  * <li> <code>.infrastructure(lte,[com,mob])</code>
- * <li> <code>.infrastructure(lte,[])</code>: that has broken down.
+ * <li> <code>.infrastructure(lte,[])</code>: it does not work now.
  * </ul>
  */
 public class infrastructure extends DiffuserAction {

@@ -13,9 +13,9 @@ import diffuser.SensorMode;
 /**
  * <p>Internal action: <b><code>.percepts(<i>S</i>)</code></b>.
  *
- * <p>Description: makes what the board's sensors say beliefs of the agent, or not. At first they are blocked. When they
- * are blocked, the beliefs go; when they are closed, the beliefs stay as they are, until the sensors are opened again. Can
- * be said before there is a board.
+ * <p>Description: chooses whether the board's percepts are beliefs of the agent. <code>open</code>: they are;
+ * <code>block</code>, the default: they are not; <code>close</code>: the beliefs stay as they are until the percepts
+ * are opened again. The action can be called before there is a board.
  *
  * <p>Parameters:<ul>
  * <li>+ S (atom): <code>open</code>, <code>block</code> or <code>close</code>.

@@ -12,15 +12,15 @@ import diffuser.Names;
 /**
  * <p>Internal action: <b><code>.port(<i>P</i>)</code></b>.
  *
- * <p>Description: looks for the agent's board on a port, in place of any port opened before. The belief
+ * <p>Description: looks for the agent's board on a port, and leaves any port opened before. The belief
  * <code>port(<i>P</i>,on)</code> or <code>port(<i>P</i>,off)</code>, <i>P</i> as a string, follows the board from then
- * on. The intention is suspended until it is known whether a board is there: at most about 5 s, as a board that
- * starts needs 2 s; or until another port is opened in its place. That none is there is no failure: it is believed,
- * logged, and the board may still come. A board that was flashed with the older Javino library is found within some 3 s;
- * it has percepts and actions, and no radio.
+ * on. The intention is suspended until it is known whether a board is there: at most about 5 s, as a board that starts
+ * needs 2 s; or until another port is opened. If no board is there, the action does not fail: the agent believes
+ * <code>off</code>, the log says so, and the board may still come. A board with the older Javino library is found
+ * within some 3 s; it has percepts and actions, but no radio.
  *
  * <p>Parameters:<ul>
- * <li>+ P (string, atom or the name of a variable without value): a path, or what the system calls the port.
+ * <li>+ P (string, atom or the name of a variable without value): a path, or the system's name of the port.
  * </ul>
  *
  * <p>Examples:<ul>

@@ -12,8 +12,8 @@ import diffuser.Diffuser;
 /**
  * <p>Internal action: <b><code>.setMyRFId(<i>Id</i>)</code></b>.
  *
- * <p>Description: gives the device its address on the radio; the board keeps it. The first two digits are its group, the
- * last two its number there. Where no board is there, it is set as soon as one comes; otherwise the intention is
+ * <p>Description: sets the device's address on the radio; the board stores it. The first two digits are its group, the
+ * last two its number in the group. If there is no board, it is set as soon as one comes; otherwise the intention is
  * suspended until it is set.
  *
  * <p>Parameters:<ul>

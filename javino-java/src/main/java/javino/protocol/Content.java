@@ -19,8 +19,8 @@ public record Content(Force force, Optional<Conversation> conversation, String t
     private static final char CONVERSATION_MARK = '#';
 
     /**
-     * @throws IllegalArgumentException if the term is empty, has no UTF-8 form, or is too long; if a question or {@code
-     *         sorry} has no conversation, or a content that is no question and no answer has one.
+     * @throws IllegalArgumentException if the term is empty, has no UTF-8 form, or is too long; if a question or
+     *         {@code sorry} has no conversation, or a content that is no question and no answer has one.
      */
     public Content {
         if (!fits(force, conversation.isPresent())) {

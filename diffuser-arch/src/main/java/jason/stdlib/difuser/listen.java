@@ -13,11 +13,11 @@ import diffuser.Diffuser;
 /**
  * <p>Internal action: <b><code>.difuser.listen(<i>S</i>)</code></b>, as agents for the Difuser architecture write it.
  *
- * <p>Description: hears messages, as <code>+message(X)</code>, or not: it opens the percepts and, where the board has
- * one, the radio.
+ * <p>Description: receives messages, as <code>+message(X)</code>, or does not: it opens the percepts and, if the board
+ * has one, the radio.
  *
  * <p>Parameters:<ul>
- * <li>+ S (atom): <code>open</code>, or <code>close</code> or <code>block</code>, which mean the same.
+ * <li>+ S (atom): <code>open</code>; or <code>close</code> or <code>block</code>, which are equal.
  * </ul>
  */
 public class listen extends BoardAction {

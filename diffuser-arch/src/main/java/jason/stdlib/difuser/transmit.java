@@ -12,10 +12,10 @@ import diffuser.Diffuser;
 /**
  * <p>Internal action: <b><code>.difuser.transmit(<i>X</i>)</code></b>, as agents for the Difuser architecture write it.
  *
- * <p>Description: sends a term to all. If the sketch has an action <code>message</code>, as it is taken to have where the
- * board speaks the older protocol, it performs <code>message(<i>X</i>)</code>; else the board sends that by radio, as
- * <code>.diffuse(broadcast,signal,message(<i>X</i>))</code> does, for which it needs an address. The intention is suspended
- * until the board has taken it.
+ * <p>Description: sends a term to all. If the sketch has an action <code>message</code>, it performs
+ * <code>message(<i>X</i>)</code>; a board that speaks the older protocol is assumed to have that action. Otherwise the
+ * board sends the term by radio, as <code>.diffuse(broadcast,signal,message(<i>X</i>))</code> does, and needs an
+ * address. The intention is suspended until the board has taken the message.
  *
  * <p>Parameters:<ul>
  * <li>+ X (term without variables).
