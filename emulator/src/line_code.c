@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "crc_x25.h"
-
 // 0x38 and 0x2C, six bits each, least significant bit first.
 #define START_SYMBOL (0x38u | 0x2Cu << 6)
 #define WINDOW_BITS 12
@@ -111,4 +109,13 @@ void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at) {
 const char *line_error_text(line_error error) {
   static const char *const TEXTS[] = {"wrong symbol", "wrong count", "wrong CRC"};
   return TEXTS[error];
+}
+
+uint16_t crc_x25(const uint8_t *bytes, size_t length) {
+  uint16_t crc = 0xFFFF;
+  for (size_t i = 0; i < length; i++) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; bit++) crc = (uint16_t)(crc & 1 ? crc >> 1 ^ 0x8408 : crc >> 1);
+  }
+  return (uint16_t)~crc;
 }

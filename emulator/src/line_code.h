@@ -59,4 +59,7 @@ void line_decoder_advance(line_decoder *decoder, cycles_t now);
 // What to call the error in the trace.
 const char *line_error_text(line_error error);
 
+// CRC-16/X-25, which packets on the air and on the serial line end with (SPEC 4.1), low byte first.
+uint16_t crc_x25(const uint8_t *bytes, size_t length);
+
 #endif

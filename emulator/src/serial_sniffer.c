@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "crc_x25.h"
+#include "line_code.h"
 #include "utf8.h"
 
 #define SEQUENCE_LENGTH 1

@@ -3,7 +3,7 @@
 #include "support.h"
 
 extern "C" {
-#include "crc_x25.h"
+#include "line_code.h"
 #include "serial_sniffer.h"
 }
 

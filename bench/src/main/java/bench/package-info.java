@@ -1,2 +1,0 @@
-/** What Javino costs and how fast it is: one class a subject, one table for all. */
-package bench;
