@@ -1,2 +1,2 @@
-/** The bytes of SPEC.md: addresses, frames, packets, commands, envelopes and the radio's line code. No I/O; all values immutable. */
+/** What hosts read and write of SPEC.md: addresses, frames, packets, commands, contents. No I/O; immutable values. */
 package javino.protocol;

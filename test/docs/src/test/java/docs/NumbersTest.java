@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Numbers that pages tell are those of the sources: each page has this sentence, with the number that the code has now. */
+/** Numbers that pages tell are those of the sources: each page has this sentence, with the number of the code. */
 class NumbersTest {
 
     private static final int NONCE = firmware("NONCE_LENGTH");
@@ -66,8 +66,8 @@ class NumbersTest {
             says("SPEC.md", "waits for %d ms of quiet air", PATIENCE),
             says("SPEC.md", "slots of %d bits", SLOT),
             says("SPEC.md", "After %d quiet slots, a new message", firmware("LONG_QUIET")),
-            says("SPEC.md", "waits for %d quiet slots and a random number of further ones, of 0…%d, from the second attempt "
-                + "on of 0…%d", firmware("FIRST_SLOTS"), SPAN, (SPAN + 1 << firmware("LAST_DOUBLING")) - 1),
+            says("SPEC.md", "waits for %d quiet slots and a random number of further ones, of 0…%d, from the second "
+                + "attempt on of 0…%d", firmware("FIRST_SLOTS"), SPAN, (SPAN + 1 << firmware("LAST_DOUBLING")) - 1),
             says("DESIGN.md", "Three digits cost 4 of the %d bytes of a packet", SEALED),
             says("DESIGN.md", "**%d bytes of nonce instead of", NONCE),
             says("DESIGN.md", "**A tag of %d bytes.**", TAG),
@@ -77,7 +77,8 @@ class NumbersTest {
                 Frame.MAX_MESSAGE_LENGTH),
             says("DESIGN.md", "| attempts | %d, with %d ms of quiet air after each", ATTEMPTS, PATIENCE),
             says("DESIGN.md", "| slot | %d bits, %d ms |", SLOT, 1000 * SLOT / BIT_RATE),
-            says("DESIGN.md", "| reply time | %d ms, %d times |", SESSION.replyTimeout().toMillis(), SESSION.attempts()),
+            says("DESIGN.md", "| reply time | %d ms, %d times |", SESSION.replyTimeout().toMillis(),
+                SESSION.attempts()),
             says("DESIGN.md", "| poll interval | %d ms; %d ms while the air is active",
                 SESSION.pollInterval().toMillis(), ACTIVE),
             says("SECURITY.md", "a proof of %d bytes under the key", firmware("PROOF_LENGTH")),
@@ -89,7 +90,8 @@ class NumbersTest {
             says("javino-firmware/README.md", "keys: %d places", firmware("JAVINO_KEYS") + 1),
             says("javino-firmware/README.md", "a ring of %d places of 26 bytes, twice", FLOORS),
             says("javino-java/README.md", "a content of up to %d bytes", Content.MAX_LENGTH),
-            says("javino-java/README.md", "waits for it, %d s unless configured otherwise", SESSION.patience().toSeconds()),
+            says("javino-java/README.md", "waits for it, %d s unless configured otherwise",
+                SESSION.patience().toSeconds()),
             says("diffuser-arch/README.md", "longer than %d bytes", Content.MAX_LENGTH),
             says("examples/highway/README.md", "up to %d times", ATTEMPTS),
             says("examples/highway/README.md", "\n| %d |", behaviours()),

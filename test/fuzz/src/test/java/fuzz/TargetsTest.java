@@ -32,7 +32,8 @@ class TargetsTest {
     @ParameterizedTest
     @MethodSource("decoders")
     void decoder_anyBytes_noFault(Target target, @TempDir Path folder) throws Exception {
-        Run run = Run.of(target, folder.resolve("found"), List.of(CORPUS.resolve(target.name())), "-seed=1", "-runs=" + RUNS);
+        Run run = Run.of(target, folder.resolve("found"), List.of(CORPUS.resolve(target.name())), "-seed=1",
+                "-runs=" + RUNS);
 
         assertEquals("", run.failure());
         assertTrue(run.executed() >= RUNS, run + " has tried too little");

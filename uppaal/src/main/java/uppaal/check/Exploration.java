@@ -69,8 +69,8 @@ public final class Exploration {
     }
 
     /**
-     * Explores until one of the properties is settled by a state, for the evidence alone: numbers of states and deadlocks,
-     * and verdicts of the others, say nothing.
+     * Explores until one of the properties is settled by a state, for the evidence alone: numbers of states and
+     * deadlocks, and verdicts of the others, say nothing.
      */
     public static Exploration untilSettled(Network network, List<Property> properties) {
         Exploration exploration = new Exploration(network, properties);
