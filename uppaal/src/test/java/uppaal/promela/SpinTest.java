@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,6 +22,7 @@ import uppaal.check.Property;
 import uppaal.network.Network;
 
 /** SPIN and our checker must agree on every network: in the number of states, in deadlocks, in verdicts. */
+@Tag("verify")
 class SpinTest {
     @TempDir
     private Path folder;
