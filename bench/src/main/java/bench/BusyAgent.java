@@ -48,8 +48,8 @@ public final class BusyAgent implements Subject {
     public String method() {
         return """
             an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a second, the best
-            of 4 starts and 4 half seconds each, after 4 s of warming up. The best, since Java's compiler settles differently from start
-            to start, by a third, and whatever else the machine does only takes away. With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
+            of 4 starts and 4 half seconds each, after 4 s of warming up. We take the best, since results of Java's compiler differ by a third from start
+            to start, and other work of the machine only makes it slower. With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
             never, and that has one percept, which stays, or changes at each poll. The reference is the same agent without the architecture.""";
     }
 

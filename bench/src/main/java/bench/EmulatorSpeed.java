@@ -20,9 +20,9 @@ final class EmulatorSpeed implements Subject {
         return """
             10 emulated seconds at full speed, divided by the CPU seconds that the process took. Six boards: one sends packets of 77
             bytes without a pause, five receive them; the sender counts too. Quiet air: 32 boards, the most that a scenario takes,
-            listen to nothing; from their speed follows how many one core would carry in real time. The reference has the same
-            boards with `bench/sketches/SampledModem` in the same emulator: the interrupt for each sample is what it then spends its
-            time on.""";
+            receive nothing; their speed gives the number of boards that one core would run in real time. The reference has the same
+            boards with `bench/sketches/SampledModem` in the same emulator, which then spends its time on the interrupt for each
+            sample.""";
     }
 
     @Override

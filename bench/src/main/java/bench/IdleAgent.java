@@ -29,10 +29,10 @@ final class IdleAgent implements Subject {
             an agent as a user starts it, in a Java virtual machine of its own, with an emulated board (Vehicle, percepts and radio open,
             polled every 35 ms), and the same without board and architecture, both at once: CPU time of the process over 40 s, after 90 s
             in which Java compiles. The emulator is another process and does not count.
-            About four fifths are the session's thread, most of it for being woken, three times a poll; the rest is Java compiling.
+            About four fifths are the session's thread, mostly for waking up, three times a poll; the rest is Java's compiler.
             On a Raspberry Pi Zero it would be some 20 times as much, a fifth of its core: its ARM1176 makes about 1250 DMIPS at 1 GHz
             (875 are published for 700 MHz), where a core of the machine on which 1 % was reached makes 28 900 (Dhrystone 2.1 by gcc 12
-            with -O2, inlining off). Measured on a Zero it was not.""";
+            with -O2, inlining off). We have not measured it on a Zero.""";
     }
 
     @Override

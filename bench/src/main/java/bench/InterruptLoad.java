@@ -22,7 +22,7 @@ final class InterruptLoad implements Subject {
             one emulated Mega sends packets of 77 bytes without a pause at 2000 bit/s, another receives them (`bench/sketches/Modem`).
             `bench/native/probe.c` adds up the cycles between entering and leaving the radio's interrupt handlers, entry and `RETI`
             included. The reference is `bench/sketches/SampledModem`, which does the same task in VirtualWire's way and was written anew
-            from its description; of VirtualWire itself 23 % and 14 % were measured.""";
+            from its description; VirtualWire itself took 23 % and 14 %.""";
     }
 
     @Override

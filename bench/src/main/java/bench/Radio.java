@@ -39,13 +39,13 @@ final class Radio implements Subject {
         return """
             two emulated Megas with the sketches Vehicle and Station at real time, each with a host over its pty. Unicast: 25 sealed
             contents of 16 bytes into quiet air, from the request's last byte on the serial line (the call and 2.8 ms) to the call that hands over the
-            message at the other host; sealing, waiting for the receiver's next poll and the whole reply to it are in it. The ratio is
+            message at the other host; this includes sealing, the wait for the receiver's next poll and the whole reply to it. The ratio is
             that of the median to the packet's time on the air. Goodput: 10 contents of 200 bytes, which travel in pieces, with two of
             them always waiting at the board; content bits from the first packet's start to the last one's end, waits for the air between
             messages and, of unicasts, acknowledgements included. The limit is what line code (8 of 12 bits), training, headers, nonce
             and tag leave: content bits of the bits of the pieces. Of the 40 bytes of payload for a content of 16, ten are the paper's
             header (to whom, from whom, two digits of length), six the nonce, which must not come again in a board's life, and eight the
-            tag, which leaves a forger one chance in 2^64; none of them can be told by the receiver, who may have been switched off.""";
+            tag, which leaves a forger one chance in 2^64; a receiver cannot know them beforehand, since it may have been switched off.""";
     }
 
     @Override

@@ -39,8 +39,8 @@ final class Report {
             Written by `gradle bench`, which measures all of this anew in less than ten minutes. Do not edit.
 
             Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly; firmware is compiled by avr-gcc %s.
-            Figures of the PC are of one run on %s; what holds elsewhere is the ratio to what was
-            measured beside it. *Cited* references were measured elsewhere and are not part of the run.
+            Figures of the PC are of one run on %s; on other computers only the ratio to the
+            reference beside it holds. *Cited* references were measured elsewhere and are not part of the run.
 
             """.formatted(Machine.compiler(), Machine.describe()));
         text.append("| what | ours | reference | ratio | goal |\n| --- | ---: | ---: | ---: | --- |\n");

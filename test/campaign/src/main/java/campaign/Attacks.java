@@ -34,9 +34,9 @@ final class Attacks implements Campaign {
     private static void onSources(Settings settings, Report report) throws IOException, InterruptedException {
         List<Line> lines = attack(settings, report);
         report.text("""
-            **The firmware's sources on the PC** (`test/attack`): a whole board with a simulated EEPROM, which gets hostile packets and, in
-            between, *genuine* ones. *Tries* are hostile packets, of what is in pieces whole messages. *Accepted*: the host was handed what
-            was forged or had come before, or the board took an acknowledgement or a stale notice for genuine.""");
+            **The firmware's sources on the PC** (`test/attack`): a whole board with a simulated EEPROM gets hostile packets and, between
+            them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in pieces. *Accepted*: the host was handed a forged
+            or repeated message, or the board took a forged acknowledgement or stale notice for genuine.""");
         Table table = new Table("attack", "tries", "accepted", "genuine", "of these lost");
         lines.forEach(line -> table.row(line.name, line.tries, line.accepted, line.genuine, line.lost));
         table.row("all", lines.stream().mapToLong(Line::tries).sum(), lines.stream().mapToLong(Line::accepted).sum(),

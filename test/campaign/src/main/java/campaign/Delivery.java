@@ -35,10 +35,10 @@ final class Delivery implements Campaign {
     @Override
     public void run(Settings settings, Report report) throws Exception {
         report.text("""
-            Pairs of boards (`Station`), each out of the others' range, one of which sends unicasts to the other, one after the other, with
-            two waiting. Each bit that a receiver gets is inverted with the probability in the first column. *Delivered* is what the
-            sender's host was told, *received* what the other host was handed. *Packets* and *air* count everything that both boards
-            send for a message: attempts, pieces and acknowledgements; a millisecond of air is two bits.""");
+            The boards (`Station`) are in pairs, each out of the others' range. One board of a pair sends unicasts to the other, with two
+            always waiting. Each bit that a receiver gets is inverted with the probability in the first column. *Delivered* counts reports to
+            the sender's host, *received* messages handed to the other host. *Packets* and *air* count everything that both boards send
+            for a message: attempts, pieces and acknowledgements; a millisecond of air is two bits.""");
         Table table = new Table("bit error rate, content", "unicasts", "delivered", "received", "packets each", "air per delivered byte");
         Ledger.Sum all = Ledger.Sum.ZERO;
         long repeated = 0;

@@ -20,10 +20,10 @@ final class Faults implements Campaign {
         report.text("""
             %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a reset as a Mega's).
             All hosts send to their peers without a pause, nine contents of 16 bytes to one of 60 in two pieces, replace a key every
-            3 s, so that much is written to the EEPROM, and log what they are handed before their board learns that they have it. Every %.0f s something
-            befalls each pair. A power cut comes at the 1st to 30th byte that the board writes from then on, leaves that byte torn and the
-            RAM random, and lasts 0.2 s. Emulated time from the end of the cause: *answered*, until the link works both ways again, as a packet of
-            one board has come to the other, and that one's answer, with its proof of the key, back; *first* and *both*, until a unicast was
+            3 s, so that much is written to the EEPROM, and log each received message before their board learns that they have it. Every %.0f s a fault
+            hits each pair. A power cut comes at the 1st to 30th byte that the board writes from then on, tears that byte, leaves random
+            bytes in RAM, and lasts 0.2 s. Emulated time from the end of the cause: *answered*, until the link works both ways again: a packet of one
+            board has reached the other, and its answer, with a proof of the key, has come back; *first* and *both*, until a unicast was
             proved delivered by either of the two boards, and by both. A killed host's cause ends when its successor opens the port.
             """.formatted(pairs, FaultPlan.BETWEEN_SECONDS));
         try (FaultField field = new FaultField(settings.seed(), pairs, faults)) {

@@ -26,9 +26,9 @@ final class Fuzzing implements Campaign {
     public void run(Settings settings, Report report) throws Exception {
         report.text("""
             Jazzer tries the decoders of `javino-java`, libFuzzer the sources of the firmware, built for the PC with AddressSanitizer and
-            UndefinedBehaviorSanitizer; what each target demands stands above it in `test/fuzz`. Each side shares its time among its
-            targets. *Inputs* were tried beyond the kept corpus, *edges* of the code were reached, in each fuzzer's own count. What reached
-            further than the corpus is in `test/fuzz/build/found`; `test/fuzz/README.md` tells how to keep it.""");
+            UndefinedBehaviorSanitizer; the first lines of each target in `test/fuzz` say what it demands. Each side shares its time among its
+            targets. *Inputs* were tried beyond the kept corpus; *edges* of the code were reached, in each fuzzer's own count. Inputs that
+            reached further than the corpus are in `test/fuzz/build/found`; `test/fuzz/README.md` tells how to keep them.""");
         List<Target> firmware = Target.ofFirmware(settings.root().resolve("test/fuzz/native/build"));
         List<Target> java = Target.ofJava();
         List<Result> results = new ArrayList<>();

@@ -142,10 +142,11 @@ final class Load implements Campaign {
     private void describe(Settings settings, Report report) {
         report.text("""
             All boards of a row are in one range. Each sends sealed contents of 16 bytes to its neighbour at random times (Poisson), for %.0f s;
-            then all are waited for. *Load*: what messages and acknowledgements would take of the air's time if each were sent once, as it
-            came out. *Delivered*: share of the offered that was reported delivered; what a full queue refused counts as offered.
+            then the run waits for all of them. *Load*: the measured share of the air's time that messages and acknowledgements would take if
+            each were sent once. *Delivered*: the share of the offered messages that was reported delivered; a message that a full queue refused
+            counts as offered.
             *Fairness*: Jain's index of the boards' shares. *Without* carrier sense boards run `test/system/sketches/DeafStation`, which begins
-            to send whatever is on the air, and listens only for the answer to what it has sent; all else is the same.""".formatted(settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS)));
+            to send even if others are on the air, and listens only for the answer to its own message; all else is the same.""".formatted(settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS)));
         Table table = new Table("boards, load", "unicasts", "load", "delivered", "least of a board", "fairness", "packets each",
             "without: delivered", "least of a board", "fairness", "packets each");
         cases(settings).stream().filter(each -> each.sketch.equals(WITH)).sorted(java.util.Comparator.comparingInt(Case::boards)

@@ -51,7 +51,7 @@ final class Replays {
 
     private static void describe(List<Scene> scenes, Report report) {
         report.text("""
-            **Replays on the air**, with emulated boards: %d pairs, beside each a third board that sends again all that both boards have sent
+            **Replays on the air**, with emulated boards: %d pairs, and beside each a third board that sends again all that both boards have sent
             (frames and acknowledgements): at once, after a reset of the receiver, and after it lost its power and RAM. After each of
             the three the pair exchanges unicasts of %d bytes anew.""".formatted(scenes.size(), LENGTH));
         Ledger.Sum all = scenes.stream().map(scene -> scene.pair.ledger().sum()).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
