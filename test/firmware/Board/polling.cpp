@@ -65,11 +65,11 @@ TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
   EXPECT_EQ(first, board.sendRaw(poll));
 }
 
-TEST_F(BoardPolling, statistics_tell_all_30_counters_in_order) {
+TEST_F(BoardPolling, statistics_tell_all_counters_in_order) {
   board.radio.counts = {0x01020304, 6, 7, 17, 28};
   const Bytes body = board.request('S').body;
-  ASSERT_EQ(30u * 5, body.size());
-  for (size_t i = 0; i < 30; i++) EXPECT_EQ(i + 1, body[i * 5]);
+  ASSERT_EQ(javino::Counters::COUNT * 5u, body.size());
+  for (size_t i = 0; i < javino::Counters::COUNT; i++) EXPECT_EQ(i + 1, body[i * 5]);
   EXPECT_EQ(0x01020304u, board.counter(javino::Counter::RADIO_RECEIVED));
   EXPECT_EQ(6u, board.counter(javino::Counter::RADIO_DAMAGED));
   EXPECT_EQ(7u, board.counter(javino::Counter::RADIO_MISSED));
