@@ -15,7 +15,12 @@ public final class PacketDecoder {
     /** One byte more than a packet can have, so that memory is bounded and a long one is still seen. */
     private final byte[] decoded = new byte[Packet.MAX_LENGTH + 1];
     private int length;
-    private State state = new Between();
+    /** Whether a packet has begun; the two below are of its block of COBS, and hold only then. */
+    private boolean begun;
+    /** Bytes still to come; with none missing, the next byte is a code or the end. */
+    private int missing;
+    /** Whether a zero follows the block, if another block does. */
+    private boolean withZero;
 
     /** What became of the bytes up to one 0x00. */
     public sealed interface Result {
@@ -29,22 +34,6 @@ public final class PacketDecoder {
     public record Refused(ProtocolException cause) implements Result {
     }
 
-    private sealed interface State {
-    }
-
-    /** After a 0x00: the next byte is the first code of a packet, or another 0x00. */
-    private record Between() implements State {
-    }
-
-    /**
-     * Within a block of COBS.
-     *
-     * @param missing  bytes still to come; with none missing, the next byte is a code or the end.
-     * @param withZero whether a zero follows the block, if another block does.
-     */
-    private record Block(int missing, boolean withZero) implements State {
-    }
-
     /**
      * Takes bytes from the line.
      *
@@ -56,10 +45,10 @@ public final class PacketDecoder {
         List<Result> results = new ArrayList<>(1);
         int at = 0;
         while (at < count) {
-            if (state instanceof Block block && block.missing > 0 && bytes[at] != 0) {
-                int end = endOfData(bytes, at, Math.min(count, at + block.missing));
+            if (begun && missing > 0 && bytes[at] != 0) {
+                int end = endOfData(bytes, at, Math.min(count, at + missing));
                 keep(bytes, at, end - at);
-                state = new Block(block.missing - (end - at), block.withZero);
+                missing -= end - at;
                 at = end;
             } else {
                 accept(bytes[at] & 0xFF, results);
@@ -75,9 +64,9 @@ public final class PacketDecoder {
      * @return whether there was one.
      */
     public boolean abandon() {
-        boolean begun = state instanceof Block;
+        boolean abandoned = begun;
         restart();
-        return begun;
+        return abandoned;
     }
 
     /** Where a block's data ends, if nothing is damaged: at the limit, or else before a zero. */
@@ -92,15 +81,17 @@ public final class PacketDecoder {
     /** Takes a byte that is no data: the end of a packet, or the code of a block. */
     private void accept(int value, List<Result> results) {
         if (value == 0) {
-            if (state instanceof Block block) {
-                results.add(close(block));
+            if (begun) {
+                results.add(close());
             }
             restart();
         } else {
-            if (state instanceof Block block && block.withZero) {
+            if (begun && withZero) {
                 keep(ZERO, 0, 1);
             }
-            state = new Block(value - 1, value != Cobs.FULL_BLOCK);
+            begun = true;
+            missing = value - 1;
+            withZero = value != Cobs.FULL_BLOCK;
         }
     }
 
@@ -110,11 +101,11 @@ public final class PacketDecoder {
         length += kept;
     }
 
-    private Result close(Block block) {
+    private Result close() {
         try {
-            if (block.missing > 0) {
+            if (missing > 0) {
                 throw new ProtocolException(ProtocolError.BAD_COBS,
-                        "the packet ends " + block.missing + " bytes before its block does");
+                        "the packet ends " + missing + " bytes before its block does");
             }
             return new Found(Packet.decode(Bytes.owning(Arrays.copyOf(decoded, length))));
         } catch (ProtocolException e) {
@@ -124,6 +115,6 @@ public final class PacketDecoder {
 
     private void restart() {
         length = 0;
-        state = new Between();
+        begun = false;
     }
 }
