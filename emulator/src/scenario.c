@@ -54,9 +54,10 @@ static void check_board(const scenario *s, size_t index, const json_node *node) 
     }
   }
   if (board->firmware && access(board->firmware, R_OK) != 0)
-    json_fail(&firmware, "cannot read %s (%s); build the firmware or mend the path", board->firmware, strerror(errno));
+    json_fail(&firmware, "cannot read %s (%s); build the firmware or correct the path", board->firmware,
+              strerror(errno));
   if (board->boot_loader && access(board->boot_loader, R_OK) != 0)
-    json_fail(&boot_loader, "cannot read %s (%s); install arduino-core-avr or mend the path", board->boot_loader,
+    json_fail(&boot_loader, "cannot read %s (%s); install arduino-core-avr or correct the path", board->boot_loader,
               strerror(errno));
 }
 

@@ -112,8 +112,7 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps) {
       {R"({"boards":[{"firmware":"bus.elf"}]})", ": boards[0].name: is missing; expected a text in quotes"},
       {R"({"boards":[{"name":"b","firmware":"bus.elf","bootLoader":"/no/loader.hex"}]})",
        ": boards[0].bootLoader: cannot read /no/loader.hex (No such file or directory); install arduino-core-avr or "
-       "mend "
-       "the path"},
+       "correct the path"},
       {R"({"boards":[{"name":"b","firmware":"bus.elf","eprom":"x"}]})",
        ": boards[0]: unknown key \"eprom\"; did you mean \"eeprom\"?"},
       {R"({"boards":[{"name":"b","firmware":"bus.elf","txPin":70}]})",
@@ -193,7 +192,7 @@ TEST(Scenario, a_missing_file_is_named) {
   scenario_release(&s);
   EXPECT_EQ(load(scratch, R"({"boards":[{"name":"b","firmware":"none.elf"}]})"),
             ": boards[0].firmware: cannot read " + scratch.path("none.elf") +
-                " (No such file or directory); build the firmware or mend the path");
+                " (No such file or directory); build the firmware or correct the path");
 }
 
 TEST(Scenario, overrides_are_checked_like_the_file) {

@@ -258,7 +258,7 @@ final class Gate {
     /** Refuses what names a goal or an event of Jason's, at any depth. */
     private static void refuseJasonsOwn(Term term) throws RefusedException {
         if (term instanceof Plan plan && plan.getTrigger().getLiteral().isVar()) {
-            throw new RefusedException("a plan for all events is one for Jason's own, too");
+            throw new RefusedException("a plan for all events would handle Jason's own, too");
         }
         boolean named = term instanceof Literal && !(term instanceof Plan || term instanceof PlanBody
                 || term instanceof Trigger || term instanceof ListTerm && !term.isVar());
@@ -272,13 +272,13 @@ final class Gate {
 
     private static void refuseJasonsName(Literal literal) throws RefusedException {
         if (literal.getNS().isVar()) {
-            throw new RefusedException("a variable for a namespace would stand for Jason's own, too");
+            throw new RefusedException("a variable for a namespace would match Jason's own, too");
         }
         String name = literal.getFunctor().replace("'", "");
         boolean jasons = JASONS_GOALS.contains(name) || name.startsWith(JASONS_EVENTS)
                 || literal.getNS().getFunctor().equals(JASONS_NAMESPACE);
         if (jasons) {
-            throw new RefusedException("it names what belongs to Jason itself: ", name);
+            throw new RefusedException("it names a goal or event of Jason itself: ", name);
         }
     }
 

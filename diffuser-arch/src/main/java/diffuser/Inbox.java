@@ -96,7 +96,7 @@ final class Inbox {
             refuse(mail, e.kind(), e.getMessage());
         } catch (RuntimeException e) {
             // Where a term makes Jason stumble, that costs the message, not the agent's intentions.
-            refuse(mail, e.getClass().getName(), "Jason stumbles over it: " + e);
+            refuse(mail, e.getClass().getName(), "Jason cannot handle it: " + e);
         }
         return Optional.empty();
     }
@@ -114,7 +114,7 @@ final class Inbox {
     /** The answer as its question went: what anybody in a group could have asked is no more than a group's word. */
     private Optional<Message> answer(Mail mail) throws Gate.RefusedException {
         if (mail.message().to().kind() != Address.Kind.DEVICE) {
-            throw new Gate.RefusedException("an answer comes to the asker alone");
+            throw new Gate.RefusedException("an answer must come to the asker alone");
         }
         Questions.Question question = questions
                 .answered(mail.content().conversation().orElseThrow(), mail.message().from())

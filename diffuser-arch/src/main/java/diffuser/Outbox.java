@@ -110,7 +110,7 @@ final class Outbox {
 
     private static Failure unacknowledged(Letter letter) {
         String why = letter.isAcknowledged() ? "was not acknowledged: its receiver is out of reach or a board was lost"
-                : "was still to be sent when the board was lost";
+                : "was not sent yet when the board was lost";
         return new Failure("undelivered", letter + " " + why + "; it may have arrived all the same");
     }
 

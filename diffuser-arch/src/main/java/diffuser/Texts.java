@@ -69,7 +69,7 @@ public final class Texts {
     static Force force(String name) throws JasonException {
         // Javino says sorry by itself.
         return Force.of(name).filter(force -> force != Force.SORRY).orElseThrow(() -> new JasonException(
-                "by radio go " + FORCES + ", not " + name, JasonException.WRONG_ARGS));
+                "the radio takes only " + FORCES + ", not " + name, JasonException.WRONG_ARGS));
     }
 
     /**
@@ -261,7 +261,7 @@ public final class Texts {
                     && function.getArity() == 1 && function.getTerm(0) instanceof NumberTermImpl;
             expect(sign, text, "a number was expected, not something to compute");
         } else {
-            expect(!(term instanceof InternalActionLiteral), text, "an internal action is nothing to say");
+            expect(!(term instanceof InternalActionLiteral), text, "an internal action cannot be sent");
             for (Term part : parts(term)) {
                 // What a plan calls, it calls when it runs.
                 boolean call = term instanceof PlanBody && part instanceof InternalActionLiteral;

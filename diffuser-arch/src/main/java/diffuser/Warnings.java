@@ -13,7 +13,7 @@ final class Warnings {
     /** From here on new texts are no longer logged, so that a mad board fills neither the log nor the memory. */
     static final int MOST_TEXTS = 500;
     private static final String NO_MORE = "no further kinds of warnings are logged, as there were " + MOST_TEXTS
-            + " different ones; the agent's status counts on";
+            + " different ones; the agent's status still counts them";
 
     private final Set<String> told = ConcurrentHashMap.newKeySet();
     private final Supplier<Logger> logger;

@@ -122,7 +122,7 @@ class DiffuseTest {
     void send_otherForceToRfAddress_fails() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board)) {
-            agent.notes("wrong_arguments : by radio go tell, untell, achieve, unachieve, signal, askOne, askAll, askHow,"
+            agent.notes("wrong_arguments : the radio takes only tell, untell, achieve, unachieve, signal, askOne, askAll, askHow,"
                     + " tellHow, untellHow, not sorry");
         }
     }

@@ -172,7 +172,7 @@ class OutcomeTest {
     @ParameterizedTest
     @CsvSource({
         "ROMA,ROMA,was not acknowledged: its receiver is out of reach or a board was lost",
-        "broadcast,////,was still to be sent when the board was lost",
+        "broadcast,////,was not sent yet when the board was lost",
     })
     void undelivered_errorAndItsMessage_areAnnotations(String to, String address, String why) {
         FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);

@@ -155,7 +155,7 @@ class QuestionsTest {
             board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
             agent.warns("dropped tell from SUHO: it answers no question that is open");
             board.receive("//SU", "ROMA", "tell#%s;speed(2)".formatted(id));
-            agent.warns("dropped tell from ROMA: an answer comes to the asker alone");
+            agent.warns("dropped tell from ROMA: an answer must come to the asker alone");
             board.receive("////", "ROMA", "tell#%s;speed(3)".formatted(id));
             board.receive("SUPO", "ROMA", "tell#%s;speed(4)".formatted(id.equals("AAA") ? "AAB" : "AAA"));
             agent.warns("dropped tell from ROMA: it answers no question that is open");
@@ -177,7 +177,7 @@ class QuestionsTest {
             String id = Conversing.asked(board, SPEED);
             board.receive("SUPO", "ROMA", "tell#%s;speed(".formatted(id));
             board.receive("SUPO", "ROMA", "tell#%s;.stopMAS".formatted(id));
-            agent.warns("\".stopMAS\": an internal action is nothing to say");
+            agent.warns("\".stopMAS\": an internal action cannot be sent");
             board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
             agent.notes("5");
             assertEquals(2L, agent.diffuser().getStatus().get("rfMessagesMalformed"));
@@ -317,7 +317,7 @@ class QuestionsTest {
     void diffuse_toAllWhatNobodyTakesUnsealed_fails(String what) {
         FakeBoard board = board();
         try (RunningAgent agent = doing(".diffuse(broadcast," + what + ")", board)) {
-            agent.notes("not_sealed : " + what.split(",")[0] + " goes to a device or a group, not to all: nobody takes it"
+            agent.notes("not_sealed : " + what.split(",")[0] + " goes to a device or a group, not to all: no agent accepts it"
                     + " from a broadcast, which anyone can send in anyone's name");
         }
     }

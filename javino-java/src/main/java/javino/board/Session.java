@@ -108,7 +108,7 @@ final class Session implements Runnable {
             }
         } catch (ProtocolException e) {
             context.counters().count(SessionCounter.BAD_REPLIES);
-            goOffline(context.name() + ": what is there answers hello, but not as a Javino board does: "
+            goOffline(context.name() + ": the device answers hello, but not as a Javino board does: "
                     + e.getMessage());
             context.queue().pause(context.config().helloInterval());
         }

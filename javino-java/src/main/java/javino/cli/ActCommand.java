@@ -17,8 +17,8 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code javino act}: has a board perform an action. */
-@Command(name = "act", description = {"Has a board perform an action of its sketch.",
-    "Most boards, a Mega too, boot when their port is opened: so each action is the first that the board performs."})
+@Command(name = "act", description = {"Makes a board perform an action of its sketch.",
+    "Most boards, also a Mega, boot when their port is opened: so each action is the first one after a boot."})
 final class ActCommand implements Callable<Integer> {
 
     @Mixin
@@ -28,7 +28,7 @@ final class ActCommand implements Callable<Integer> {
     private String name;
 
     @Parameters(index = "1..*", paramLabel = "ARGUMENT",
-            description = "What the sketch takes with it; one with a comma in it in quotes of its own: '\"a, b\"'.")
+            description = "An argument of the action; put one that has a comma in quotes of its own: '\"a, b\"'.")
     private List<String> arguments = List.of();
 
     @Spec

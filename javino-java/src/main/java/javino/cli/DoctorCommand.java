@@ -16,9 +16,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino doctor}: looks for the usual troubles. */
 @Command(name = "doctor", description = {
-    "Looks for the usual troubles with a board, in the order in which they matter.",
-    "A line for each: ok, or what to do. Exit status 0 where all is ok.",
-    "The radio stays blocked: no message is taken from the board's agent. Have another board send meanwhile."})
+    "Looks for the usual problems with a board, from the port to the radio.",
+    "Each has a line: ok, or the remedy. Exit status 0 if all is ok.",
+    "The radio stays blocked: no message is taken from the board's agent. Let another board send meanwhile."})
 final class DoctorCommand implements Callable<Integer> {
 
     private static final int MOST_SECONDS = 3600;
@@ -31,11 +31,11 @@ final class DoctorCommand implements Callable<Integer> {
     private Address id;
 
     @Option(names = "--keyring", paramLabel = "FILE",
-            description = "A file as keygen makes it; the board should have the keys in it for --id. Needs --id.")
+            description = "A file made by keygen; the board should have its keys for --id. Needs --id.")
     private Path keyring;
 
     @Option(names = "--listen", paramLabel = "SECONDS", defaultValue = "10",
-            description = "How long to wait for a radio packet, 0 to 3600; 10 unless given.")
+            description = "The time to wait for a radio packet, 0 to 3600; the default is 10.")
     private int seconds;
 
     @Spec

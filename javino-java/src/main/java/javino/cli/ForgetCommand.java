@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code javino forget}: deletes keys from a board. */
-@Command(name = "forget", description = "Deletes keys from a board; info tells which it has.")
+@Command(name = "forget", description = "Deletes keys from a board; javino info shows which keys it has.")
 final class ForgetCommand implements Callable<Integer> {
 
     @Mixin

@@ -21,9 +21,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino info}: shows a board. */
 @Command(name = "info", description = {
-    "Shows who a board is, which actions and keys it has (never the keys), and its counters.",
-    "The counters start at 0 with each boot, and most boards, a Mega too, boot when their port is opened: after info "
-            + "has opened it they say little. With --after they tell what happens in the time that follows."})
+    "Shows a board's name, RF id, actions, check values of keys (never the keys), and counters.",
+    "The counters start at 0 with each boot, and most boards, also a Mega, boot when their port is opened: so they say "
+            + "little. With --after you see by how much they rise."})
 final class InfoCommand implements Callable<Integer> {
 
     private static final int MOST_SECONDS = 3600;
@@ -31,8 +31,8 @@ final class InfoCommand implements Callable<Integer> {
     @Mixin
     private PortOption port;
 
-    @Option(names = "--after", paramLabel = "SECONDS", description = "Show by how much each counter rises in so many "
-            + "seconds, 1 to 3600. The radio is open meanwhile: messages are taken, and their senders told that they were "
+    @Option(names = "--after", paramLabel = "SECONDS", description = "Show by how much each counter rises in this "
+            + "time, 1 to 3600 s. The radio is open meanwhile: info takes the messages, and their senders hear that they were "
             + "delivered.")
     private Integer seconds;
 

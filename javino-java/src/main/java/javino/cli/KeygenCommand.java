@@ -22,8 +22,8 @@ import picocli.CommandLine.Spec;
 /** {@code javino keygen}: makes a keyring, or new keys in one. */
 @Command(name = "keygen", description = {
     "Makes new random keys and writes them to a file that only you can read.",
-    "With --renew the new keys stand beside those that a keyring has, and javino provision takes them into use: of the "
-            + "pairs and groups that are named, those of the devices named by --id, or all."})
+    "With --renew it adds new keys to a keyring, which javino provision then takes into use: keys of the named pairs and "
+            + "groups, all keys of the devices named by --id, or, without these options, all keys."})
 final class KeygenCommand implements Callable<Integer> {
 
     @ArgGroup(multiplicity = "1")
@@ -37,7 +37,7 @@ final class KeygenCommand implements Callable<Integer> {
     private List<Address> groups = List.of();
 
     @Option(names = "--id", paramLabel = "ADDRESS", converter = AddressOption.Device.class,
-            description = "With --renew: a device all of whose keys are renewed.")
+            description = "With --renew: a device; all its keys are renewed.")
     private List<Address> ids = List.of();
 
     @Spec

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The {@code javino} command. */
-@Command(name = "javino", description = "Sets up, inspects and drives Javino boards.",
+@Command(name = "javino", description = "Sets up, inspects and controls Javino boards.",
         versionProvider = Main.Version.class,
         subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, InfoCommand.class,
             KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,

@@ -15,14 +15,14 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino new}: writes a project that runs at once. */
 @Command(name = "new", description = {
-    "Writes a new project: an agent, its board's sketch, and what builds them and runs them on an emulated board.",
-    "Then 'gradle run' in its folder. Its README says the rest."})
+    "Writes a new project: an agent, its board's sketch, and a build that runs them on an emulated board.",
+    "Then call 'gradle run' in its folder. Its README says the rest."})
 final class NewCommand implements Callable<Integer> {
 
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]*");
 
     @Parameters(index = "0", paramLabel = "FOLDER",
-            description = "Where the project is to be; it must not exist yet. Its last part is the project's name: "
+            description = "The project's new folder; it must not exist yet. Its last part is the project's name: "
                     + "letters, digits, - and _, a letter first.")
     private Path folder;
 
@@ -35,10 +35,10 @@ final class NewCommand implements Callable<Integer> {
     /** What runs the agent; Jason unless JaCaMo is chosen. */
     private static final class Which {
 
-        @Option(names = "--jason", required = true, description = "The agent is run by Jason; so it is unless given.")
+        @Option(names = "--jason", required = true, description = "Jason runs the agent; this is the default.")
         private boolean jason;
 
-        @Option(names = "--jacamo", required = true, description = "The agent is run by JaCaMo.")
+        @Option(names = "--jacamo", required = true, description = "JaCaMo runs the agent.")
         private boolean jacamo;
     }
 

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code javino percepts}: shows what a board perceives. */
-@Command(name = "percepts", description = "Shows what a board perceives, a literal a line.")
+@Command(name = "percepts", description = "Shows a board's percepts, one a line.")
 final class PerceptsCommand implements Callable<Integer> {
 
     /** How soon it is noticed that nobody reads on. */
@@ -27,8 +27,8 @@ final class PerceptsCommand implements Callable<Integer> {
     @Mixin
     private PortOption port;
 
-    @Option(names = "--follow", description = "Go on until Ctrl-C: +literal for what is new, -literal for what holds "
-            + "no longer.")
+    @Option(names = "--follow", description = "Go on until Ctrl-C: +percept for a new one, -percept for one that has "
+            + "gone.")
     private boolean follow;
 
     @Spec
@@ -80,7 +80,7 @@ final class PerceptsCommand implements Callable<Integer> {
         CompletableFuture<List<String>> of(Board board) {
             CompletableFuture.delayedExecutor(port.config().patience().toMillis(), TimeUnit.MILLISECONDS)
                     .execute(() -> first.completeExceptionally(
-                            new JavinoException(port.name() + ": the board does not tell what it perceives")));
+                            new JavinoException(port.name() + ": the board does not tell its percepts")));
             board.percepts(true);
             return first;
         }

@@ -95,7 +95,7 @@ final class PrivateFile {
             } catch (FileAlreadyExistsException e) {
                 Thread.sleep(PAUSE_MILLIS);
             } catch (AccessDeniedException e) {
-                throw new JavinoException(file + " cannot be changed, and what boards get is noted there; have its folder "
+                throw new JavinoException(file + " cannot be changed, but must note the keys of boards; make its folder "
                         + "writable for you", e);
             }
         }

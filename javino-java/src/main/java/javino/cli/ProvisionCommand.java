@@ -18,9 +18,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino provision}: gives a board its address and its keys. */
 @Command(name = "provision", description = {
-    "Gives a board its RF id and the keys that it needs, and notes in the keyring what it has.",
-    "Keys that keygen --renew has renewed are changed in three steps: call it on each board three times. A step that would "
-            + "lose messages, since another board is not that far, is refused."})
+    "Gives a board its RF id and the keys that it needs, and notes in the keyring which keys it has.",
+    "Keys from keygen --renew are changed in three steps: call provision for each board three times. It refuses a step "
+            + "that would lose messages because another board is not ready for it."})
 final class ProvisionCommand implements Callable<Integer> {
 
     @Mixin
@@ -31,11 +31,11 @@ final class ProvisionCommand implements Callable<Integer> {
     private Address id;
 
     @Option(names = "--keyring", paramLabel = "FILE",
-            description = "A file as keygen makes it; only the keys of this device are taken from it.")
+            description = "A file made by keygen; the board gets only the keys of this device.")
     private Path keyring;
 
     @Option(names = "--key", paramLabel = "ADDRESS=FILE", converter = AddressOption.KeyHolder.class,
-            description = "A device or group (//SU) and a file that holds the key as 32 hexadecimal digits.")
+            description = "A device or group (//SU), and a file with its key as 32 hexadecimal digits.")
     private Map<Address, Path> keyFiles = Map.of();
 
     @Spec

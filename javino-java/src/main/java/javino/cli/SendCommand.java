@@ -17,8 +17,8 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /** {@code javino send}: sends a message by radio. */
-@Command(name = "send", description = {"Sends a message by radio, and says what became of it.",
-    "To a device it is delivered, or undelivered, with exit status 1; to a group or to all it is sent."})
+@Command(name = "send", description = {"Sends a message by radio, and prints its outcome.",
+    "To a device this is delivered, or undelivered with exit status 1; to a group or to all it is sent."})
 final class SendCommand implements Callable<Integer> {
 
     @Mixin
@@ -29,8 +29,8 @@ final class SendCommand implements Callable<Integer> {
     private Address to;
 
     @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
-            description = "Such as 'tell;help': a force and a term of AgentSpeak; where it asks or answers, with three"
-                    + " digits for the conversation, such as 'askOne#AbC;speed(X)'.")
+            description = "A force and a term of AgentSpeak, such as 'tell;help'; a question or an answer has three digits"
+                    + " for the conversation too, such as 'askOne#AbC;speed(X)'.")
     private Content content;
 
     @Spec
@@ -52,7 +52,7 @@ final class SendCommand implements Callable<Integer> {
     public Integer call() throws JavinoException, InterruptedException {
         if (to.equals(Address.BROADCAST) && content.force().requiresSeal()) {
             throw new ParameterException(spec.commandLine(), content.force()
-                    + " goes to a device or a group, not to all: nobody takes it from a broadcast");
+                    + " goes to a device or a group, not to all: no agent accepts it from a broadcast");
         }
         try (Board board = port.open()) {
             Outcome outcome = Await.result(board.transmit(to, content).end());

@@ -98,7 +98,7 @@ class BoardTest extends BoardFixture {
         fake.setActions("lampOn");
         fake.setActionBytesInAReply(0);
         open();
-        assertEquals("offline fake: what is there answers hello, but not as a Javino board does: BAD_REPLY: "
+        assertEquals("offline fake: the device answers hello, but not as a Javino board does: BAD_REPLY: "
                 + "all of 1 actions have names, found ", listener.next());
         fake.setActionBytesInAReply(3);
         assertEquals("online 1", listener.next());
@@ -108,7 +108,7 @@ class BoardTest extends BoardFixture {
     void open_boardThatListsNoActions_isNoJavinoBoard() throws Exception {
         fake.setListing(Status.UNKNOWN_COMMAND);
         open();
-        assertEquals("offline fake: what is there answers hello, but not as a Javino board does: BAD_REPLY: "
+        assertEquals("offline fake: the device answers hello, but not as a Javino board does: BAD_REPLY: "
                 + "list actions answered with UNKNOWN_COMMAND", listener.next());
     }
 

@@ -41,7 +41,7 @@ class DriveCommandsTest extends CommandFixture {
         patience = Duration.ofSeconds(2);
         fake.setBadPolls(true);
         assertEquals(1, run("percepts", "--port", "fake"));
-        assertTrue(err.toString().contains("javino: fake: the board does not tell what it perceives"), err.toString());
+        assertTrue(err.toString().contains("javino: fake: the board does not tell its percepts"), err.toString());
     }
 
     @ParameterizedTest
@@ -157,7 +157,7 @@ class DriveCommandsTest extends CommandFixture {
     @ParameterizedTest
     @ValueSource(strings = {"askOne#AbC;speed(X)", "tellHow;{ +!go <- run }", "sorry#AbC;\"why\""})
     void send_toAllWhatNobodyTakesFromABroadcast_isWrongUsage(String content) {
-        assertFails(2, "goes to a device or a group, not to all: nobody takes it from a broadcast", "send", "--port", "fake",
+        assertFails(2, "goes to a device or a group, not to all: no agent accepts it from a broadcast", "send", "--port", "fake",
                 "////", content);
         assertEquals(List.of(), fake.performed());
     }
