@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""Measures how well test:firmware's suites catch mistakes: plants one mistake at a time into the firmware, builds without
+sanitizers, runs the suites until one fails, and writes score and survivors into docs/reliability.md.
+
+usage: mutate.py [--mutants N|all] [--seed N]
+"""
+import argparse
+import os
+import random
+import re
+import shutil
+import subprocess
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+WORK = os.path.join(HERE, 'build', 'mutants')
+TREE = os.path.join(WORK, 'tree')
+OUT = os.path.join(WORK, 'out')
+DOCUMENT = os.path.join(ROOT, 'docs', 'reliability.md')
+SECTION = 'mutants of the firmware'
+
+SOURCES = 'javino-firmware/src'
+FOLDERS = ['delivery', 'radio', 'secure', 'storage']
+SUITES = {'radio': ['radio/radio-tests', 'firmware-tests', 'small-tests', 'arduino-tests']}
+OTHER_SUITES = ['firmware-tests', 'small-tests', 'arduino-tests', 'radio/radio-tests']
+LONGEST_SECONDS = 600  # of one suite: a mistake that never ends is caught too
+
+SWAPS = [('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'), ('&&', '||'), ('||', '&&'),
+         ('+', '-'), ('-', '+'), ('&', '|'), ('|', '&'), ('<<', '>>'), ('>>', '<<'), ('%', '/'), ('*', '+'),
+         ('+=', '-='), ('-=', '+='), ('|=', '&='), ('&=', '|=')]
+STATEMENT = re.compile(r'^\s+(?:if \(.*\) )?([\w.\[\]>()-]+(?:\+\+|--)|\+\+\w+|--\w+|[\w.\[\]>-]+ [-+|&]?= .*|[\w.]+\(.*\));$')
+
+
+def mutants_of(line):
+    """Each mistake of one line, as (what, line)."""
+    code = line.split('//')[0].rstrip()
+    if not code.strip() or re.match(r'\s*(#|static_assert|namespace|const \w+ \w+::|using|///)', code) or '__asm__' in code:
+        return
+    for old, new in SWAPS:
+        for match in re.finditer(r'(?<=[\w)\]] )%s(?= [\w(!~*-])' % re.escape(old), code):
+            yield '%s for %s' % (new, old), line[:match.start()] + new + line[match.end():]
+    for match in re.finditer(r'(?<![\w.])(\d+|0x[0-9A-Fa-f]+)(?![\w.])', code):
+        yield '%s + 1' % match.group(), line[:match.start()] + '(%s + 1)' % match.group() + line[match.end():]
+    for old, new in (('true', 'false'), ('false', 'true')):
+        for match in re.finditer(r'\b%s\b' % old, code):
+            yield '%s for %s' % (new, old), line[:match.start()] + new + line[match.end():]
+    for match in re.finditer(r'(?<=[(\s])!(?=[\w(])', code):
+        yield 'no !', line[:match.start()] + line[match.end():]
+    match = re.match(r'(\s*(?:} else )?if )(\(.*\))( \{| return.*;| continue;| break;)$', code)
+    if match:
+        yield 'condition negated', match.group(1) + '(!' + match.group(2) + ')' + match.group(3)
+    match = STATEMENT.match(code)
+    if match and not re.match(r'\s*(const|return|static|\w+ \w+ =)', code):
+        yield 'statement removed', line[:match.start(1)] + '{' + '}' + line[match.end(1) + 1:]
+
+
+def all_mutants():
+    for folder in FOLDERS:
+        place = os.path.join(ROOT, SOURCES, folder)
+        for name in sorted(os.listdir(place)):
+            if not name.endswith('.cpp') or 'Avr' in name:
+                continue
+            with open(os.path.join(place, name)) as source:
+                for number, line in enumerate(source.read().split('\n')):
+                    for what, mutant in mutants_of(line):
+                        yield folder, '%s/%s' % (folder, name), number, what, mutant
+
+
+def run(command, seconds=None):
+    """Whether a command succeeds, in time."""
+    try:
+        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
+                              env=dict(os.environ, GTEST_FAIL_FAST='1', GTEST_BRIEF='1')).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
+
+
+def build(target='all'):
+    return run(['cmake', '--build', OUT, '--parallel', '2', '--target', os.path.basename(target)])
+
+
+def prepare():
+    """A copy of what is tested, and a build of it that passes; @return the seconds that each suite takes."""
+    ignore = shutil.ignore_patterns('build')
+    shutil.rmtree(TREE, ignore_errors=True)
+    for folder in ['javino-firmware/src', 'javino-firmware/examples', 'test/firmware', 'test/arduino-mock', 'test/vectors']:
+        shutil.copytree(os.path.join(ROOT, folder), os.path.join(TREE, folder), ignore=ignore)
+    if not run(['cmake', '-S', os.path.join(TREE, 'test/firmware'), '-B', OUT, '-DSANITIZE=OFF']) or not build():
+        raise SystemExit('the firmware does not build without a mistake: run gradle :test:firmware:test')
+    seconds = {}
+    for suite in OTHER_SUITES:
+        begin = time.monotonic()
+        if not run([os.path.join(OUT, suite)], LONGEST_SECONDS):
+            raise SystemExit('%s fails without a mistake: run gradle :test:firmware:test' % suite)
+        seconds[suite] = time.monotonic() - begin
+    return seconds
+
+
+def survives(mutant, seconds):
+    """Whether no suite sees a mistake; None where the compiler does."""
+    folder, name, number, _, line = mutant
+    path = os.path.join(TREE, SOURCES, name)
+    with open(path) as source:
+        right = source.read()
+    lines = right.split('\n')
+    lines[number] = line
+    try:
+        with open(path, 'w') as source:
+            source.write('\n'.join(lines))
+        for suite in SUITES.get(folder, OTHER_SUITES):  # each is linked only if those before it have passed
+            if not build(suite):
+                return None
+            if not run([os.path.join(OUT, suite)], min(LONGEST_SECONDS, 30 + 5 * seconds[suite])):
+                return False
+        return True
+    finally:
+        with open(path, 'w') as source:
+            source.write(right)
+
+
+def write(total, seed, tried, survivors):
+    caught = len(tried) - len(survivors)
+    rows = ['| folder | mutants | caught |', '| --- | --- | --- |']
+    for folder in FOLDERS + [None]:
+        of = [m for m in tried if folder in (m[0], None)]
+        left = [m for m in survivors if folder in (m[0], None)]
+        if of:
+            rows.append('| %s | %d | %d %% |' % (folder or 'all', len(of), 100 * (len(of) - len(left)) // len(of)))
+    text = ['`gradle :test:firmware:mutation -Pmutants=%s -Pseed=%d`' % (len(tried), seed), '',
+            'Of %d possible mistakes in %s (a negated condition, another operator, a constant plus one, a removed statement)'
+            ' %d that compile without a warning were planted, one at a time, and test:firmware\'s suites run without sanitizers: %d caught.'
+            % (total, ', '.join('`src/%s`' % folder for folder in FOLDERS), len(tried), caught), ''] + rows
+    if survivors:
+        text += ['', 'Not caught:', '', '| place | mistake | line with it |', '| --- | --- | --- |']
+        text += ['| %s:%d | %s | `%s` |' % (m[1], m[2] + 1, m[3].replace('|', '\\|'), m[4].strip().replace('|', '\\|'))
+                 for m in sorted(survivors)]
+    with open(DOCUMENT) as document:
+        parts = document.read().rstrip('\n').split('\n## ')
+    parts = [part.rstrip('\n') for part in parts if not part.startswith(SECTION + '\n')]
+    with open(DOCUMENT, 'w') as document:
+        document.write('\n\n## '.join(parts + [SECTION + '\n\n' + '\n'.join(text)]) + '\n')
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
+    parser.add_argument('--mutants', default='300', help='how many, or all')
+    parser.add_argument('--seed', type=int, default=1, help='which ones')
+    arguments = parser.parse_args()
+    possible = list(all_mutants())
+    chosen = list(possible)
+    random.Random(arguments.seed).shuffle(chosen)
+    wanted = len(chosen) if arguments.mutants == 'all' else int(arguments.mutants)
+    seconds = prepare()
+    tried, survivors = [], []
+    try:
+        for mutant in chosen:
+            if len(tried) == wanted:
+                break
+            survived = survives(mutant, seconds)
+            if survived is None:
+                continue
+            tried.append(mutant)
+            if survived:
+                survivors.append(mutant)
+            print('%4d %-8s %s:%d %s' % (len(tried), 'SURVIVES' if survived else 'caught', mutant[1], mutant[2] + 1,
+                                         mutant[3]), flush=True)
+    finally:  # what was found counts, however it ends
+        if tried:
+            write(len(possible), arguments.seed, tried, survivors)
+
+
+main()
