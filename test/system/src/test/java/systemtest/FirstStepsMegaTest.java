@@ -107,11 +107,11 @@ class FirstStepsMegaTest {
             }
             emulator.await("\"name\":\"lamp\",\"level\":1}");
             try (AgentProcess caller = agent("caller")) {
-                caller.await(lineAfter("Now without ROMA's agent."));
+                caller.await(lineAfter("Now end ROMA's agent"));
             }
             assertEquals(List.of("key for ROMA forgotten"), javino("javino forget --port ports/supo --key ROMA"));
             try (AgentProcess caller = agent("caller")) {
-                caller.await(lineAfter("And without the key,"));
+                caller.await(lineAfter("Now delete the key"));
             }
         }
     }
