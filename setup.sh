@@ -22,10 +22,11 @@ libgtest-dev             GoogleTest
 libgmock-dev             GoogleMock
 clang                    fuzzes the firmware's code on the PC
 libclang-rt-dev          its fuzzer and sanitizers
+clang-format             holds the style of C and C++
 spin                     checks the model beside our checker
 "
 # For systems without these packages: the commands that must be there.
-COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake clang++"
+COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake clang++ clang-format"
 
 case "${1-}" in
     "") ;;
