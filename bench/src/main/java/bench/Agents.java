@@ -18,14 +18,15 @@ final class Agents {
         new RunLocalMAS();
     }
 
-    private Agents() { }
+    private Agents() {}
 
     /** Starts an agent on a thread of its own. */
     static LocalAgArch start(String name, String program, Class<?>... architectures) throws Exception {
         Path source = Files.writeString(Files.createTempFile(name, ".asl"), program);
         LocalAgArch body = new LocalAgArch();
         body.setAgName(name);
-        body.createArchs(List.of(architectures).stream().map(Class::getName).toList(), Agent.class.getName(), null, source.toString(), new Settings());
+        body.createArchs(List.of(architectures).stream().map(Class::getName).toList(), Agent.class.getName(), null,
+                source.toString(), new Settings());
         BaseLocalMAS.getRunner().addAg(body);
         Thread thread = new Thread(body, name);
         thread.setDaemon(true);

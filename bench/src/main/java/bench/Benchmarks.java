@@ -5,10 +5,12 @@ import java.util.List;
 /** Measures all subjects, prints the table and writes docs/performance.md; or only measures and prints those named. */
 public final class Benchmarks {
 
-    private static final List<Subject> SUBJECTS = List.of(new Cycles(), new InterruptLoad(), new BitRates(), new DecoderLoss(), new Sizes(),
-        new Radio(), new OpenPort(), new Reaction(), new Codec(), new IdleAgent(), new BusyAgent(), new EmulatorSpeed());
+    private static final List<Subject> SUBJECTS =
+            List.of(new Cycles(), new InterruptLoad(), new BitRates(), new DecoderLoss(), new Sizes(),
+                    new Radio(), new OpenPort(), new Reaction(), new Codec(), new IdleAgent(), new BusyAgent(),
+                    new EmulatorSpeed());
 
-    private Benchmarks() { }
+    private Benchmarks() {}
 
     public static void main(String[] names) throws Exception {
         List<String> wanted = List.of(names);

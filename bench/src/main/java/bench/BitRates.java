@@ -18,14 +18,15 @@ final class BitRates implements Subject {
     @Override
     public String method() {
         return """
-            the same two boards at rates from 10 000 bit/s downwards in steps of 500, until none of 40 packets of 77 bytes is lost.
-            10 000 bit/s is the highest rate that `AskRadio` takes.""";
+            the same two boards at rates from 10 000 bit/s downwards in steps of 500, until none of 40 packets of 77
+            bytes is lost. 10 000 bit/s is the highest rate that `AskRadio` takes.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
-        return List.of(Row.against("highest bit rate without loss", "%.0f bit/s", highest("Modem"), highest("SampledModem"),
-            "eight samples a bit").goal("≥ 8000"));
+        return List.of(
+                Row.against("highest bit rate without loss", "%.0f bit/s", highest("Modem"), highest("SampledModem"),
+                        "eight samples a bit").goal("≥ 8000"));
     }
 
     private static int highest(String sketch) throws Exception {

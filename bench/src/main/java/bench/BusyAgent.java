@@ -19,8 +19,13 @@ public final class BusyAgent implements Subject {
     private static final int WINDOWS = 4;
     private static final int ROUNDS = 4;
 
-    /** How the board behaves; plain: there is none, nor an architecture; changing: as at once, with a new percept at each poll. */
-    private enum Kind { PLAIN, AT_ONCE, LATE, SILENT, CHANGING }
+    /**
+     * How the board behaves; plain: there is none, nor an architecture; changing: as at once, with a new percept at
+     * each poll.
+     */
+    private enum Kind {
+        PLAIN, AT_ONCE, LATE, SILENT, CHANGING
+    }
 
     /** The architecture under test with a board in memory, chosen by the process's argument. */
     public static final class MemoryDiffuser extends Diffuser {
@@ -47,10 +52,12 @@ public final class BusyAgent implements Subject {
     @Override
     public String method() {
         return """
-            an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a second, the best
-            of 4 starts and 4 half seconds each, after 4 s of warming up. We take the best, since results of Java's compiler differ by a third from start
-            to start, and other work of the machine only makes it slower. With the Diffuser it also has a board in memory that answers at once, after 50 ms, or
-            never, and that has one percept, which stays, or changes at each poll. The reference is the same agent without the architecture.""";
+            an agent whose only plan posts its own goal again, in a Java virtual machine of its own; reasoning cycles a
+            second, the best of 4 starts and 4 half seconds each, after 4 s of warming up. We take the best, since
+            results of Java's compiler differ by a third from start to start, and other work of the machine only makes
+            it slower. With the Diffuser it also has a board in memory that answers at once, after 50 ms, or never, and
+            that has one percept, which stays, or changes at each poll. The reference is the same agent without the
+            architecture.""";
     }
 
     @Override
@@ -63,16 +70,19 @@ public final class BusyAgent implements Subject {
         }
         double plain = best.get(Kind.PLAIN);
         return List.of(row("at once", best.get(Kind.AT_ONCE), plain), row("after 50 ms", best.get(Kind.LATE), plain),
-            row("never", best.get(Kind.SILENT), plain), row("at once, another percept at each poll", best.get(Kind.CHANGING), plain));
+                row("never", best.get(Kind.SILENT), plain),
+                row("at once, another percept at each poll", best.get(Kind.CHANGING), plain));
     }
 
     private static Row row(String answers, double ours, double plain) {
-        return Row.against("busy agent, board answers " + answers, "%.0f cycles/s", ours, plain, "plain agent").goal("≥ 0.90");
+        return Row.against("busy agent, board answers " + answers, "%.0f cycles/s", ours, plain, "plain agent")
+                .goal("≥ 0.90");
     }
 
     private static double cyclesOf(Kind kind) throws Exception {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        List<String> lines = Command.run(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"), BusyAgent.class.getName(), kind);
+        List<String> lines = Command.run(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
+                BusyAgent.class.getName(), kind);
         return Double.parseDouble(lines.get(lines.size() - 1));
     }
 
@@ -80,7 +90,8 @@ public final class BusyAgent implements Subject {
     public static void main(String[] kinds) throws Exception {
         MemoryDiffuser.kind = Kind.valueOf(kinds[0]);
         boolean plain = MemoryDiffuser.kind == Kind.PLAIN;
-        LocalAgArch agent = plain ? Agents.start("busy", PROGRAM) : Agents.start("busy", WITH_BOARD, MemoryDiffuser.class);
+        LocalAgArch agent =
+                plain ? Agents.start("busy", PROGRAM) : Agents.start("busy", WITH_BOARD, MemoryDiffuser.class);
         Thread.sleep(WARM_UP.toMillis());
         Samples cycles = new Samples();
         for (int i = 0; i < WINDOWS; i++) {

@@ -29,7 +29,7 @@ public final class Codec implements Subject {
 
         private final PacketDecoder decoder = new PacketDecoder();
         private final Frame frame = new Frame(Address.parse("SUPO"), Address.parse("ROMA"),
-            Bytes.ofText("x".repeat(FRAME_LENGTH - Frame.HEADER_LENGTH)));
+                Bytes.ofText("x".repeat(FRAME_LENGTH - Frame.HEADER_LENGTH)));
         private int sequence;
 
         /** One frame there and back. */
@@ -49,20 +49,23 @@ public final class Codec implements Subject {
     @Override
     public String method() {
         return """
-            JMH, one thread: `Packet.encode` and `PacketDecoder.feed` of a frame of 64 bytes, checksums and COBS included; a fork with 3
-            rounds of warming up and 5 of measuring, 2 s each, allocation by its GC profiler.""";
+            JMH, one thread: `Packet.encode` and `PacketDecoder.feed` of a frame of 64 bytes, checksums and COBS
+            included; a fork with 3 rounds of warming up and 5 of measuring, 2 s each, allocation by its GC
+            profiler.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
         Collection<RunResult> results = new Runner(new OptionsBuilder()
-            .include(Exchange.class.getName().replace('$', '.') + ".encodeAndDecode")
-            .forks(1).warmupIterations(3).warmupTime(TimeValue.seconds(2)).measurementIterations(5).measurementTime(TimeValue.seconds(2))
-            .timeUnit(TimeUnit.SECONDS).addProfiler(GCProfiler.class).verbosity(VerboseMode.SILENT).build()).run();
+                .include(Exchange.class.getName().replace('$', '.') + ".encodeAndDecode")
+                .forks(1).warmupIterations(3).warmupTime(TimeValue.seconds(2)).measurementIterations(5)
+                .measurementTime(TimeValue.seconds(2))
+                .timeUnit(TimeUnit.SECONDS).addProfiler(GCProfiler.class).verbosity(VerboseMode.SILENT).build()).run();
         RunResult result = results.iterator().next();
         double allocated = result.getSecondaryResults().get("gc.alloc.rate.norm").getScore();
         return List.of(
-            Row.of("host codec, encode and decode 64 bytes", Row.text("%.2f M frames/s", result.getPrimaryResult().getScore() / 1e6)).goal("≥ 1"),
-            Row.of("the same, allocated", Row.text("%.0f bytes a frame", allocated)));
+                Row.of("host codec, encode and decode 64 bytes",
+                        Row.text("%.2f M frames/s", result.getPrimaryResult().getScore() / 1e6)).goal("≥ 1"),
+                Row.of("the same, allocated", Row.text("%.0f bytes a frame", allocated)));
     }
 }

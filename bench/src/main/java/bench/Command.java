@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 /** A program that runs to its end. */
 final class Command {
 
-    private Command() { }
+    private Command() {}
 
     /** The lines that it prints; throws with what it complained of if it fails. */
     static List<String> run(Object... words) throws IOException, InterruptedException {

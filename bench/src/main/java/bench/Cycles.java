@@ -13,15 +13,15 @@ final class Cycles implements Subject {
     private static final Pattern LINE = Pattern.compile("^(.+?)\\s+(\\d+\\.\\d)\\s+(\\d+\\.\\d)$");
 
     /** What is compared with others, or is to reach a figure; 0 where there is no other. */
-    private record Target(double reference, String cited, int goal) { }
+    private record Target(double reference, String cited, int goal) {}
 
     private static final Map<String, Target> TARGETS = Map.of(
-        "AES-128, one block, call included", new Target(2256, "best public assembly with tables in flash", 2000),
-        "AES-128 key schedule, call included", new Target(821, "best public assembly", 800),
-        "CFB-128, encrypt 64 bytes", new Target(9019, "best public assembly", 8400),
-        "CFB-128, decrypt 64 bytes", new Target(9019, "best public assembly", 8400),
-        "seal 16 bytes, keys expanded", new Target(0, "", 12_000),
-        "open 16 bytes, keys expanded", new Target(0, "", 12_000));
+            "AES-128, one block, call included", new Target(2256, "best public assembly with tables in flash", 2000),
+            "AES-128 key schedule, call included", new Target(821, "best public assembly", 800),
+            "CFB-128, encrypt 64 bytes", new Target(9019, "best public assembly", 8400),
+            "CFB-128, decrypt 64 bytes", new Target(9019, "best public assembly", 8400),
+            "seal 16 bytes, keys expanded", new Target(0, "", 12_000),
+            "open 16 bytes, keys expanded", new Target(0, "", 12_000));
 
     @Override
     public String name() {
@@ -31,8 +31,8 @@ final class Cycles implements Subject {
     @Override
     public String method() {
         return """
-            `test/cycles` runs the library's functions on an emulated ATmega2560 and counts between two markers; `gradle test` holds each
-            to `test/cycles/budget.json`.""";
+            `test/cycles` runs the library's functions on an emulated ATmega2560 and counts between two markers; `gradle
+            test` holds each to `test/cycles/budget.json`.""";
     }
 
     @Override
@@ -40,7 +40,7 @@ final class Cycles implements Subject {
         Path folder = Machine.ROOT.resolve("test/cycles/build");
         Command.run(folder.resolve("cycles-tests"), "--gtest_filter=Budget.*");
         return Files.readAllLines(folder.resolve("cycles.txt")).stream()
-            .flatMap(line -> LINE.matcher(line).results()).map(Cycles::row).toList();
+                .flatMap(line -> LINE.matcher(line).results()).map(Cycles::row).toList();
     }
 
     private static Row row(MatchResult line) {
@@ -51,7 +51,7 @@ final class Cycles implements Subject {
             return Row.of(what, Row.text(cycles == Math.rint(cycles) ? "%.0f cycles" : "%.1f cycles", cycles));
         }
         Row row = target.reference == 0 ? Row.of(what, Row.text("%.0f cycles", cycles))
-            : Row.cited(what, "%.0f cycles", cycles, target.reference, target.cited);
+                : Row.cited(what, "%.0f cycles", cycles, target.reference, target.cited);
         return row.goal("≤ " + target.goal);
     }
 }

@@ -19,10 +19,11 @@ final class InterruptLoad implements Subject {
     @Override
     public String method() {
         return """
-            one emulated Mega sends packets of 77 bytes without a pause at 2000 bit/s, another receives them (`bench/sketches/Modem`).
-            `bench/native/probe.c` adds up the cycles between entering and leaving the radio's interrupt handlers, entry and `RETI`
-            included. The reference is `bench/sketches/SampledModem`, which does the same task in VirtualWire's way and was written anew
-            from its description; VirtualWire itself took 23 % and 14 %.""";
+            one emulated Mega sends packets of 77 bytes without a pause at 2000 bit/s, another receives them
+            (`bench/sketches/Modem`). `bench/native/probe.c` adds up the cycles between entering and leaving the radio's
+            interrupt handlers, entry and `RETI` included. The reference is `bench/sketches/SampledModem`, which does
+            the same task in VirtualWire's way and was written anew from its description; VirtualWire itself took 23 %
+            and 14 %.""";
     }
 
     @Override
@@ -31,9 +32,11 @@ final class InterruptLoad implements Subject {
         Probe ours = Probe.run("Modem", BIT_RATE, 1, 1, seconds);
         Probe sampled = Probe.run("SampledModem", BIT_RATE, 1, 1, seconds);
         return List.of(
-            Row.against("radio interrupts, receiving at 2000 bit/s", "%.1f %% of CPU", ours.load("rx0", RADIO_VECTORS),
-                sampled.load("rx0", RADIO_VECTORS), REFERENCE).goal("≤ 8 %"),
-            Row.against("radio interrupts, sending at 2000 bit/s", "%.1f %% of CPU", ours.load("tx0", RADIO_VECTORS),
-                sampled.load("tx0", RADIO_VECTORS), REFERENCE).goal("≤ 5 %"));
+                Row.against("radio interrupts, receiving at 2000 bit/s", "%.1f %% of CPU",
+                        ours.load("rx0", RADIO_VECTORS),
+                        sampled.load("rx0", RADIO_VECTORS), REFERENCE).goal("≤ 8 %"),
+                Row.against("radio interrupts, sending at 2000 bit/s", "%.1f %% of CPU",
+                        ours.load("tx0", RADIO_VECTORS),
+                        sampled.load("tx0", RADIO_VECTORS), REFERENCE).goal("≤ 5 %"));
     }
 }

@@ -10,15 +10,17 @@ final class Machine {
     /** The top of the repository. */
     static final Path ROOT = Path.of(System.getProperty("javino.root"));
 
-    private Machine() { }
+    private Machine() {}
 
     /** Processor, cores and Java. */
     static String describe() throws IOException {
         Path cpuinfo = Path.of("/proc/cpuinfo");
         String model = !Files.exists(cpuinfo) ? System.getProperty("os.arch") : Files.readAllLines(cpuinfo).stream()
-            .filter(line -> line.startsWith("model name")).map(line -> line.substring(line.indexOf(':') + 2)).findFirst()
-            .orElse(System.getProperty("os.arch"));
-        return Row.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(), System.getProperty("java.version"));
+                .filter(line -> line.startsWith("model name")).map(line -> line.substring(line.indexOf(':') + 2))
+                .findFirst()
+                .orElse(System.getProperty("os.arch"));
+        return Row.text("%s, %d cores, Java %s", model, Runtime.getRuntime().availableProcessors(),
+                System.getProperty("java.version"));
     }
 
     /** The version of the compiler for the boards. */
@@ -37,7 +39,8 @@ final class Machine {
     }
 
     private static Path firmware(String sketch, String board) {
-        return ROOT.resolve("javino-firmware/build/" + sketch.toLowerCase(java.util.Locale.ROOT) + board + "/" + sketch + ".ino.elf");
+        return ROOT.resolve("javino-firmware/build/" + sketch.toLowerCase(java.util.Locale.ROOT) + board + "/" + sketch
+                + ".ino.elf");
     }
 
     /** A program of bench/native. */

@@ -15,7 +15,8 @@ import javino.protocol.PacketDecoder;
 /** A board in memory that greets, has no actions, and perceives one thing. */
 final class MemoryBoard implements LinkOpener {
 
-    private static final Bytes GREETING = Bytes.join(Bytes.of(0, 1), Bytes.ofText("ROMA"), Bytes.of(0, 0, 1), Bytes.ofText("memory"));
+    private static final Bytes GREETING =
+            Bytes.join(Bytes.of(0, 1), Bytes.ofText("ROMA"), Bytes.of(0, 0, 1), Bytes.ofText("memory"));
 
     private static final Bytes NO_ACTIONS = Bytes.of(0, 0);
 
@@ -84,7 +85,8 @@ final class MemoryBoard implements LinkOpener {
             case 'C' -> NO_ACTIONS;
             default -> GREETING;
         };
-        line.write(new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode().toArray());
+        line.write(
+                new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode().toArray());
     }
 
     private Bytes percepts() {

@@ -24,23 +24,26 @@ final class OpenPort implements Subject {
     @Override
     public String method() {
         return """
-            an emulated board with the sketch Station that is not reset by opening its port (`"resetOnOpen": false`): from `Board.open`
-            to the listener's `online`, 20 times, after a first time in which Java loads its classes.""";
+            an emulated board with the sketch Station that is not reset by opening its port (`"resetOnOpen": false`):
+            from `Board.open` to the listener's `online`, 20 times, after a first time in which Java loads its
+            classes.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
         Samples milliseconds = new Samples();
         try (Emulator emulator = new Emulator.Scenario().board("board", "Station", Map.of("resetOnOpen", false))
-            .start(Files.createTempDirectory("javino-bench"))) {
+                .start(Files.createTempDirectory("javino-bench"))) {
             open(emulator);
             for (int i = 0; i < TIMES; i++) {
                 milliseconds.add(open(emulator));
             }
         }
         return List.of(
-            Row.cited("opening a live board's port, median", "%.0f ms", milliseconds.median(), 3036, "the paper's software").goal("≤ 100 ms"),
-            Row.cited("the same, longest", "%.0f ms", milliseconds.greatest(), 3036, "the paper's software").goal("≤ 100 ms"));
+                Row.cited("opening a live board's port, median", "%.0f ms", milliseconds.median(), 3036,
+                        "the paper's software").goal("≤ 100 ms"),
+                Row.cited("the same, longest", "%.0f ms", milliseconds.greatest(), 3036, "the paper's software")
+                        .goal("≤ 100 ms"));
     }
 
     private static double open(Emulator emulator) throws InterruptedException {

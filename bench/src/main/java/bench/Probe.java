@@ -36,29 +36,33 @@ final class Probe {
      * @param bitRate in bit/s.
      * @param seconds of emulated time.
      */
-    static Probe run(String sketch, int bitRate, int senders, int receivers, double seconds) throws IOException, InterruptedException {
+    static Probe run(String sketch, int bitRate, int senders, int receivers, double seconds)
+            throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("javino-bench");
         List<Map<String, Object>> boards = new ArrayList<>();
         for (int i = 0; i < senders; i++) {
-            boards.add(board("tx" + i, sketch, folder, bitRate, Map.of("type", "digital", "pin", SENDER_PIN, "level", List.of(List.of(0, 1)))));
+            boards.add(board("tx" + i, sketch, folder, bitRate,
+                    Map.of("type", "digital", "pin", SENDER_PIN, "level", List.of(List.of(0, 1)))));
         }
         for (int i = 0; i < receivers; i++) {
             boards.add(board("rx" + i, sketch, folder, bitRate, Map.of()));
         }
         Path scenario = Files.writeString(folder.resolve("scenario.json"),
-            new Gson().toJson(Map.of("radio", Map.of("bitRate", bitRate), "boards", boards)));
+                new Gson().toJson(Map.of("radio", Map.of("bitRate", bitRate), "boards", boards)));
         List<String> lines = Command.run(Machine.program("probe"), scenario, folder, seconds);
         return new Probe(seconds, lines.stream().map(TraceEvent::parse).toList());
     }
 
-    private static Map<String, Object> board(String name, String sketch, Path folder, int bitRate, Map<String, Object> sensor)
-        throws IOException {
+    private static Map<String, Object> board(String name, String sketch, Path folder, int bitRate,
+            Map<String, Object> sensor)
+            throws IOException {
         byte[] eeprom = new byte[EEPROM_LENGTH];
         Arrays.fill(eeprom, (byte) 0xFF);
         eeprom[EEPROM_LENGTH - 2] = (byte) bitRate;
         eeprom[EEPROM_LENGTH - 1] = (byte) (bitRate >> 8);
         Files.write(folder.resolve(name), eeprom);
-        Map<String, Object> board = new LinkedHashMap<>(Map.of("name", name, "firmware", Machine.firmware(sketch).toString(), "eeprom", name));
+        Map<String, Object> board = new LinkedHashMap<>(
+                Map.of("name", name, "firmware", Machine.firmware(sketch).toString(), "eeprom", name));
         if (!sensor.isEmpty()) {
             board.put("sensors", List.of(sensor));
         }
@@ -67,8 +71,9 @@ final class Probe {
 
     /** The share of a board's cycles that some interrupts took, in percent. */
     double load(String board, List<Integer> vectors) {
-        double cycles = trace.stream().filter(event -> event.is("interrupts", board) && vectors.contains(event.number("vector")))
-            .mapToDouble(event -> event.number("cycles")).sum();
+        double cycles = trace.stream()
+                .filter(event -> event.is("interrupts", board) && vectors.contains(event.number("vector")))
+                .mapToDouble(event -> event.number("cycles")).sum();
         if (cycles == 0) {
             throw new IllegalStateException("of the interrupts " + vectors + " none has run on " + board);
         }
@@ -77,7 +82,8 @@ final class Probe {
 
     /** Emulated seconds for each second of this machine's CPU. */
     double timesRealTime() {
-        double microseconds = trace.stream().filter(event -> event.name().equals("cpu")).findFirst().orElseThrow().number("microseconds");
+        double microseconds = trace.stream().filter(event -> event.name().equals("cpu")).findFirst().orElseThrow()
+                .number("microseconds");
         return seconds / (microseconds / 1e6);
     }
 

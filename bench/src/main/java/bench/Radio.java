@@ -17,7 +17,9 @@ import javino.link.SerialLink;
 import javino.protocol.Address;
 import javino.protocol.Content;
 
-/** From host to host over two emulated boards: how long a message takes, how long its packet is, how much gets through. */
+/**
+ * From host to host over two emulated boards: how long a message takes, how long its packet is, how much gets through.
+ */
 final class Radio implements Subject {
 
     private static final double BIT_RATE = 2000;
@@ -26,7 +28,10 @@ final class Radio implements Subject {
     private static final int MESSAGES = 25;
     private static final int LONG_MESSAGES = 10;
     private static final int WAITING_ON_BOARD = 2;
-    /** Of the request on its way to the board: sequence, frame of 26 bytes, CRC, COBS, zeros before and behind; 115200 baud. */
+    /**
+     * Of the request on its way to the board: sequence, frame of 26 bytes, CRC, COBS, zeros before and behind; 115200
+     * baud.
+     */
     private static final double REQUEST_MILLISECONDS = 1000.0 * 10 * (1 + 26 + 2 + 1 + 2) / 115_200;
 
     @Override
@@ -37,21 +42,24 @@ final class Radio implements Subject {
     @Override
     public String method() {
         return """
-            two emulated Megas with the sketches Vehicle and Station at real time, each with a host over its pty. Unicast: 25 sealed
-            contents of 16 bytes into quiet air, from the request's last byte on the serial line (the call and 2.8 ms) to the call that hands over the
-            message at the other host; this includes sealing, the wait for the receiver's next poll and the whole reply to it. The ratio is
-            that of the median to the packet's time on the air. Goodput: 10 contents of 200 bytes, which travel in pieces, with two of
-            them always waiting at the board; content bits from the first packet's start to the last one's end, waits for the air between
-            messages and, of unicasts, acknowledgements included. The limit is what line code (8 of 12 bits), training, headers, nonce
-            and tag leave: content bits of the bits of the pieces. Of the 40 bytes of payload for a content of 16, ten are the paper's
-            header (to whom, from whom, two digits of length), six the nonce, which must not come again in a board's life, and eight the
-            tag, which leaves a forger one chance in 2^64; a receiver cannot know them beforehand, since it may have been switched off.""";
+            two emulated Megas with the sketches Vehicle and Station at real time, each with a host over its pty.
+            Unicast: 25 sealed contents of 16 bytes into quiet air, from the request's last byte on the serial line (the
+            call and 2.8 ms) to the call that hands over the message at the other host; this includes sealing, the wait
+            for the receiver's next poll and the whole reply to it. The ratio is that of the median to the packet's time
+            on the air. Goodput: 10 contents of 200 bytes, which travel in pieces, with two of them always waiting at
+            the board; content bits from the first packet's start to the last one's end, waits for the air between
+            messages and, of unicasts, acknowledgements included. The limit is what line code (8 of 12 bits), training,
+            headers, nonce and tag leave: content bits of the bits of the pieces. Of the 40 bytes of payload for a
+            content of 16, ten are the paper's header (to whom, from whom, two digits of length), six the nonce, which
+            must not come again in a board's life, and eight the tag, which leaves a forger one chance in 2^64; a
+            receiver cannot know them beforehand, since it may have been switched off.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
         Path folder = Files.createTempDirectory("javino-bench");
-        try (Emulator emulator = new Emulator.Scenario().board("sender", "Vehicle").board("receiver", "Station").start(folder)) {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("sender", "Vehicle").board("receiver", "Station").start(folder)) {
             byte[] key = new byte[16];
             ThreadLocalRandom.current().nextBytes(key);
             Samples latency = new Samples();
@@ -71,10 +79,13 @@ final class Radio implements Subject {
             double airtime = 1000 * packet.number("bits") / BIT_RATE;
             double payload = packet.text("payload").length() / 2.0;
             return List.of(
-                Row.against("sealed unicast of 16 bytes, host to host, median", "%.0f ms", latency.median(), airtime, "on the air").goal("≤ 1.10"),
-                Row.cited("the same beside the public stack", "%.0f ms", latency.median(), 877, "the paper's software"),
-                Row.cited("payload on the air for 16 sealed bytes", "%.0f bytes", payload, 54, "the paper's software").goal("≤ 40"),
-                broadcasts, unicasts);
+                    Row.against("sealed unicast of 16 bytes, host to host, median", "%.0f ms", latency.median(),
+                            airtime, "on the air").goal("≤ 1.10"),
+                    Row.cited("the same beside the public stack", "%.0f ms", latency.median(), 877,
+                            "the paper's software"),
+                    Row.cited("payload on the air for 16 sealed bytes", "%.0f bytes", payload, 54,
+                            "the paper's software").goal("≤ 40"),
+                    broadcasts, unicasts);
         }
     }
 
@@ -93,7 +104,8 @@ final class Radio implements Subject {
     private static Row goodput(Emulator emulator, String how, String to) throws Exception {
         Semaphore room = new Semaphore(WAITING_ON_BOARD);
         int before = emulator.sentBy("sender").size();
-        try (Board board = Board.open(SerialLink.opener(emulator.port("sender")), BoardConfig.create(), new BoardListener() { })) {
+        try (Board board =
+                Board.open(SerialLink.opener(emulator.port("sender")), BoardConfig.create(), new BoardListener() {})) {
             for (int i = 0; i < LONG_MESSAGES; i++) {
                 room.acquire();
                 Transmission transmission = board.transmit(Address.parse(to), Content.parse(LONG));
@@ -104,11 +116,14 @@ final class Radio implements Subject {
         }
         List<TraceEvent> packets = emulator.sentBy("sender");
         List<TraceEvent> sent = packets.subList(before, packets.size());
-        double seconds = sent.get(sent.size() - 1).fields().get("end").getAsDouble() - sent.get(0).fields().get("start").getAsDouble();
+        double seconds = sent.get(sent.size() - 1).fields().get("end").getAsDouble()
+                - sent.get(0).fields().get("start").getAsDouble();
         double bits = 8.0 * LONG_MESSAGES * LONG.length();
         double share = bits / seconds / BIT_RATE;
         double limit = bits / sent.stream().mapToInt(packet -> packet.number("bits")).sum();
-        return Row.against("goodput of one sender, %s contents of 200 bytes".formatted(how), "%.1f %% of the bit rate", 100 * share, 100 * limit, "limit")
-            .goal("≥ 0.85");
+        return Row
+                .against("goodput of one sender, %s contents of 200 bytes".formatted(how), "%.1f %% of the bit rate",
+                        100 * share, 100 * limit, "limit")
+                .goal("≥ 0.85");
     }
 }

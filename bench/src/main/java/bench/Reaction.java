@@ -40,18 +40,20 @@ final class Reaction implements Subject {
     @Override
     public String method() {
         return """
-            an agent with the Diffuser's default settings and an emulated board (Vehicle) at real time. Percept: 40 steps of the voltage on
-            A0, at all moments between two polls, each to the first action of the plan for `+light(L)`. Radio: 20 times from the action
-            before `.diffuse` to the TX pin's first change, into air that has been quiet for 15 slots (SPEC 7.4). The emulator's clock is tied to the host's by the earliest arrival of a line of
-            its trace.""";
+            an agent with the Diffuser's default settings and an emulated board (Vehicle) at real time. Percept: 40
+            steps of the voltage on A0, at all moments between two polls, each to the first action of the plan for
+            `+light(L)`. Radio: 20 times from the action before `.diffuse` to the TX pin's first change, into air that
+            has been quiet for 15 slots (SPEC 7.4). The emulator's clock is tied to the host's by the earliest arrival
+            of a line of its trace.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
         Map<String, Object> wiring = Map.of(
-            "sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", steps())),
-            "watch", List.of(Map.of("pin", 12, "name", "transmitter")));
-        try (Emulator emulator = new Emulator.Scenario().board("board", "Vehicle", wiring).start(Files.createTempDirectory("javino-bench"))) {
+                "sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", steps())),
+                "watch", List.of(Map.of("pin", 12, "name", "transmitter")));
+        try (Emulator emulator = new Emulator.Scenario().board("board", "Vehicle", wiring)
+                .start(Files.createTempDirectory("javino-bench"))) {
             LocalAgArch agent = Agents.start("reaction", PROGRAM.formatted(emulator.port("board")), Diffuser.class);
             try {
                 return measure(emulator, agent);
@@ -71,11 +73,13 @@ final class Reaction implements Subject {
             agent.receiveMsg(new Message("achieve", "bench", "reaction", "say"));
             said.add(await("say"));
             double before = silentSince;
-            TraceEvent rise = emulator.await("a carrier", event -> event.is("pin", "board") && event.number("level") == 1
-                && event.seconds() > before);
+            TraceEvent rise =
+                    emulator.await("a carrier", event -> event.is("pin", "board") && event.number("level") == 1
+                            && event.seconds() > before);
             clock = Math.min(clock, System.nanoTime() - nanos(rise.seconds()));
             begun.add(rise);
-            silentSince = emulator.await("the packet's end", i + 1, event -> event.is("rf-tx", "board")).fields().get("end").getAsDouble();
+            silentSince = emulator.await("the packet's end", i + 1, event -> event.is("rf-tx", "board")).fields()
+                    .get("end").getAsDouble();
             Thread.sleep(LONG_QUIET_MILLIS + ThreadLocalRandom.current().nextInt(40));
         }
         Samples spoken = new Samples();
@@ -87,8 +91,8 @@ final class Reaction implements Subject {
             perceived.add((await("light(" + light(i) + ")") - nanos(changeOf(i)) - clock) / 1e6);
         }
         return List.of(
-            Row.of("percept: pin to belief event, median (longest)", both(perceived)).goal("≤ 30 ms"),
-            Row.of(".diffuse to first bit on air, median (longest)", both(spoken)).goal("≤ 30 ms"));
+                Row.of("percept: pin to belief event, median (longest)", both(perceived)).goal("≤ 30 ms"),
+                Row.of(".diffuse to first bit on air, median (longest)", both(spoken)).goal("≤ 30 ms"));
     }
 
     private static String both(Samples milliseconds) {

@@ -27,8 +27,10 @@ final class Report {
         int ours = rows.stream().mapToInt(row -> row.ours().length()).max().orElse(0);
         int reference = rows.stream().mapToInt(row -> row.reference().length()).max().orElse(0);
         String format = "%-" + what + "s  %" + ours + "s  %" + reference + "s  %6s  %s";
-        return rows.stream().map(row -> Row.text(format, row.what(), row.ours(), row.reference(), row.ratio(), row.goal()).stripTrailing())
-            .collect(Collectors.joining("\n"));
+        return rows.stream()
+                .map(row -> Row.text(format, row.what(), row.ours(), row.reference(), row.ratio(), row.goal())
+                        .stripTrailing())
+                .collect(Collectors.joining("\n"));
     }
 
     /** Writes the document. */
@@ -38,18 +40,20 @@ final class Report {
 
             Written by `gradle bench`, which measures all of this anew in less than ten minutes. Do not edit.
 
-            Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly; firmware is compiled by avr-gcc %s.
-            Figures of the PC are of one run on %s; on other computers only the ratio to the
-            reference beside it holds. *Cited* references were measured elsewhere and are not part of the run.
+            Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly; firmware is compiled by
+            avr-gcc %s. Figures of the PC are of one run on %s; on other computers only the ratio to the reference
+            beside it holds. *Cited* references were measured elsewhere and are not part of the run.
 
             """.formatted(Machine.compiler(), Machine.describe()));
         text.append("| what | ours | reference | ratio | goal |\n| --- | ---: | ---: | ---: | --- |\n");
         for (Row row : rows().subList(1, rows().size())) {
-            text.append(Row.text("| %s | %s | %s | %s | %s |\n", row.what(), row.ours(), row.reference(), row.ratio(), row.goal()));
+            text.append(Row.text("| %s | %s | %s | %s | %s |\n", row.what(), row.ours(), row.reference(), row.ratio(),
+                    row.goal()));
         }
         text.append("\n## How it is measured\n");
-        measured.keySet().forEach(subject -> text.append("\n**").append(subject.name()).append("** (`gradle bench -Ponly=")
-            .append(subject.name()).append("`): ").append(subject.method().strip()).append('\n'));
+        measured.keySet()
+                .forEach(subject -> text.append("\n**").append(subject.name()).append("** (`gradle bench -Ponly=")
+                        .append(subject.name()).append("`): ").append(subject.method().strip()).append('\n'));
         Files.writeString(file, text);
     }
 

@@ -16,23 +16,26 @@ final class Sizes implements Subject {
     @Override
     public String method() {
         return """
-            `avr-size` of what `gradle firmware` builds. Of Vehicle's flash, by `gradle :javino-firmware:sizes`: delivery (pieces,
-            acknowledgements, carrier sense) 6.3 kB, requests and replies 5.0, modem 3.6, envelopes and nonces 2.7, EEPROM 2.6, AES 1.1,
-            frames and addresses 0.9, the sketch 0.3; the Arduino core 3.9, and tables, strings, static constructors and what the linker
-            does not name 4.7. The paper's sketch has no acknowledgement, no piece, no replay memory and no key store; these take the
-            difference in size. Of the RAM 4.0 kB are queues: two serial packets of 524 bytes, 640 bytes each for messages
-            received and to be sent, two messages in pieces of 534. We tried compiler flags (540 bytes of flash less), a CRC in one go, one
-            expanded key instead of two, and radio payloads left in place (77 bytes of RAM less). Without `noinline`, which helps the stack,
-            flash would be 86 bytes less. We did not try one buffer for request and reply, nor queues that share their memory: they would
-            change what a board can do. With shorter messages it fits an Uno.""";
+            `avr-size` of what `gradle firmware` builds. Of Vehicle's flash, by `gradle :javino-firmware:sizes`:
+            delivery (pieces, acknowledgements, carrier sense) 6.3 kB, requests and replies 5.0, modem 3.6, envelopes
+            and nonces 2.7, EEPROM 2.6, AES 1.1, frames and addresses 0.9, the sketch 0.3; the Arduino core 3.9, and
+            tables, strings, static constructors and what the linker does not name 4.7. The paper's sketch has no
+            acknowledgement, no piece, no replay memory and no key store; these take the difference in size. Of the RAM
+            4.0 kB are queues: two serial packets of 524 bytes, 640 bytes each for messages received and to be sent, two
+            messages in pieces of 534. We tried compiler flags (540 bytes of flash less), a CRC in one go, one expanded
+            key instead of two, and radio payloads left in place (77 bytes of RAM less). Without `noinline`, which helps
+            the stack, flash would be 86 bytes less. We did not try one buffer for request and reply, nor queues that
+            share their memory: they would change what a board can do. With shorter messages it fits an Uno.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
         List<Row> rows = new ArrayList<>();
         Size vehicle = sizeOf(Machine.firmware("Vehicle"));
-        rows.add(Row.cited("Vehicle, flash", "%.0f bytes", vehicle.flash, 21300, "the paper's police sketch").goal("smaller"));
-        rows.add(Row.cited("Vehicle, static RAM", "%.0f bytes", vehicle.ram, 2908, "the paper's police sketch").goal("smaller"));
+        rows.add(Row.cited("Vehicle, flash", "%.0f bytes", vehicle.flash, 21300, "the paper's police sketch")
+                .goal("smaller"));
+        rows.add(Row.cited("Vehicle, static RAM", "%.0f bytes", vehicle.ram, 2908, "the paper's police sketch")
+                .goal("smaller"));
         for (String sketch : List.of("Station", "Blink")) {
             rows.add(row(sketch, sizeOf(Machine.firmware(sketch))));
             rows.add(row(sketch + " on an Uno", sizeOf(Machine.unoFirmware(sketch))));
@@ -40,7 +43,7 @@ final class Sizes implements Subject {
         return rows;
     }
 
-    private record Size(int flash, int ram) { }
+    private record Size(int flash, int ram) {}
 
     private static Row row(String title, Size size) {
         return Row.of(title + ", flash and static RAM", size.flash + " and " + size.ram + " bytes");

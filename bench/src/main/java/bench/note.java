@@ -16,7 +16,7 @@ public final class note extends DefaultInternalAction {
     private static final BlockingQueue<Note> NOTES = new LinkedBlockingQueue<>();
 
     /** @param nanos of this machine's {@link System#nanoTime()}. */
-    record Note(String what, long nanos) { }
+    record Note(String what, long nanos) {}
 
     @Override
     public Object execute(TransitionSystem ts, Unifier un, Term[] terms) {

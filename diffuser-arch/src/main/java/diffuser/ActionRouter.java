@@ -14,8 +14,8 @@ import jason.infra.local.LocalAgArch;
  * Decides who performs a plain external action: the board, or what is behind it (an environment, CArtAgO).
  *
  * <p>The board's is what its sketch has named: a board tells the names when it is greeted, and they hold while it is
- * away. All else goes behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace from
- * the intention that is selected then. Where nothing is behind, the board is asked in any case.
+ * away. All else goes behind, within the call by which Jason asks for it: JaCaMo's architecture takes the workspace
+ * from the intention that is selected then. Where nothing is behind, the board is asked in any case.
  */
 final class ActionRouter {
 
@@ -42,8 +42,10 @@ final class ActionRouter {
         } else if (device.isLegacy()) {
             String text = term.toString();
             // It does not say which actions it has, and one that it does not know may well crash it.
-            finish(action, new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
-                    + " which it cannot say which actions it has; write .act(" + text + ") instead of " + text));
+            finish(action,
+                    new Failure("legacy_board", "the board on " + device.port() + " speaks the older protocol, in"
+                            + " which it cannot say which actions it has; write .act(" + text + ") instead of "
+                            + text));
         } else {
             askBoard(action);
         }
@@ -62,7 +64,7 @@ final class ActionRouter {
     private static boolean isOfAnArtifact(Structure action) {
         return action.hasAnnot() && action.getAnnots().stream()
                 .anyMatch(annotation -> annotation.isStructure()
-                && OF_ARTIFACTS.contains(((Structure) annotation).getFunctor()));
+                        && OF_ARTIFACTS.contains(((Structure) annotation).getFunctor()));
     }
 
     private void askBoard(ActionExec action) {

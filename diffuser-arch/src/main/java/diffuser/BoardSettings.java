@@ -19,7 +19,7 @@ import javino.protocol.Address;
  * @param silence  the radio silence from which on communicability counts as lost; zero means that it never does.
  */
 record BoardSettings(Optional<Address> rfId, boolean radio, SensorMode percepts, List<Filter> filters,
-                     Duration limit, Duration silence) {
+        Duration limit, Duration silence) {
 
     /** What holds until the agent says otherwise. */
     static final BoardSettings NONE = new BoardSettings(Optional.empty(), false, SensorMode.BLOCKED, List.of(),

@@ -68,12 +68,14 @@ public final class Destinations {
         Address address = group.matches() ? Address.multicast(group.group(1)) : Address.parse(name);
         return switch (address.kind()) {
             case DEVICE, MULTICAST, BROADCAST -> address;
-            case PIECE, ACKNOWLEDGEMENT, SERIAL, RESERVED -> throw new IllegalArgumentException("nothing can be sent to it");
+            case PIECE, ACKNOWLEDGEMENT, SERIAL, RESERVED ->
+                throw new IllegalArgumentException("nothing can be sent to it");
         };
     }
 
     private static JasonException badAddress(String found, String reason) {
-        return new Failure("bad_address", found + " is no RF address such as \"ROMA\", \"//SU\" or broadcast: " + reason)
+        return new Failure("bad_address",
+                found + " is no RF address such as \"ROMA\", \"//SU\" or broadcast: " + reason)
                 .toException();
     }
 }

@@ -72,7 +72,7 @@ final class Device implements BoardListener {
      * @param port as beliefs name it.
      */
     static Device open(ExclusivePort link, Term port, BoardConfig config, BoardSettings settings,
-                       Surroundings surroundings) {
+            Surroundings surroundings) {
         Device device = new Device(link, port, settings, surroundings);
         Board board = Board.open(link, config, device);
         device.session.complete(board);
@@ -191,8 +191,8 @@ final class Device implements BoardListener {
     }
 
     private CompletableFuture<Long> packetsReceived() {
-        return session.thenCompose(Board::statistics).thenApply(counts ->
-                Objects.requireNonNull(counts.get(Counter.RADIO_RECEIVED), "the board does not count what it hears"));
+        return session.thenCompose(Board::statistics).thenApply(counts -> Objects
+                .requireNonNull(counts.get(Counter.RADIO_RECEIVED), "the board does not count what it hears"));
     }
 
     private static <T> CompletableFuture<T> bounded(CompletableFuture<T> answer) {
@@ -209,8 +209,9 @@ final class Device implements BoardListener {
         legacy = info.isLegacy();
         actions = Set.copyOf(info.actions());
         if (legacy) {
-            surroundings.warnings().once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
-                    + " radio does not; for that flash a sketch with the Javino library");
+            surroundings.warnings()
+                    .once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
+                            + " radio does not; for that flash a sketch with the Javino library");
         }
         BoardSettings wanted = settings;
         boolean stranger = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());

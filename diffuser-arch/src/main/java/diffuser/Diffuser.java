@@ -241,7 +241,9 @@ public class Diffuser extends AgArch {
         return inbox;
     }
 
-    /** Whether an action of that name is the board's: of a board that speaks the older protocol that is believed of any. */
+    /**
+     * Whether an action of that name is the board's: of a board that speaks the older protocol that is believed of any.
+     */
     protected boolean performs(String action) {
         return device().map(board -> board.performs(action)).orElse(false);
     }
@@ -360,7 +362,9 @@ public class Diffuser extends AgArch {
         return waiting ? answer.get() : CompletableFuture.completedFuture(null);
     }
 
-    /** Makes an event without a belief, as what happens to messages is not to fill the belief base (Jason: a signal). */
+    /**
+     * Makes an event without a belief, as what happens to messages is not to fill the belief base (Jason: a signal).
+     */
     private void signal(Literal literal) {
         Event event = new Event(new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, literal),
                 Intention.EmptyInt);

@@ -14,9 +14,9 @@ import javino.link.LinkException;
 import javino.link.LinkOpener;
 
 /**
- * Opens a port as soon as who had it before has left it: the agent's own session before, on whichever port, as that may be
- * the same one by another name; and another agent of this MAS that is about to end. The waiting is done where links are
- * opened: on the new session's thread, never on the agent's.
+ * Opens a port as soon as who had it before has left it: the agent's own session before, on whichever port, as that may
+ * be the same one by another name; and another agent of this MAS that is about to end. The waiting is done where links
+ * are opened: on the new session's thread, never on the agent's.
  */
 final class ExclusivePort implements LinkOpener {
 
@@ -56,8 +56,9 @@ final class ExclusivePort implements LinkOpener {
         }
         hasWaited = true;
         if (holder != this) {
-            throw new LinkException(name(), "agent " + holder.agent + " of this MAS has it; give each agent a board of its"
-                    + " own, or end that agent first");
+            throw new LinkException(name(),
+                    "agent " + holder.agent + " of this MAS has it; give each agent a board of its"
+                            + " own, or end that agent first");
         }
         return next.open();
     }

@@ -63,7 +63,8 @@ final class Intentions {
     /** Fails the intention that is pending under a key, if there is one. For any thread. */
     static void fail(TransitionSystem ts, String key, Failure why) {
         goOn(ts, () -> pending(ts, key), () -> {
-            // Jason leaves an atomic intention selected, and then waits for it for ever instead of running its failure plan.
+            // Jason leaves an atomic intention selected, and then waits for it for ever instead of running its failure
+            // plan.
             if (pending(ts, key).isAtomic()) {
                 ts.getC().setAtomicIntention(null);
             }
@@ -76,8 +77,8 @@ final class Intentions {
     }
 
     /**
-     * Does what lets an intention go on, on the agent's thread: at the beginning of its next cycle, or where {@code .suspend}
-     * was said of the intention, after {@code .resume}. For any thread.
+     * Does what lets an intention go on, on the agent's thread: at the beginning of its next cycle, or where
+     * {@code .suspend} was said of the intention, after {@code .resume}. For any thread.
      *
      * @param waiting the intention, asked on the agent's thread; null if it waits no longer.
      */

@@ -78,8 +78,10 @@ public final class Letter {
             throws JasonException {
         Address address = Destinations.of(to);
         if (force.requiresSeal() && address.kind() == Address.Kind.BROADCAST) {
-            throw new Failure("not_sealed", force + " goes to a device or a group, not to all: no agent accepts it from a"
-                    + " broadcast, which anyone can send in anyone's name").toException();
+            throw new Failure("not_sealed",
+                    force + " goes to a device or a group, not to all: no agent accepts it from a"
+                            + " broadcast, which anyone can send in anyone's name")
+                    .toException();
         }
         // Where a variable's name was meant, the variable itself would match anything.
         Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();

@@ -26,7 +26,9 @@ import java.util.Set;
 public enum Openness {
     /** Definition 5: agents neither enter nor leave the MAS, nor do they communicate directly with another's. */
     TOTALLY_CLOSED("totallyClosed", Set.of()),
-    /** Definition 4: mobile agents enter and leave the MAS, but there is no direct communication with another's agents. */
+    /**
+     * Definition 4: mobile agents enter and leave the MAS, but there is no direct communication with another's agents.
+     */
     LIMITED_OPEN("limitedOpen", Set.of(Ability.MOB)),
     /** Definition 3: agents neither enter nor leave the MAS, but they communicate directly with another's. */
     CLOSED("closed", Set.of(Ability.COM)),

@@ -44,7 +44,8 @@ final class Questions {
     /**
      * Sends what Jason's {@code .send} asks, and fails the intention that waits for the answer if none can come.
      *
-     * @throws JasonException if it cannot be sent; then no intention waits for it any more, and the one that asks fails.
+     * @throws JasonException if it cannot be sent; then no intention waits for it any more, and the one that asks
+     * fails.
      */
     void ask(Message message, Device board) throws JasonException {
         try {

@@ -153,7 +153,8 @@ public final class Texts {
     private static Term read(String text, Force force) throws MalformedTextException {
         return switch (force) {
             case TELL_HOW -> each(parsed(text), term -> term.isString() ? plan(((StringTerm) term).getString()) : term);
-            case UNTELL_HOW -> each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
+            case UNTELL_HOW ->
+                each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
             case ASK_HOW -> each(read(text), term -> term.isString() ? trigger(((StringTerm) term).getString()) : term);
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, SORRY -> read(text);
         };
@@ -254,7 +255,9 @@ public final class Texts {
         }
     }
 
-    /** Nobody else's text is computed, except for the sign of a number: a function may do anything, and logs its faults. */
+    /**
+     * Nobody else's text is computed, except for the sign of a number: a function may do anything, and logs its faults.
+     */
     private static void expectNoFunction(Term term, String text) throws MalformedTextException {
         if (term instanceof ArithFunctionTerm function) {
             boolean sign = term instanceof ArithExpr expression && expression.getOp() == ArithExpr.ArithmeticOp.minus

@@ -13,14 +13,16 @@ import diffuser.Diffuser;
 import diffuser.SensorMode;
 
 /**
- * A {@link Diffuser} by the name, and with the ways, of the public Argo architecture, for which many agents are written:
+ * A {@link Diffuser} by the name, and with the ways, of the public Argo architecture, for which many agents are
+ * written:
  * {@code agentArchClass jason.Argo}. It has all that a Diffuser has; it differs in what those agents rely on.
  * <ul>
  * <li>Beliefs name a port by its last part, as an atom where it is one: {@code port(ttyACM0,on)}.
  * <li>Percepts that are blocked stay believed: {@code .percepts(block)} is {@code .percepts(close)}.
  * <li>{@code .port(none)} leaves the port.
- * <li>After {@code .port}, {@code .percepts(open)} and an action the plan goes on when the sensors were read anew and are
- * believed; but where {@code .limit} lets that come later it goes on at once, unless its next step asks for a belief.
+ * <li>After {@code .port}, {@code .percepts(open)} and an action the plan goes on when the sensors were read anew and
+ * are believed; but where {@code .limit} lets that come later it goes on at once, unless its next step asks for a
+ * belief.
  * </ul>
  */
 public class Argo extends Diffuser {

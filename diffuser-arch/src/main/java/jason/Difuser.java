@@ -12,10 +12,10 @@ import diffuser.SensorMode;
 import diffuser.Texts;
 
 /**
- * An {@link Argo} by the name, and with the ways, of the public Difuser architecture: {@code agentArchClass jason.Difuser}.
- * Its agents transmit terms and hear them as {@code +message(X)}. There an agent's sketch is what sends and receives: it has
- * the action {@code message(X)}, and tells the percept {@code message(X)}. With a sketch that has no such action, the board's
- * own radio does it: as a signal to all, so that the same term twice is heard twice.
+ * An {@link Argo} by the name, and with the ways, of the public Difuser architecture: {@code agentArchClass
+ * jason.Difuser}. Its agents transmit terms and hear them as {@code +message(X)}. There an agent's sketch is what sends
+ * and receives: it has the action {@code message(X)}, and tells the percept {@code message(X)}. With a sketch that has
+ * no such action, the board's own radio does it: as a signal to all, so that the same term twice is heard twice.
  */
 public class Difuser extends Argo {
 
@@ -34,8 +34,10 @@ public class Difuser extends Argo {
         if (architecture instanceof Difuser difuser) {
             return difuser;
         }
-        throw new JasonException("agent " + architecture.getAgName() + " has another architecture; give it jason.Difuser,"
-                + " or write .percepts, .getRFMessages and .diffuse", ASSyntax.createAtom("no_diffuser"));
+        throw new JasonException(
+                "agent " + architecture.getAgName() + " has another architecture; give it jason.Difuser,"
+                        + " or write .percepts, .getRFMessages and .diffuse",
+                ASSyntax.createAtom("no_diffuser"));
     }
 
     /** Hears messages, as percepts and by radio, or not. */

@@ -68,8 +68,9 @@ class ActionsTest {
     @Test
     void act_boardGoesMeanwhile_outcomeUnknown() {
         FakeBoard board = new FakeBoard("body");
-        String program = "!start. +!start <- .port(body); diffuser.note(ready). +!do <- .act(stop); diffuser.note(done)."
-                + "-!do[error(E)] <- diffuser.note(E).";
+        String program =
+                "!start. +!start <- .port(body); diffuser.note(ready). +!do <- .act(stop); diffuser.note(done)."
+                        + "-!do[error(E)] <- diffuser.note(E).";
         try (RunningAgent agent = RunningAgent.run(program, board)) {
             agent.notes("ready");
             board.swallow("A stop");
@@ -128,9 +129,11 @@ class ActionsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"artifact_id(7)", "aid(7)", "artifact_name(\"easel\")", "art(easel)", "wid(7)", "wsp(studio)",
-        "source(self),wsp(studio)"})
-    void act_plainActionThatNamesAnArtifact_goesToTheEnvironmentWhateverTheBoardHas(String annotations) throws Exception {
+    @ValueSource(
+            strings = {"artifact_id(7)", "aid(7)", "artifact_name(\"easel\")", "art(easel)", "wid(7)", "wsp(studio)",
+                    "source(self),wsp(studio)"})
+    void act_plainActionThatNamesAnArtifact_goesToTheEnvironmentWhateverTheBoardHas(String annotations)
+            throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("paint");
         try (RunningAgent agent = withEnvironment(program("paint(red)[" + annotations + "]; paint(blue)"), board)) {
             agent.notes("environment paint(red)[" + annotations + "]");
@@ -287,8 +290,9 @@ class ActionsTest {
     @Test
     void act_intentionDroppedMeanwhile_nothingElseHappens() {
         FakeBoard board = new FakeBoard("body");
-        String program = "!start. +!start <- .port(body); diffuser.note(ready). +!do <- .act(stop); diffuser.note(done)."
-                + "+!drop <- .drop_intention(do); diffuser.note(dropped).";
+        String program =
+                "!start. +!start <- .port(body); diffuser.note(ready). +!do <- .act(stop); diffuser.note(done)."
+                        + "+!drop <- .drop_intention(do); diffuser.note(dropped).";
         try (RunningAgent agent = RunningAgent.run(program, board)) {
             agent.notes("ready");
             board.swallow("A stop");

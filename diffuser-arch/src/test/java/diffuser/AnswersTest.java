@@ -31,15 +31,15 @@ class AnswersTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
-        "askOne#AbC;speed(X)    | tell#AbC;speed(80)",
-        "askOne#/+9;near(bus2,X) | tell#/+9;near(bus2,7)[seen]",
-        "askOne#AAA;near(bus2,X)[cast(unicast,a)] | tell#AAA;near(bus2,7)[seen]",
-        "askOne#AbC;far(X)      | tell#AbC;far(9)",
-        "askOne#AbC;unknown     | untell#AbC;unknown",
-        "askAll#AbC;near(W,_)   | tell#AbC;[near(bus1,3),near(bus2,7)[seen]]",
-        "askAll#AbC;unknown     | tell#AbC;[]",
-        "askHow#AbC;{ +!stop }  | tellHow#AbC;[]",
-        "askHow#AbC;\"+!stop\"  | tellHow#AbC;[]",
+            "askOne#AbC;speed(X)    | tell#AbC;speed(80)",
+            "askOne#/+9;near(bus2,X) | tell#/+9;near(bus2,7)[seen]",
+            "askOne#AAA;near(bus2,X)[cast(unicast,a)] | tell#AAA;near(bus2,7)[seen]",
+            "askOne#AbC;far(X)      | tell#AbC;far(9)",
+            "askOne#AbC;unknown     | untell#AbC;unknown",
+            "askAll#AbC;near(W,_)   | tell#AbC;[near(bus1,3),near(bus2,7)[seen]]",
+            "askAll#AbC;unknown     | tell#AbC;[]",
+            "askHow#AbC;{ +!stop }  | tellHow#AbC;[]",
+            "askHow#AbC;\"+!stop\"  | tellHow#AbC;[]",
     })
     void ask_unicast_isAnsweredInItsConversation(String question, String answer) {
         FakeBoard board = new FakeBoard("antenna");
@@ -81,8 +81,9 @@ class AnswersTest {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = ready(board)) {
             board.receive("////", "ROMA", question);
-            agent.warns("dropped " + question.split("#")[0] + " from ROMA: it came as a broadcast, which anyone can send"
-                    + " in anyone's name");
+            agent.warns(
+                    "dropped " + question.split("#")[0] + " from ROMA: it came as a broadcast, which anyone can send"
+                            + " in anyone's name");
             board.receive("SUPO", "ROMA", "askOne#AAD;speed(X)");
             RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
             assertEquals(1L, agent.diffuser().getStatus().get("rfMessagesRefused"));

@@ -1,6 +1,5 @@
 package diffuser;
 
-
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
@@ -42,10 +41,10 @@ class ArgoTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "Argo          | .argo.port(none); .argo.percepts(open)",
-        "jason.Argo    | .argo.port(none); .argo.percepts(open)",
-        "Difuser       | .difuser.port(none); .difuser.listen(open)",
-        "jason.Difuser | .difuser.port(none); .difuser.listen(open)",
+            "Argo          | .argo.port(none); .argo.percepts(open)",
+            "jason.Argo    | .argo.port(none); .argo.percepts(open)",
+            "Difuser       | .difuser.port(none); .difuser.listen(open)",
+            "jason.Difuser | .difuser.port(none); .difuser.listen(open)",
     })
     void architecture_eachNameOfThePublicOnes_isFound(String name, String actions) throws Exception {
         String program = "!start. +!start <- %s; diffuser.note(done).".formatted(actions);
@@ -262,7 +261,8 @@ class ArgoTest {
 
     @Test
     void port_pathAsString_isBelievedByItsLastPart() {
-        String program = "!start. +!start <- .argo.port(\"/dev/ttyUSB0\",true). +port(ttyUSB0,on) <- diffuser.note(on).";
+        String program =
+                "!start. +!start <- .argo.port(\"/dev/ttyUSB0\",true). +port(ttyUSB0,on) <- diffuser.note(on).";
         try (RunningAgent agent = argo(program, new FakeBoard("/dev/ttyUSB0"))) {
             agent.notes("on");
         }

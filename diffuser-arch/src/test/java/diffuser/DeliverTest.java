@@ -67,7 +67,7 @@ class DeliverTest {
 
     @ParameterizedTest
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
-        "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
+            "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
     void deliver_boardRefuses_failsWithItsError(Status status, String error) {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
         try (RunningAgent agent = waiting(PROGRAM, board)) {
@@ -147,7 +147,7 @@ class DeliverTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {".drop_intention(do)", ".drop_desire(do)", ".drop_all_intentions",
-        ".succeed_goal(do)"})
+            ".succeed_goal(do)"})
     void deliver_droppedMeanwhile_nothingIsLeft(String drop) {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!drop <- diffuser.note(dropping); " + drop + ".";

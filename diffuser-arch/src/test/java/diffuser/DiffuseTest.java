@@ -27,22 +27,22 @@ class DiffuseTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
-        ".diffuse(broadcast,tell,help)              | //// tell;help",
-        ".diffuse(\"////\",untell,help)             | //// untell;help",
-        ".diffuse(\"//SU\",tell,help)               | //SU tell;help",
-        ".diffuse(\"SU\\\\\",tell,help)             | //SU tell;help",
-        ".diffuse(\"ROMA\",achieve,goTo(12,\"km\")) | ROMA achieve;goTo(12,\"km\")",
-        ".diffuse(ROMA,unachieve,go)                | ROMA unachieve;go",
-        ".diffuse(bus1,tell,[a,~b(\"x y\")])        | bus1 tell;[a,~b(\"x y\")]",
-        "X = \"ROMA\"; .diffuse(X,tell,p(X))         | ROMA tell;p(\"ROMA\")",
-        "X = \"a\\\"b\\nc\"; .diffuse(ROMA,tell,p(X)) | ROMA tell;p(\"a\\\"b\\nc\")",
-        ".diffuse(ROMA,tell,p[cast(unicast,a),b])  | ROMA tell;p[b]",
-        ".diffuse(ROMA,signal,help)                | ROMA signal;help",
-        ".diffuse(ROMA,tellHow,{ +!go <- run })    | ROMA tellHow;{ +!go <- run }",
-        ".diffuse(\"//SU\",untellHow,[go,stay])  | //SU untellHow;[go,stay]",
-        ".send(\"ROMA\",tell,help)                  | ROMA tell;help",
-        ".send(\"ROMA\",tell,help,mid1)             | ROMA tell;help",
-        ".send(\"//SU\",achieve,go(1))              | //SU achieve;go(1)",
+            ".diffuse(broadcast,tell,help)              | //// tell;help",
+            ".diffuse(\"////\",untell,help)             | //// untell;help",
+            ".diffuse(\"//SU\",tell,help)               | //SU tell;help",
+            ".diffuse(\"SU\\\\\",tell,help)             | //SU tell;help",
+            ".diffuse(\"ROMA\",achieve,goTo(12,\"km\")) | ROMA achieve;goTo(12,\"km\")",
+            ".diffuse(ROMA,unachieve,go)                | ROMA unachieve;go",
+            ".diffuse(bus1,tell,[a,~b(\"x y\")])        | bus1 tell;[a,~b(\"x y\")]",
+            "X = \"ROMA\"; .diffuse(X,tell,p(X))         | ROMA tell;p(\"ROMA\")",
+            "X = \"a\\\"b\\nc\"; .diffuse(ROMA,tell,p(X)) | ROMA tell;p(\"a\\\"b\\nc\")",
+            ".diffuse(ROMA,tell,p[cast(unicast,a),b])  | ROMA tell;p[b]",
+            ".diffuse(ROMA,signal,help)                | ROMA signal;help",
+            ".diffuse(ROMA,tellHow,{ +!go <- run })    | ROMA tellHow;{ +!go <- run }",
+            ".diffuse(\"//SU\",untellHow,[go,stay])  | //SU untellHow;[go,stay]",
+            ".send(\"ROMA\",tell,help)                  | ROMA tell;help",
+            ".send(\"ROMA\",tell,help,mid1)             | ROMA tell;help",
+            ".send(\"//SU\",achieve,go(1))              | //SU achieve;go(1)",
     })
     void diffuse_anyDestination_boardIsAsked(String action, String expected) {
         FakeBoard board = new FakeBoard("antenna");
@@ -54,7 +54,7 @@ class DiffuseTest {
 
     @ParameterizedTest
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id", "BAD_DESTINATION,bad_destination",
-        "NONCE_EXHAUSTED,nonce_exhausted"})
+            "NONCE_EXHAUSTED,nonce_exhausted"})
     void diffuse_boardRefuses_failsWithItsError(Status status, String error) {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
         try (RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board)) {
@@ -122,8 +122,10 @@ class DiffuseTest {
     void send_otherForceToRfAddress_fails() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board)) {
-            agent.notes("wrong_arguments : the radio takes only tell, untell, achieve, unachieve, signal, askOne, askAll, askHow,"
-                    + " tellHow, untellHow, not sorry");
+            agent.notes(
+                    "wrong_arguments : the radio takes only tell, untell, achieve, unachieve, signal, askOne, "
+                            + "askAll, askHow,"
+                            + " tellHow, untellHow, not sorry");
         }
     }
 
@@ -140,7 +142,7 @@ class DiffuseTest {
     void send_localAgentOfThatName_getsIt() {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent bob = RunningAgent.named("bob1", "+help[source(S)] <- diffuser.note(help,S).");
-             RunningAgent agent = run(".send(bob1,tell,help)", board)) {
+                RunningAgent agent = run(".send(bob1,tell,help)", board)) {
             agent.notes("done");
             bob.notes("help " + agent.name());
         }

@@ -29,24 +29,24 @@ class FilterTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '#', value = {
-        ".argo.filter(except, ledStatus(X))                              # [off] [] [] [] [on]",
-        ".argo.filter(except, ledStatus(__))                             # [off] [] [] [] [on]",
-        ".argo.filter(except, ledStatus(X), X = off)                     # [off] [] [] [] [on]",
-        ".argo.filter(except, ledStatus(X), X = on)                      # [] [] [] [] [on]",
-        ".argo.filter(except, [ledStatus(off), ledStatus(on), dark])     # [off] [] [] [yes] [on]",
-        ".argo.filter(only, ledStatus(X))                                # [] [myArduino] [17,250] [yes] [on]",
-        ".argo.filter(only, ledStatus(X), X = on)                        # [off] [myArduino] [17,250] [yes] [on]",
-        ".argo.filter(only, [ledStatus(off), ledStatus(on)])             # [] [myArduino] [17,250] [yes] [on]",
-        ".argo.filter(only, distance(X), X > 200 | not X < 200)          # [off] [myArduino] [17] [yes] [on]",
-        ".filter(value, distance(X), X > 10 & X < 200)                   # [off] [myArduino] [250] [yes] [on]",
-        ".argo.filter(only, ledStatus(X), X + 1 > 2)                     # [off] [myArduino] [17,250] [yes] [on]",
-        "argo.filter(only, distance(X), X + 1 > a)                       # [off] [myArduino] [17,250] [yes] [on]",
-        ".filter(except, distance(_)); .filter(only, distance(17))       # [] [] [250] [] [on]",
-        ".filter(except, dark); .filter(only, dark)                      # [] [] [] [] [on]",
-        ".filter(except, dark); .filter(only, dark); .filter(remove)     # [off] [myArduino] [17,250] [yes] [on]",
-        ".filter(except, dark); .filter(only, dark); .filter(remove,all) # [off] [myArduino] [17,250] [yes] [on]",
-        ".filter(except, dark); .filter(only, dark); .filter(remove,only)   # [] [] [] [yes] [on]",
-        ".filter(except, dark); .filter(only, dark); .filter(remove,except) # [off] [myArduino] [17,250] [] [on]",
+            ".argo.filter(except, ledStatus(X))                              # [off] [] [] [] [on]",
+            ".argo.filter(except, ledStatus(__))                             # [off] [] [] [] [on]",
+            ".argo.filter(except, ledStatus(X), X = off)                     # [off] [] [] [] [on]",
+            ".argo.filter(except, ledStatus(X), X = on)                      # [] [] [] [] [on]",
+            ".argo.filter(except, [ledStatus(off), ledStatus(on), dark])     # [off] [] [] [yes] [on]",
+            ".argo.filter(only, ledStatus(X))                                # [] [myArduino] [17,250] [yes] [on]",
+            ".argo.filter(only, ledStatus(X), X = on)                        # [off] [myArduino] [17,250] [yes] [on]",
+            ".argo.filter(only, [ledStatus(off), ledStatus(on)])             # [] [myArduino] [17,250] [yes] [on]",
+            ".argo.filter(only, distance(X), X > 200 | not X < 200)          # [off] [myArduino] [17] [yes] [on]",
+            ".filter(value, distance(X), X > 10 & X < 200)                   # [off] [myArduino] [250] [yes] [on]",
+            ".argo.filter(only, ledStatus(X), X + 1 > 2)                     # [off] [myArduino] [17,250] [yes] [on]",
+            "argo.filter(only, distance(X), X + 1 > a)                       # [off] [myArduino] [17,250] [yes] [on]",
+            ".filter(except, distance(_)); .filter(only, distance(17))       # [] [] [250] [] [on]",
+            ".filter(except, dark); .filter(only, dark)                      # [] [] [] [] [on]",
+            ".filter(except, dark); .filter(only, dark); .filter(remove)     # [off] [myArduino] [17,250] [yes] [on]",
+            ".filter(except, dark); .filter(only, dark); .filter(remove,all) # [off] [myArduino] [17,250] [yes] [on]",
+            ".filter(except, dark); .filter(only, dark); .filter(remove,only)   # [] [] [] [yes] [on]",
+            ".filter(except, dark); .filter(only, dark); .filter(remove,except) # [off] [myArduino] [17,250] [] [on]",
     })
     void filter_setBeforeThePerceptsAreOpened_leavesTheOthersOut(String filter, String expected) {
         try (RunningAgent agent = argo(PROGRAM.formatted(filter), board())) {
@@ -78,8 +78,10 @@ class FilterTest {
     @ParameterizedTest
     @ValueSource(strings = {".filter(\"compass.xml\")", ".change_filter(\"compass.xml\")", ".change_filter(compass)"})
     void filter_fromAFile_failsAndSaysWhatToWrite(String filter) {
-        String program = "!start. +!start <- " + filter + ". -!start[error(E),error_msg(M)] <- diffuser.note(E); .print(M);"
-                + ".substring(\"filters are not read from files: write .filter(except, light(_))\",M); diffuser.note(told).";
+        String program = "!start. +!start <- " + filter
+                + ". -!start[error(E),error_msg(M)] <- diffuser.note(E); .print(M);"
+                + ".substring(\"filters are not read from files: write .filter(except, light(_))\",M); "
+                + "diffuser.note(told).";
         try (RunningAgent agent = argo(program, board())) {
             agent.notes("wrong_arguments");
             agent.notes("told");

@@ -108,7 +108,8 @@ class GateTest {
                 "signal;jag_shutting_down(1)",
                 "tell;kqml::clear_source_self(a,b)",
                 "untell;kqml::clear_source_self(_,_)", "tell;NS::clear_source_self(a,b)",
-                "achieve;NS::kqml_received(b,achieve,go(1),m)", "achieve;opened(NS::x)").map(content -> Arguments.of(to, content)));
+                "achieve;NS::kqml_received(b,achieve,go(1),m)", "achieve;opened(NS::x)")
+                .map(content -> Arguments.of(to, content)));
     }
 
     @ParameterizedTest
@@ -128,19 +129,19 @@ class GateTest {
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "tellHow;{ +!kqml_received(S,F,C,M) <- diffuser.note(taught) }",
-        "tellHow;\"+!kqml_received(S,F,C,M) <- diffuser.note(taught).\"",
-        "tellHow;\"+!kqml\\\\_received(S,F,C,M) <- diffuser.note(taught).\"",
-        "tellHow;[{ @l +!e <- x },{ +!kqml_received(S,F,C,M) <- diffuser.note(taught) }]",
-        "tellHow;{ @l +!e <- !kqml_received(a,b,c,d) }",
-        "tellHow;{ @l +!e <- if (true) { !!kqml_received(a,b,c,d) } }",
-        "tellHow;{ +!X <- diffuser.note(taught) }",
-        "tellHow;{ +X <- diffuser.note(taught) }",
-        "tellHow;{ -!kqml_received(S,F,C,M) <- diffuser.note(taught) }",
-        "untellHow;kqml_received",
-        "askOne#AbC;kqml_received(_,_,_,_)",
-        "askHow#AbC;{ +!kqml_received(_,_,_,_) }",
-        "askHow#AbC;\"+!kqml_received(_,_,_,_)\"",
+            "tellHow;{ +!kqml_received(S,F,C,M) <- diffuser.note(taught) }",
+            "tellHow;\"+!kqml_received(S,F,C,M) <- diffuser.note(taught).\"",
+            "tellHow;\"+!kqml\\\\_received(S,F,C,M) <- diffuser.note(taught).\"",
+            "tellHow;[{ @l +!e <- x },{ +!kqml_received(S,F,C,M) <- diffuser.note(taught) }]",
+            "tellHow;{ @l +!e <- !kqml_received(a,b,c,d) }",
+            "tellHow;{ @l +!e <- if (true) { !!kqml_received(a,b,c,d) } }",
+            "tellHow;{ +!X <- diffuser.note(taught) }",
+            "tellHow;{ +X <- diffuser.note(taught) }",
+            "tellHow;{ -!kqml_received(S,F,C,M) <- diffuser.note(taught) }",
+            "untellHow;kqml_received",
+            "askOne#AbC;kqml_received(_,_,_,_)",
+            "askHow#AbC;{ +!kqml_received(_,_,_,_) }",
+            "askHow#AbC;\"+!kqml_received(_,_,_,_)\"",
     })
     void pass_plansForJasonsOwn_refusedThoughSealed(String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
@@ -155,16 +156,16 @@ class GateTest {
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "tell;p(1)[source(percept)]", "tell;p(1)[source(self)]", "tell;p(1)[source(ROMB)[source(percept)]]",
-        "tell;p(1)[cast(unicast,'SUPO')]", "tell;p(1)['source'(percept)]", "tell;p(1)[ns::source(percept)]",
-        "tell;p(1)[|T]", "tell;p(1)[X]", "tell;p(1)[X,Y,Z]", "tell;p(1)[x|T]", "tell;[p(1)[|T],p(1)[source(self)]]",
-        "tell;trusted(\"ROMB\")[source(self)]", "tell;delivered(a,b,c)[source(percept)]",
-        "signal;delivered(a,b,c)[source(percept)]", "signal;p(1)[source(percept)]", "signal;p(1)[|T]",
-        "achieve;go(1)", "achieve;open(g)[cast(unicast,'SUPO')]", "achieve;open(g)[|T]", "achieve;open(g)[X]",
-        "achieve;[opened(1),go(1)][cast(unicast,'SUPO')]", "achieve;any(1)", "achieve;maybe(1)",
-        "untell;own(1)", "untell;own(_)", "untell;trusted(_)", "untell;trusted(\"SUPO\")[source(self)]",
-        "unachieve;start", "askOne#AbC;own(_)", "askAll#AbC;own(_)", "askHow#AbC;{ +!go(_) }",
-        "tellHow;{ +!e <- diffuser.note(taught) }", "untellHow;x", "tell#AbC;p(1)", "sorry#AbC;\"no\"",
+            "tell;p(1)[source(percept)]", "tell;p(1)[source(self)]", "tell;p(1)[source(ROMB)[source(percept)]]",
+            "tell;p(1)[cast(unicast,'SUPO')]", "tell;p(1)['source'(percept)]", "tell;p(1)[ns::source(percept)]",
+            "tell;p(1)[|T]", "tell;p(1)[X]", "tell;p(1)[X,Y,Z]", "tell;p(1)[x|T]", "tell;[p(1)[|T],p(1)[source(self)]]",
+            "tell;trusted(\"ROMB\")[source(self)]", "tell;delivered(a,b,c)[source(percept)]",
+            "signal;delivered(a,b,c)[source(percept)]", "signal;p(1)[source(percept)]", "signal;p(1)[|T]",
+            "achieve;go(1)", "achieve;open(g)[cast(unicast,'SUPO')]", "achieve;open(g)[|T]", "achieve;open(g)[X]",
+            "achieve;[opened(1),go(1)][cast(unicast,'SUPO')]", "achieve;any(1)", "achieve;maybe(1)",
+            "untell;own(1)", "untell;own(_)", "untell;trusted(_)", "untell;trusted(\"SUPO\")[source(self)]",
+            "unachieve;start", "askOne#AbC;own(_)", "askAll#AbC;own(_)", "askHow#AbC;{ +!go(_) }",
+            "tellHow;{ +!e <- diffuser.note(taught) }", "untellHow;x", "tell#AbC;p(1)", "sorry#AbC;\"no\"",
     })
     void pass_broadcastThatPretends_nothingItShouldNotDo(String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
@@ -323,7 +324,8 @@ class GateTest {
     @Test
     void pass_goalWithADeadline_isTakenWithoutIt() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board)) {
+        try (RunningAgent agent =
+                RunningAgent.listening(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board)) {
             board.receive(ME, "SUPO", "achieve;keep(1)[hard_deadline(0)]");
             agent.notes("keeping 1 unicast");
             board.receive(ME, "SUPO", "achieve;keep(2)[hard_deadline(x)]");
@@ -410,11 +412,12 @@ class GateTest {
     /** Whatever Jason's parser says of it, and whatever a plan prints of it. */
     @ParameterizedTest
     @ValueSource(strings = {"tell;p(\"x\\nSEVERE: forged\")", "tell;p(\"\u001b[2J\")", "tell;p(\"a\u202Eb\")",
-        "tell;q(\n\n", "tell;p(\"", "tell;p(math.sqrt(\"\\n\"))", "tell;p(math.max(1))", "tell;p(A+1)", "tell;p(1/0)",
-        "tell;p(-x)", "tell;p(\"a\" + 1)", "tell;p(.count(x))", "tell;p(count(x)+1)", "tell;p(a mod 2)",
-        "tell;p(q(1)(2))", "tell;p(\u0000)", "tell;'\n'", "tell;p('\n')", "achieve;p(\"\\n\")", "sing;\n\u001b",
-        "tell;p({ q :- X > math.sqrt(\"\\n\") })", "tell;p(X[math.sqrt(\"\\n\")])", "tell;p({ .foo(\"\\n\") })",
-        "untellHow;[x,\"\\n\"]", "tellHow;{ +!e <- .print(\"\\n\" }", "achieve;[a,[b]]"})
+            "tell;q(\n\n", "tell;p(\"", "tell;p(math.sqrt(\"\\n\"))", "tell;p(math.max(1))", "tell;p(A+1)",
+            "tell;p(1/0)",
+            "tell;p(-x)", "tell;p(\"a\" + 1)", "tell;p(.count(x))", "tell;p(count(x)+1)", "tell;p(a mod 2)",
+            "tell;p(q(1)(2))", "tell;p(\u0000)", "tell;'\n'", "tell;p('\n')", "achieve;p(\"\\n\")", "sing;\n\u001b",
+            "tell;p({ q :- X > math.sqrt(\"\\n\") })", "tell;p(X[math.sqrt(\"\\n\")])", "tell;p({ .foo(\"\\n\") })",
+            "untellHow;[x,\"\\n\"]", "tellHow;{ +!e <- .print(\"\\n\" }", "achieve;[a,[b]]"})
     void pass_anyText_writesOneLineAtMostWithoutCommands(String content) {
         String program = """
                 !start.

@@ -15,11 +15,11 @@ class OpennessTest {
 
     @ParameterizedTest
     @CsvSource({
-        // state,          mobility, communicability, as an atom
-        "TOTALLY_CLOSED,   false,    false,           totallyClosed",
-        "LIMITED_OPEN,     true,     false,           limitedOpen",
-        "CLOSED,           false,    true,            closed",
-        "OPEN,             true,     true,            open",
+            // state,          mobility, communicability, as an atom
+            "TOTALLY_CLOSED,   false,    false,           totallyClosed",
+            "LIMITED_OPEN,     true,     false,           limitedOpen",
+            "CLOSED,           false,    true,            closed",
+            "OPEN,             true,     true,            open",
     })
     void state_allowsWhatTableOneSays(Openness state, boolean mobility, boolean communicability, String atom) {
         assertEquals(mobility, state.abilities().contains(Ability.MOB));

@@ -46,13 +46,14 @@ class OutcomeTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
-        ".diffuse(\"ROMA\",tell,help)             | ROMA tell;help             | quoted(\"ROMA\") tell help",
-        ".diffuse(bus1,untell,p(1,\"x y\"))       | bus1 untell;p(1,\"x y\")   | quoted(bus1) untell p(1,\"x y\")",
-        ".diffuse(ROMA,achieve,go)                | ROMA achieve;go            | quoted(\"ROMA\") achieve go",
-        "X=\"ROMA\"; .diffuse(X,unachieve,p(X)[a]) | ROMA unachieve;p(\"ROMA\")[a] | quoted(\"ROMA\") unachieve p(\"ROMA\")[a]",
-        ".diffuse('ROMA',tell,[a,~b(2)])          | ROMA tell;[a,~b(2)]        | quoted('ROMA') tell [a,~b(2)]",
-        ".send(\"ROMA\",tell,help)                | ROMA tell;help             | quoted(\"ROMA\") tell help",
-        ".send(bus1,achieve,[a,b])                | bus1 achieve;[a,b]         | quoted(\"bus1\") achieve [a,b]",
+            ".diffuse(\"ROMA\",tell,help)             | ROMA tell;help             | quoted(\"ROMA\") tell help",
+            ".diffuse(bus1,untell,p(1,\"x y\"))       | bus1 untell;p(1,\"x y\")   | quoted(bus1) untell p(1,\"x y\")",
+            ".diffuse(ROMA,achieve,go)                | ROMA achieve;go            | quoted(\"ROMA\") achieve go",
+            "X=\"ROMA\"; .diffuse(X,unachieve,p(X)[a]) | ROMA unachieve;p(\"ROMA\")[a] | quoted(\"ROMA\") unachieve "
+                    + "p(\"ROMA\")[a]",
+            ".diffuse('ROMA',tell,[a,~b(2)])          | ROMA tell;[a,~b(2)]        | quoted('ROMA') tell [a,~b(2)]",
+            ".send(\"ROMA\",tell,help)                | ROMA tell;help             | quoted(\"ROMA\") tell help",
+            ".send(bus1,achieve,[a,b])                | bus1 achieve;[a,b]         | quoted(\"bus1\") achieve [a,b]",
     })
     void unicast_ended_isAnEventOfWhatWasGivenAndNoBelief(String action, String request, String event) {
         FakeBoard board = new FakeBoard("antenna");
@@ -146,7 +147,8 @@ class OutcomeTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {"\"ROMA\" | ROMA", "\"//SU\" | //SU", "broadcast | ////"})
+    @CsvSource(delimiter = '|', quoteCharacter = '\0',
+            value = {"\"ROMA\" | ROMA", "\"//SU\" | //SU", "broadcast | ////"})
     void underWay_boardIsReset_undelivered(String to, String address) {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board)) {
@@ -171,8 +173,8 @@ class OutcomeTest {
 
     @ParameterizedTest
     @CsvSource({
-        "ROMA,ROMA,was not acknowledged: its receiver is out of reach or a board was lost",
-        "broadcast,////,was not sent yet when the board was lost",
+            "ROMA,ROMA,was not acknowledged: its receiver is out of reach or a board was lost",
+            "broadcast,////,was not sent yet when the board was lost",
     })
     void undelivered_errorAndItsMessage_areAnnotations(String to, String address, String why) {
         FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);

@@ -66,7 +66,8 @@ class PerceptsTest {
 
     @Test
     void percepts_someMalformed_skippedOneByOneAndReportedOnce() throws Exception {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)", "p(", "P", "p(X)", "3", ".print(hello)", "", "p(2)");
+        FakeBoard board =
+                new FakeBoard("board").perceiving("p(1)", "p(", "P", "p(X)", "3", ".print(hello)", "", "p(2)");
         try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
             agent.notesAll("on", "plus 1", "plus 2");
             agent.warns("skipped a percept of the board on board that is no AgentSpeak, \"p(\"");

@@ -50,7 +50,7 @@ class PlansTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"\"+!run(X) <- diffuser.note(X).\"",
-        "[\"+!run(X) <- diffuser.note(X).\",{ @other +!stay <- true }]", "[{ +!run(X) <- diffuser.note(X) }]"})
+            "[\"+!run(X) <- diffuser.note(X).\",{ @other +!stay <- true }]", "[{ +!run(X) <- diffuser.note(X) }]"})
     void tellHow_stringOrList_planRuns(String plans) {
         FakeBoard board = new FakeBoard("antenna");
         try (RunningAgent agent = ready(board)) {

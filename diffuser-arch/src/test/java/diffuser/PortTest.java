@@ -152,8 +152,9 @@ class PortTest {
         RunningAgent one = RunningAgent.run(PROGRAM, left);
         one.notesAll("left on", "ready");
         try (RunningAgent other = RunningAgent.run(PROGRAM)) {
-            other.warns("the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
-                    + " its own, or end that agent first");
+            other.warns(
+                    "the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
+                            + " its own, or end that agent first");
             other.notesAll("left off", "ready");
             assertEquals(1, left.mostOpenAtOnce());
             one.close();
@@ -203,7 +204,7 @@ class PortTest {
         FakeBoard left = new FakeBoard("left").perceiving("p(1)");
         FakeBoard right = new FakeBoard("right").perceiving("p(2)");
         try (RunningAgent one = RunningAgent.run(program.formatted("left"), left);
-             RunningAgent two = RunningAgent.run(program.formatted("right"), right)) {
+                RunningAgent two = RunningAgent.run(program.formatted("right"), right)) {
             one.notesAll("done", "p 1");
             two.notesAll("done", "p 2");
             RunningAgent.asked(left, "A left");

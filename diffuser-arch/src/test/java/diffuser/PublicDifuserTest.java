@@ -14,7 +14,8 @@ class PublicDifuserTest {
 
     private static final String RECEIVER = """
             !start.
-            +!start <- .difuser.port(ttyExogenous3); .difuser.limit(10); .difuser.listen(open); diffuser.note(listening).
+            +!start <- .difuser.port(ttyExogenous3); .difuser.limit(10); .difuser.listen(open);
+                diffuser.note(listening).
             +!deaf(How) <- .difuser.listen(How); diffuser.note(deaf).
             +message(random(I,R)) <- diffuser.note(message,I,R); .difuser.transmit(ack(I)).
             """;
@@ -104,12 +105,12 @@ class PublicDifuserTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        ".difuser.listen(yes)        | wrong_arguments | open or block was expected, not 'yes'",
-        ".difuser.listen             | wrong_arguments | One argument is expected",
-        ".difuser.limit(soon)        | wrong_arguments | milliseconds from 0 to 3600000",
-        ".difuser.port(5)            | wrong_arguments | a port's name such as",
-        ".difuser.transmit(a,b)      | wrong_arguments | One argument is expected",
-        ".difuser.transmit(hello)    | no_rf_id        | the board has no RF id",
+            ".difuser.listen(yes)        | wrong_arguments | open or block was expected, not 'yes'",
+            ".difuser.listen             | wrong_arguments | One argument is expected",
+            ".difuser.limit(soon)        | wrong_arguments | milliseconds from 0 to 3600000",
+            ".difuser.port(5)            | wrong_arguments | a port's name such as",
+            ".difuser.transmit(a,b)      | wrong_arguments | One argument is expected",
+            ".difuser.transmit(hello)    | no_rf_id        | the board has no RF id",
     })
     void action_thatFails_saysWhy(String action, String error, String fragment) {
         String program = "!start. +!start <- .difuser.port(desk); !do. +!do <- " + action + "; diffuser.note(done)."
@@ -124,7 +125,8 @@ class PublicDifuserTest {
     @ParameterizedTest
     @ValueSource(strings = {".difuser.listen(open)", ".difuser.transmit(hello)"})
     void action_ofAnAgentWithAnotherArchitecture_saysWhichItNeeds(String action) {
-        String program = "!start. +!start <- " + action + ". -!start[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
+        String program =
+                "!start. +!start <- " + action + ". -!start[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
         try (RunningAgent agent = RunningAgent.run(program)) {
             String note = agent.nextNote();
             assertTrue(note.startsWith("no_diffuser :") && note.contains("jason.Difuser"), note);

@@ -56,17 +56,17 @@ class QuestionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
-        "askOne | speed(X)  | tell#%s;speed(80)              | speed(80)[cast(unicast,ROMA),source(ROMA)]",
-        "askOne | speed(X)  | tell#%s;80                     | 80",
-        "askOne | speed(X)  | tell#%s;\"a\\\"b\"             | \"a\"b\"",
-        "askOne | speed(X)  | untell#%s;speed(X)             | false",
-        "askOne | speed(X)  | tell#%s;speed(8)[cast(unicast,'SUHO')] | speed(8)[cast(unicast,ROMA),source(ROMA)]",
-        "askAll | speed(X)  | tell#%s;[]                     | []",
-        "askAll | speed(X)  | tell#%s;[speed(1),speed(2)[a]] | [speed(1)[cast(unicast,ROMA),source(ROMA)],"
-            + "speed(2)[a,cast(unicast,ROMA),source(ROMA)]]",
-        "askHow | { +!go }  | tellHow#%s;[]                  | []",
-        "askHow | { +!go }  | tellHow#%s;[{ @g +!go <- run }] | [{ @g[source(ROMA)] +!go <- run }]",
-        "askHow | \"+!go\"  | tellHow#%s;[]                  | []",
+            "askOne | speed(X)  | tell#%s;speed(80)              | speed(80)[cast(unicast,ROMA),source(ROMA)]",
+            "askOne | speed(X)  | tell#%s;80                     | 80",
+            "askOne | speed(X)  | tell#%s;\"a\\\"b\"             | \"a\"b\"",
+            "askOne | speed(X)  | untell#%s;speed(X)             | false",
+            "askOne | speed(X)  | tell#%s;speed(8)[cast(unicast,'SUHO')] | speed(8)[cast(unicast,ROMA),source(ROMA)]",
+            "askAll | speed(X)  | tell#%s;[]                     | []",
+            "askAll | speed(X)  | tell#%s;[speed(1),speed(2)[a]] | [speed(1)[cast(unicast,ROMA),source(ROMA)],"
+                    + "speed(2)[a,cast(unicast,ROMA),source(ROMA)]]",
+            "askHow | { +!go }  | tellHow#%s;[]                  | []",
+            "askHow | { +!go }  | tellHow#%s;[{ @g +!go <- run }] | [{ @g[source(ROMA)] +!go <- run }]",
+            "askHow | \"+!go\"  | tellHow#%s;[]                  | []",
     })
     void send_answerComes_intentionGoesOnWithIt(String force, String question, String answer, String bound) {
         FakeBoard board = board();
@@ -136,7 +136,8 @@ class QuestionsTest {
     @Test
     void send_listOfReceivers_answersAreCollected() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send([\"ROMA\",\"SUHO\"],askOne,free,A); .length(A,N); diffuser.note(N)", board)) {
+        try (RunningAgent agent =
+                doing(".send([\"ROMA\",\"SUHO\"],askOne,free,A); .length(A,N); diffuser.note(N)", board)) {
             String roma = Conversing.asked(board, "ROMA askOne;free");
             String suho = Conversing.asked(board, "SUHO askOne;free");
             board.receive("SUPO", "SUHO", "tell#%s;free".formatted(suho));
@@ -203,8 +204,9 @@ class QuestionsTest {
         FakeBoard board = board().endingAll(Outcome.UNDELIVERED);
         try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board)) {
             String id = Conversing.asked(board, "ROMA askOne;free");
-            agent.notes("undelivered : askOne#" + id + ";free to ROMA was not acknowledged: its receiver is out of reach"
-                    + " or a board was lost; it may have arrived all the same");
+            agent.notes(
+                    "undelivered : askOne#" + id + ";free to ROMA was not acknowledged: its receiver is out of reach"
+                            + " or a board was lost; it may have arrived all the same");
             board.receive("SUPO", "ROMA", "tell#%s;free".formatted(id));
             agent.warns("it answers no question that is open");
             agent.notesNothingElse();
@@ -285,7 +287,8 @@ class QuestionsTest {
         FakeBoard board = board();
         try (RunningAgent agent = doing(".send(\"ROMA\",askAll,speed(_),A)", board)) {
             String id = Conversing.asked(board, "ROMA askAll;.*");
-            board.receive("SUPO", "ROMA", "sorry#%s;\"a content has at most 494 bytes of UTF-8, not 600\"".formatted(id));
+            board.receive("SUPO", "ROMA",
+                    "sorry#%s;\"a content has at most 494 bytes of UTF-8, not 600\"".formatted(id));
             String note = agent.nextNote();
             assertEquals(true, note.startsWith("no_answer : ROMA cannot answer askAll#" + id + ";speed(")
                     && note.endsWith("): a content has at most 494 bytes of UTF-8, not 600"), note);
@@ -306,8 +309,9 @@ class QuestionsTest {
     void send_groupAndAnswerAwaited_fails(String group) {
         FakeBoard board = board();
         try (RunningAgent agent = doing(".send(\"" + group + "\",askOne,free,A)", board)) {
-            agent.notes("wrong_arguments : an answer can be awaited from one device, not from //SU; without the argument"
-                    + " for it, each answer comes as a belief");
+            agent.notes(
+                    "wrong_arguments : an answer can be awaited from one device, not from //SU; without the argument"
+                            + " for it, each answer comes as a belief");
             assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
         }
     }
@@ -317,14 +321,15 @@ class QuestionsTest {
     void diffuse_toAllWhatNobodyTakesUnsealed_fails(String what) {
         FakeBoard board = board();
         try (RunningAgent agent = doing(".diffuse(broadcast," + what + ")", board)) {
-            agent.notes("not_sealed : " + what.split(",")[0] + " goes to a device or a group, not to all: no agent accepts it"
+            agent.notes("not_sealed : " + what.split(",")[0]
+                    + " goes to a device or a group, not to all: no agent accepts it"
                     + " from a broadcast, which anyone can send in anyone's name");
         }
     }
 
     @ParameterizedTest
     @ValueSource(strings = {".send(\"ROMA\",askOne,speed(X))", ".diffuse(\"ROMA\",askOne,speed(X))",
-        ".deliver(\"ROMA\",askOne,speed(X))"})
+            ".deliver(\"ROMA\",askOne,speed(X))"})
     void ask_withoutWaiting_answerIsBelievedOnceOrTakenBack(String action) throws Exception {
         FakeBoard board = board();
         try (RunningAgent agent = doing(action + "; .wait(speed(_))", board)) {

@@ -108,7 +108,7 @@ final class RunningAgent implements AutoCloseable {
     }
 
     private static RunningAgent run(RunningAgent agent, String program, LocalEnvironment environment,
-                                    List<String> archs) {
+            List<String> archs) {
         try {
             agent.start(program, environment, archs);
         } catch (Exception e) {

@@ -26,7 +26,8 @@ class SilenceWatchTest {
     private final AtomicInteger changes = new AtomicInteger();
     private final List<String> logged = new CopyOnWriteArrayList<>();
     private final Logger logger = Logger.getAnonymousLogger();
-    private final SilenceWatch watch = new SilenceWatch(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
+    private final SilenceWatch watch =
+            new SilenceWatch(this::ask, changes::incrementAndGet, new Warnings(() -> logger));
 
     SilenceWatchTest() {
         Filter recordOnly = line -> {

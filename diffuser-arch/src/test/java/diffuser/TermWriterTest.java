@@ -34,8 +34,9 @@ class TermWriterTest {
     /** Random terms as agents may have them at run time, where strings hold any character that a text can carry. */
     private static final class Terms {
 
-        private static final String[] CHARACTERS = {"a", "Z", " ", "\"", "\n", "\\\\", "\\t", "'", ";", "{", "}", "#", "\u00e9",
-            "\u20ac", "\ud83d\ude00", "//", "/*", "%", "X"};
+        private static final String[] CHARACTERS =
+                {"a", "Z", " ", "\"", "\n", "\\\\", "\\t", "'", ";", "{", "}", "#", "\u00e9",
+                        "\u20ac", "\ud83d\ude00", "//", "/*", "%", "X"};
 
         private final Random random;
 
@@ -98,7 +99,8 @@ class TermWriterTest {
         }
 
         private RelExpr comparison(int depth) {
-            return new RelExpr(ASSyntax.createVar("X"), pick(RelExpr.RelationalOp.eq, RelExpr.RelationalOp.lt), term(depth));
+            return new RelExpr(ASSyntax.createVar("X"), pick(RelExpr.RelationalOp.eq, RelExpr.RelationalOp.lt),
+                    term(depth));
         }
 
         private Term[] terms(int depth) {
@@ -127,8 +129,8 @@ class TermWriterTest {
         }
 
         private Term literal(int depth) {
-            Structure literal = new jason.asSyntax.LiteralImpl(random.nextInt(4) > 0, name()).addTerms(terms(depth))
-                    instanceof Structure made ? made : null;
+            Structure literal = new jason.asSyntax.LiteralImpl(random.nextInt(4) > 0, name())
+                    .addTerms(terms(depth)) instanceof Structure made ? made : null;
             if (random.nextBoolean()) {
                 literal.addAnnots(ASSyntax.createStructure("note", string()));
             }
@@ -179,11 +181,11 @@ class TermWriterTest {
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "{ @l[source(self)] +!go(X) : (near(X) & not (stop)) <- !run; .print(\"\u00fc\",X); ?speed(V); +done }",
-        "{ +!go <- .fork(and,{ !a },{ !b; !c }) }",
-        "{ @p[atomic] -light(L) <- -+dark(L) }",
-        "{ +!go }",
-        "[a,[b,\"c d\"],~e(f)[g]]",
+            "{ @l[source(self)] +!go(X) : (near(X) & not (stop)) <- !run; .print(\"\u00fc\",X); ?speed(V); +done }",
+            "{ +!go <- .fork(and,{ !a },{ !b; !c }) }",
+            "{ @p[atomic] -light(L) <- -+dark(L) }",
+            "{ +!go }",
+            "[a,[b,\"c d\"],~e(f)[g]]",
     })
     void write_text_isTheSame(String text) throws Exception {
         assertEquals(text, TermWriter.write(ASSyntax.parseTerm(text)));
@@ -193,7 +195,8 @@ class TermWriterTest {
     @CsvSource({"ROMA,'''ROMA'''", "bus1,bus1", "SU//,'''SU//'''", "9abc,'''9abc'''", ".print,.print"})
     void write_atomOfAnyName_readsBackAsAnAtom(String name, String expected) throws Exception {
         assertEquals(expected, TermWriter.write(ASSyntax.createAtom(name)));
-        assertEquals("saw(" + expected + ")", TermWriter.write(ASSyntax.createLiteral("saw", ASSyntax.createAtom(name))));
+        assertEquals("saw(" + expected + ")",
+                TermWriter.write(ASSyntax.createLiteral("saw", ASSyntax.createAtom(name))));
     }
 
     @Test

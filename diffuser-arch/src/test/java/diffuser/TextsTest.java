@@ -20,16 +20,18 @@ import org.junit.jupiter.params.provider.ValueSource;
 class TextsTest {
 
     @ParameterizedTest
-    @ValueSource(strings = {"p", "p(1)", "~p(a,\"b c\")", "proximity(17.5)", "p([1,2],q(r))", "p(-3)", "p[source(self)]"})
+    @ValueSource(
+            strings = {"p", "p(1)", "~p(a,\"b c\")", "proximity(17.5)", "p([1,2],q(r))", "p(-3)", "p[source(self)]"})
     void readPercept_belief_readsBackAsItself(String text) throws Exception {
         assertEquals(text, Texts.readPercept(text).toString());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", " ", "p(", "p)", "p(1) q(2)", "p,q", "p.", "p;q", "X", "p(X)", "_", "3", "\"p\"", "[p]",
-        "1+2", "p & q", "not p", "p :- q", ".print(p)", "{ +!p <- q }", "{ !p; !q }", "+!p", "!p", "\u0000", "p(\u0001)",
-        "\"", "/*", "p\n)", "java.lang.System.exit(0)",
-        "true", "ns::X"})
+            "1+2", "p & q", "not p", "p :- q", ".print(p)", "{ +!p <- q }", "{ !p; !q }", "+!p", "!p", "\u0000",
+            "p(\u0001)",
+            "\"", "/*", "p\n)", "java.lang.System.exit(0)",
+            "true", "ns::X"})
     void readPercept_anythingElse_isMalformed(String text) {
         assertThrows(MalformedTextException.class, () -> Texts.readPercept(text));
     }
@@ -61,36 +63,36 @@ class TextsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
-        "tell        | 3",
-        "tell        | \"p\"",
-        "tell        | { +!p <- q }",
-        "tell#AbC    | { +!p <- q }",
-        "tell#AbC    | X",
-        "tell#AbC    | .stopMAS",
-        "tell#AbC    | [p,[.stopMAS]]",
-        "untell#AbC  | X",
-        "signal      | 3",
-        "achieve     | .stopMAS",
-        "askOne#AbC  | 3",
-        "askOne#AbC  | [p]",
-        "askOne#AbC  | X",
-        "askOne#AbC  | .stopMAS",
-        "askAll#AbC  | { +!p }",
-        "askHow#AbC  | p",
-        "askHow#AbC  | { @l +!p <- q }",
-        "askHow#AbC  | X",
-        "tellHow     | p",
-        "tellHow     | { +!p }",
-        "tellHow     | { !p; !q }",
-        "tellHow     | .stopMAS",
-        "tellHow     | X",
-        "tellHow     | [{ +!p <- q },p]",
-        "tellHow     | [{ +!p <- q }|X]",
-        "tellHow     | { +!p <- q",
-        "untellHow   | 3",
-        "untellHow   | X",
-        "untellHow   | { @l +!p <- q }",
-        "sorry#AbC   | p",
+            "tell        | 3",
+            "tell        | \"p\"",
+            "tell        | { +!p <- q }",
+            "tell#AbC    | { +!p <- q }",
+            "tell#AbC    | X",
+            "tell#AbC    | .stopMAS",
+            "tell#AbC    | [p,[.stopMAS]]",
+            "untell#AbC  | X",
+            "signal      | 3",
+            "achieve     | .stopMAS",
+            "askOne#AbC  | 3",
+            "askOne#AbC  | [p]",
+            "askOne#AbC  | X",
+            "askOne#AbC  | .stopMAS",
+            "askAll#AbC  | { +!p }",
+            "askHow#AbC  | p",
+            "askHow#AbC  | { @l +!p <- q }",
+            "askHow#AbC  | X",
+            "tellHow     | p",
+            "tellHow     | { +!p }",
+            "tellHow     | { !p; !q }",
+            "tellHow     | .stopMAS",
+            "tellHow     | X",
+            "tellHow     | [{ +!p <- q },p]",
+            "tellHow     | [{ +!p <- q }|X]",
+            "tellHow     | { +!p <- q",
+            "untellHow   | 3",
+            "untellHow   | X",
+            "untellHow   | { @l +!p <- q }",
+            "sorry#AbC   | p",
     })
     void readContent_notWhatGoesWithTheForce_isMalformed(String head, String text) {
         Content content = Content.parse(head + ";" + text);
@@ -98,16 +100,17 @@ class TextsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"p(\"\u001b[2J\")", "p(\"\r\")", "p(\"\n\")", "p(\"\u009b\")", "p(\"\u2028\")", "p(\"\u202e\")",
-        "p(\"\u2066\")", "p(1)\n"})
+    @ValueSource(
+            strings = {"p(\"\u001b[2J\")", "p(\"\r\")", "p(\"\n\")", "p(\"\u009b\")", "p(\"\u2028\")", "p(\"\u202e\")",
+                    "p(\"\u2066\")", "p(1)\n"})
     void readContent_characterThatCommandsATerminal_isMalformed(String text) {
         assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"p(1+2)", "p(math.sqrt(4))", "p(-(-3))", "[p(1),p(2*3)]", "p(q[r(1+1)])", "p(.date(1,2,3))",
-        "p(X[math.sqrt(4)])", "p({ q :- X > math.sqrt(4) })", "p({ !q(math.sqrt(4)) })", "p({ +!q <- r(1+1) })",
-        "p({ +q(1+1) })"})
+            "p(X[math.sqrt(4)])", "p({ q :- X > math.sqrt(4) })", "p({ !q(math.sqrt(4)) })", "p({ +!q <- r(1+1) })",
+            "p({ +q(1+1) })"})
     void readContent_somethingToCompute_isMalformed(String text) {
         assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
     }
@@ -119,11 +122,13 @@ class TextsTest {
 
     /** As deep as a content can be: the parser comes back, with a plan or without. */
     @ParameterizedTest
-    @CsvSource({"(,x,),230", "'[','x',']',230", "{,x,},230", "'{ ',x,' }',115", "'p(',x,')',155", "'not ',x,,115", "-,1,,450",
-        "'!x;',!y,,150", "'if(x){',x,'}',65", "'.a({ ',x,' })',55", "'x[',x,']',155",
-        "'(x & ',x,')',75"})
+    @CsvSource({"(,x,),230", "'[','x',']',230", "{,x,},230", "'{ ',x,' }',115", "'p(',x,')',155", "'not ',x,,115",
+            "-,1,,450",
+            "'!x;',!y,,150", "'if(x){',x,'}',65", "'.a({ ',x,' })',55", "'x[',x,']',155",
+            "'(x & ',x,')',75"})
     void readContent_deepPlan_isReadOrMalformed(String opening, String inside, String closing, int depth) {
-        String text = "{ +!g <- " + opening.repeat(depth) + inside + (closing == null ? "" : closing).repeat(depth) + " }";
+        String text =
+                "{ +!g <- " + opening.repeat(depth) + inside + (closing == null ? "" : closing).repeat(depth) + " }";
         readOrMalformed(Force.TELL_HOW, text);
     }
 

@@ -13,9 +13,9 @@ import jason.asSyntax.Structure;
 
 /**
  * Takes actions as JaCaMo's architecture does: the workspace is that of the intention that is selected when
- * {@link #act} is called, which is the one that said {@code join(W)}; without one it throws. Workspace {@code a} has the
- * operations {@code a1, a2, …} and {@code b} its own; an operation that its workspace has not fails. Operations end on
- * another thread.
+ * {@link #act} is called, which is the one that said {@code join(W)}; without one it throws. Workspace {@code a} has
+ * the operations {@code a1, a2, …} and {@code b} its own; an operation that its workspace has not fails. Operations end
+ * on another thread.
  */
 public class WorkspaceArch extends AgArch {
 

@@ -67,7 +67,8 @@ class WorkspacesTest {
                 agent.notesAll("a", "b");
                 cable.interrupt();
                 join(cable);
-                assertEquals(List.of(), board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
+                assertEquals(List.of(),
+                        board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
             }
         }
     }
@@ -79,7 +80,8 @@ class WorkspacesTest {
             agent.warns("there is no such port");
             agent.achieve("go");
             agent.notesAll("a", "b");
-            assertEquals(List.of("no board has answered on body yet: plain actions go to the environment until one has"),
+            assertEquals(
+                    List.of("no board has answered on body yet: plain actions go to the environment until one has"),
                     List.copyOf(agent.warnings));
         }
     }

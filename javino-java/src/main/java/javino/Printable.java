@@ -19,7 +19,8 @@ public final class Printable {
     private static String of(int character) {
         return switch (Character.getType(character)) {
             case Character.CONTROL, Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR,
-                    Character.SURROGATE -> String.format("\\u%04x", character);
+                    Character.SURROGATE ->
+                String.format("\\u%04x", character);
             default -> Character.toString(character);
         };
     }

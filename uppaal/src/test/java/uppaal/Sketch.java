@@ -15,7 +15,8 @@ import uppaal.network.NetworkBuilder;
 
 /** Writes small networks down without XML. Each template runs once, under its own name. */
 public final class Sketch {
-    private static final Pattern EDGE = Pattern.compile("(\\S+) -> (\\S+?)(?:; ?guard (.*?))?(?:; ?sync (.*?))?(?:; ?set (.*))?");
+    private static final Pattern EDGE =
+            Pattern.compile("(\\S+) -> (\\S+?)(?:; ?guard (.*?))?(?:; ?sync (.*?))?(?:; ?set (.*))?");
 
     private final String declarations;
     private final List<Template> templates = new ArrayList<>();
@@ -31,7 +32,8 @@ public final class Sketch {
 
     /**
      * Adds a template. Its locations are those that its edges name, the first one first;
-     * a name that ends in {@code !} is committed, and what stands in braces behind one, without spaces, is its invariant.
+     * a name that ends in {@code !} is committed, and what stands in braces behind one, without spaces, is its
+     * invariant.
      *
      * @param edges {@code a -> b; guard G; sync S; set A}, the last three optional
      */
@@ -44,9 +46,10 @@ public final class Sketch {
                 throw new IllegalArgumentException(text);
             }
             parsed.add(new Edge(location(edge.group(1), locations), location(edge.group(2), locations),
-                text(edge.group(3)), text(edge.group(4)), text(edge.group(5))));
+                    text(edge.group(3)), text(edge.group(4)), text(edge.group(5))));
         }
-        templates.add(new Template(name, "", "", List.copyOf(locations.values()), locations.values().iterator().next().name(), parsed));
+        templates.add(new Template(name, "", "", List.copyOf(locations.values()),
+                locations.values().iterator().next().name(), parsed));
         return this;
     }
 

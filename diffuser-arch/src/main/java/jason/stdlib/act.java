@@ -17,8 +17,8 @@ import diffuser.Texts;
  * <p>Description: has the board perform an action that its sketch has. The intention is suspended until the board has
  * answered. It fails, among others, with the errors <code>unknown_action</code>, <code>action_failed</code> and
  * <code>port_off</code>. The same action can be written without <code>.act</code>; then it goes to the environment if
- * the board does not know it. A board that speaks the older protocol answers no action: there the intention goes on when the
- * action has left, and nothing is sent to it without <code>.act</code>.
+ * the board does not know it. A board that speaks the older protocol answers no action: there the intention goes on
+ * when the action has left, and nothing is sent to it without <code>.act</code>.
  *
  * <p>Parameters:<ul>
  * <li>+ A (literal without variables, or string): the action's name, and its arguments if it has some.

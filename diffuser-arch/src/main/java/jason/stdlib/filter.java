@@ -47,8 +47,8 @@ public class filter extends DiffuserAction {
     @Override
     protected void perform(Diffuser diffuser, Term[] args) throws JasonException {
         switch (Names.of(args[0]).orElse("")) {
-            case "except" -> diffuser.filter(filter(Filter.Kind.EXCEPT, args));
-            case "only", "value" -> diffuser.filter(filter(Filter.Kind.ONLY, args));
+            case "except" -> diffuser.filter(read(Filter.Kind.EXCEPT, args));
+            case "only", "value" -> diffuser.filter(read(Filter.Kind.ONLY, args));
             case "remove" -> remove(diffuser, args);
             default -> throw unknown(args[0]);
         }
@@ -64,7 +64,7 @@ public class filter extends DiffuserAction {
         }
     }
 
-    private Filter filter(Filter.Kind kind, Term[] args) throws JasonException {
+    private Filter read(Filter.Kind kind, Term[] args) throws JasonException {
         if (args.length == 1) {
             throw JasonException.createWrongArgument(this, "a percept was expected too, such as .filter(" + args[0]
                     + ", light(_)).");

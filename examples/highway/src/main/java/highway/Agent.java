@@ -27,7 +27,7 @@ public final class Agent implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    private Agent() { }
+    private Agent() {}
 
     /** Runs the agent until it or the user ends it. */
     public static void main(String[] arguments) {
@@ -38,10 +38,11 @@ public final class Agent implements Callable<Integer> {
     public Integer call() throws IOException, JasonException {
         try (Stream<Path> files = Files.list(Path.of(""))) {
             List<String> names = files.map(Path::toString).filter(file -> file.endsWith(MAS))
-                .map(file -> file.substring(0, file.length() - MAS.length())).sorted().toList();
+                    .map(file -> file.substring(0, file.length() - MAS.length())).sorted().toList();
             if (!names.contains(name)) {
-                throw new ParameterException(spec.commandLine(), (name == null ? "" : "there is no " + name + MAS + "; ")
-                    + "--agent=NAME names the agent: one of " + String.join(", ", names));
+                throw new ParameterException(spec.commandLine(),
+                        (name == null ? "" : "there is no " + name + MAS + "; ")
+                                + "--agent=NAME names the agent: one of " + String.join(", ", names));
             }
         }
         RunLocalMAS.main(new String[] {name + MAS, "--log-conf", "logging.properties", "--no-net"});

@@ -11,7 +11,7 @@ import java.util.function.Predicate;
 final class Behaviour {
 
     /** A piece of evidence, and the words for it when it is missing. */
-    private record Evidence(String missing, Predicate<Observation> shows) { }
+    private record Evidence(String missing, Predicate<Observation> shows) {}
 
     final Device device;
     final String text;
@@ -25,25 +25,25 @@ final class Behaviour {
     /** The rows of the table in this folder's README. */
     static List<Behaviour> all() {
         return List.of(
-            of(Device.BUS, "collision: stops, alarms, broadcasts tell help")
-                .says("I have suffered an accident").pin("motor", 1).pin("motor", 0).pin("buzzer", 1)
-                .airsPlain("////", "tell;help"),
-            of(Device.POLICE, "hears it, multicasts someoneNeedHelp to //SU")
-                .says("I got an accident message from ROMA").airsSealed("//SU"),
-            of(Device.SUPPORT, "hears that, unicasts someoneNeedHelp to SUHO")
-                .says("I got a help message in the public safety group").airsSealed("SUHO"),
-            of(Device.HOSPITAL, "hears that, unicasts someoneNeedAmbulance to SUAM")
-                .says("Asking for an ambulance").airsSealed("SUAM"),
-            of(Device.AMBULANCE, "hears that, drives with siren, unicasts ambulanceIsComing to SUHO")
-                .says("I am going").pin("siren", 1).pin("motor", 1).airsSealed("SUHO"),
-            of(Device.HOSPITAL, "unicasts ambulanceIsComing to SUPP")
-                .says("Sending an Ambulance").airsSealed("SUPP"),
-            of(Device.SUPPORT, "unicasts helpComing to SUPO")
-                .says("I understood! The Ambulance is coming").airsSealed("SUPO"),
-            of(Device.POLICE, "unicasts helpComing to ROMA")
-                .says("The help is coming").airsSealed("ROMA"),
-            of(Device.BUS, "hears it: help is coming")
-                .says("Help is coming, says SUPO"));
+                of(Device.BUS, "collision: stops, alarms, broadcasts tell help")
+                        .says("I have suffered an accident").pin("motor", 1).pin("motor", 0).pin("buzzer", 1)
+                        .airsPlain("////", "tell;help"),
+                of(Device.POLICE, "hears it, multicasts someoneNeedHelp to //SU")
+                        .says("I got an accident message from ROMA").airsSealed("//SU"),
+                of(Device.SUPPORT, "hears that, unicasts someoneNeedHelp to SUHO")
+                        .says("I got a help message in the public safety group").airsSealed("SUHO"),
+                of(Device.HOSPITAL, "hears that, unicasts someoneNeedAmbulance to SUAM")
+                        .says("Asking for an ambulance").airsSealed("SUAM"),
+                of(Device.AMBULANCE, "hears that, drives with siren, unicasts ambulanceIsComing to SUHO")
+                        .says("I am going").pin("siren", 1).pin("motor", 1).airsSealed("SUHO"),
+                of(Device.HOSPITAL, "unicasts ambulanceIsComing to SUPP")
+                        .says("Sending an Ambulance").airsSealed("SUPP"),
+                of(Device.SUPPORT, "unicasts helpComing to SUPO")
+                        .says("I understood! The Ambulance is coming").airsSealed("SUPO"),
+                of(Device.POLICE, "unicasts helpComing to ROMA")
+                        .says("The help is coming").airsSealed("ROMA"),
+                of(Device.BUS, "hears it: help is coming")
+                        .says("Help is coming, says SUPO"));
     }
 
     private static Behaviour of(Device device, String text) {
@@ -52,24 +52,24 @@ final class Behaviour {
 
     private Behaviour says(String words) {
         return await("the agent did not say \"" + words + "\"",
-            seen -> seen instanceof Said said && said.device() == device && said.text().contains(words));
+                seen -> seen instanceof Said said && said.device() == device && said.text().contains(words));
     }
 
     private Behaviour airsPlain(String destination, String content) {
         return await("no plain packet " + device.address + " → " + destination + " on the air",
-            seen -> seen instanceof Aired aired && goes(aired, destination)
-                && !aired.sealed() && aired.content().equals(content));
+                seen -> seen instanceof Aired aired && goes(aired, destination)
+                        && !aired.sealed() && aired.content().equals(content));
     }
 
     private Behaviour airsSealed(String destination) {
         return await("no sealed packet " + device.address + " → " + destination + " on the air",
-            seen -> seen instanceof Aired aired && goes(aired, destination) && aired.sealed());
+                seen -> seen instanceof Aired aired && goes(aired, destination) && aired.sealed());
     }
 
     private Behaviour pin(String name, int level) {
         return await(name + " not switched " + (level == 1 ? "on" : "off"),
-            seen -> seen instanceof Pin pin && pin.device() == device
-                && pin.name().equals(name) && pin.level() == level);
+                seen -> seen instanceof Pin pin && pin.device() == device
+                        && pin.name().equals(name) && pin.level() == level);
     }
 
     private boolean goes(Aired aired, String destination) {
@@ -83,7 +83,8 @@ final class Behaviour {
 
     /** Takes note of what was seen: whether it is evidence that was still awaited. */
     boolean see(Observation observation) {
-        return awaited.stream().filter(evidence -> evidence.shows.test(observation)).findFirst().map(awaited::remove).orElse(false);
+        return awaited.stream().filter(evidence -> evidence.shows.test(observation)).findFirst().map(awaited::remove)
+                .orElse(false);
     }
 
     boolean observed() {

@@ -56,7 +56,9 @@ final class Chart {
     private static String lifeline(Device device, int height) {
         int x = x(device);
         return String.format("""
-            <marker id="%6$s" markerUnits="userSpaceOnUse" markerWidth="11" markerHeight="8" refX="11" refY="4" orient="auto"><path d="M0,0 L11,4 L0,8 Z" fill="%4$s"/></marker>
+            <marker id="%6$s" markerUnits="userSpaceOnUse" markerWidth="11" markerHeight="8" refX="11" refY="4"
+                orient="auto">
+            <path d="M0,0 L11,4 L0,8 Z" fill="%4$s"/></marker>
             <line x1="%1$d" y1="%2$d" x2="%1$d" y2="%3$d" stroke="#bbb"/>
             <text x="%1$d" y="24" text-anchor="middle" font-size="15" font-weight="bold" fill="%4$s">%5$s</text>
             <text x="%1$d" y="42" text-anchor="middle" fill="#555">%6$s</text>
@@ -68,8 +70,9 @@ final class Chart {
         if (seen instanceof Said said) {
             return box(said.device(), "“" + said.text() + "”", y, "white");
         }
-        String time = String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",
-            y + 4, seen.seconds());
+        String time =
+                String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",
+                        y + 4, seen.seconds());
         if (seen instanceof Pin pin) {
             return time + box(pin.device(), pin.words(), y, "#eee");
         }
@@ -82,7 +85,8 @@ final class Chart {
         int left = Math.min(x(device) - PADDING, WIDTH - length - 3 * PADDING);
         // By its textLength the text fits its box where monospaced letters are narrower, too.
         return String.format("""
-            <rect x="%d" y="%d" width="%d" height="20" rx="6" fill="%s" stroke="%s"/><text x="%d" y="%d" textLength="%d" font-family="monospace" font-size="11">%s</text>
+            <rect x="%d" y="%d" width="%d" height="20" rx="6" fill="%s" stroke="%s"/>
+            <text x="%d" y="%d" textLength="%d" font-family="monospace" font-size="11">%s</text>
             """, left, y - 10, length + 2 * PADDING, fill, device.hue, left + PADDING, y + 4, length, escaped(text));
     }
 
@@ -92,18 +96,19 @@ final class Chart {
         List<Device> receivers = receivers(aired);
         String tips = receivers.stream().map(to -> String.format("""
             <line x1="%d" y1="%d" x2="%d" y2="%2$d" stroke="%s" stroke-width="2" marker-end="url(#%s)"%s/>
-            """, x(from), y, x(to), from.hue, from.address, aired.sealed() ? "" : " stroke-dasharray=\"6 3\"")).collect(Collectors.joining());
+            """, x(from), y, x(to), from.hue, from.address, aired.sealed() ? "" : " stroke-dasharray=\"6 3\""))
+                .collect(Collectors.joining());
         int middle = receivers.stream().mapToInt(Chart::x).filter(x -> x > x(from)).min()
-            .orElseGet(() -> receivers.stream().mapToInt(Chart::x).max().orElse(x(from)));
+                .orElseGet(() -> receivers.stream().mapToInt(Chart::x).max().orElse(x(from)));
         String label = aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content());
         return tips + String.format("<text x=\"%d\" y=\"%d\" text-anchor=\"middle\" fill=\"%s\">%s</text>%n",
-            (x(from) + middle) / 2, y - 5, from.hue, escaped(label));
+                (x(from) + middle) / 2, y - 5, from.hue, escaped(label));
     }
 
     private static List<Device> receivers(Aired aired) {
         Address to = Address.parse(aired.destination());
         return Arrays.stream(Device.values()).filter(device -> !device.address.equals(aired.origin()))
-            .filter(device -> to.reaches(Address.parse(device.address))).toList();
+                .filter(device -> to.reaches(Address.parse(device.address))).toList();
     }
 
     private static int x(Device device) {

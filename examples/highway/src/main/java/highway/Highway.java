@@ -20,20 +20,25 @@ public final class Highway implements Callable<Integer> {
     @Mixin
     private Options options;
 
-    private Highway() { }
+    private Highway() {}
 
     /** Runs the scenario. */
     public static void main(String[] arguments) {
         System.exit(execute(new Highway(), arguments));
     }
 
-    /** Runs a command whose options the user gives to Gradle: they are called as there in the one line that tells a mistake. */
+    /**
+     * Runs a command whose options the user gives to Gradle: they are called as there in the one line that tells a
+     * mistake.
+     */
     static int execute(Object program, String... arguments) {
         CommandLine command = new CommandLine(program);
         command.setParameterExceptionHandler((wrong, given) -> {
             String text = wrong instanceof UnmatchedArgumentException unmatched ? "there is no option "
-                    + unmatched.getUnmatched().get(0).replaceFirst("=.*", "") + "; there is " + command.getCommandSpec().options()
-                    .stream().filter(option -> !option.hidden()).map(OptionSpec::longestName).collect(Collectors.joining(", "))
+                    + unmatched.getUnmatched().get(0).replaceFirst("=.*", "") + "; there is "
+                    + command.getCommandSpec().options()
+                            .stream().filter(option -> !option.hidden()).map(OptionSpec::longestName)
+                            .collect(Collectors.joining(", "))
                     : wrong.getMessage();
             command.getErr().println(command.getCommandName() + ": " + text.replace("--", "-P"));
             return CommandLine.ExitCode.USAGE;
@@ -60,7 +65,8 @@ public final class Highway implements Callable<Integer> {
         timeline.table(scenario.behaviours());
         Replay model = scenario.model();
         timeline.verdict(model.verdict(), model.refusal().isEmpty());
-        return scenario.allObserved() && model.refusal().isEmpty() ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
+        return scenario.allObserved() && model.refusal().isEmpty() ? CommandLine.ExitCode.OK
+                : CommandLine.ExitCode.SOFTWARE;
     }
 
     private void run(Scenario scenario, Timeline timeline)
@@ -68,7 +74,8 @@ public final class Highway implements Callable<Integer> {
         scenario.startBoards();
         scenario.provision();
         if (options.boardsOnly()) {
-            timeline.note("the boards run; start the agents (README, \"Agents that you start by hand\"); end with Ctrl-C");
+            timeline.note(
+                    "the boards run; start the agents (README, \"Agents that you start by hand\"); end with Ctrl-C");
             scenario.stay();
         } else {
             scenario.startAgents();

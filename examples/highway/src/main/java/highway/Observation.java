@@ -7,7 +7,7 @@ sealed interface Observation {
     double seconds();
 
     /** A line that an agent (or its Java virtual machine) printed. */
-    record Said(double seconds, Device device, String text) implements Observation { }
+    record Said(double seconds, Device device, String text) implements Observation {}
 
     /**
      * A radio packet that was sent.
@@ -15,17 +15,17 @@ sealed interface Observation {
      * @param content the content of a plain frame, empty for a sealed one
      */
     record Aired(double seconds, String origin, String destination, boolean sealed, String content)
-            implements Observation { }
+            implements Observation {}
 
     /**
      * An acknowledgement that was sent (SPEC 7.3).
      *
      * @param answers what it says: delivered, pieces or stale
      */
-    record Acknowledged(double seconds, String origin, String answers) implements Observation { }
+    record Acknowledged(double seconds, String origin, String answers) implements Observation {}
 
     /** A packet that a board could not make out. */
-    record Spoilt(double seconds, Device device, String why) implements Observation { }
+    record Spoilt(double seconds, Device device, String why) implements Observation {}
 
     /** A watched actuator pin that changed. */
     record Pin(double seconds, Device device, String name, int level) implements Observation {

@@ -12,7 +12,8 @@ final class Options {
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
     private Path emulator;
 
-    @Option(names = "--radioBitErrorRate", description = "Share of bits that the air inverts, 0 to 1; default: the scenario file's.")
+    @Option(names = "--radioBitErrorRate",
+            description = "Share of bits that the air inverts, 0 to 1; default: the scenario file's.")
     private Double radioBitErrorRate;
 
     @Option(names = "--radioRange", description = "How far the radio reaches, in metres; default: the scenario file's.")
@@ -22,7 +23,8 @@ final class Options {
     private long seed;
 
     @Option(names = "--timeout", defaultValue = "45",
-        description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default ${DEFAULT-VALUE}.")
+            description = "Seconds to wait for each step: the boards, the keys, the agents, the behaviours; default "
+                    + "${DEFAULT-VALUE}.")
     private int timeout;
 
     @Option(names = "--plain", hidden = true, description = "No colours.")
@@ -44,11 +46,12 @@ final class Options {
     boolean coloured() {
         String terminal = System.getenv("TERM");
         return !plain && System.getenv("NO_COLOR") == null && System.getenv("CI") == null
-            && terminal != null && !terminal.equals("dumb");
+                && terminal != null && !terminal.equals("dumb");
     }
 
     List<String> emulatorCommand() {
-        List<String> command = new ArrayList<>(List.of(emulator.toString(), "highway.json", "--trace", "-", "--seed", "" + seed));
+        List<String> command =
+                new ArrayList<>(List.of(emulator.toString(), "highway.json", "--trace", "-", "--seed", "" + seed));
         if (radioBitErrorRate != null) {
             command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
         }
@@ -61,24 +64,26 @@ final class Options {
     /** {@code javino keygen}: a key for each pair that talks, and one for the group. */
     List<String> keygenCommand(Path keyring) {
         return java("javino.cli.Main", "keygen", "--out", keyring.toString(), "--group", "SU",
-            "--pair", "SUPP,SUHO", "--pair", "SUHO,SUAM", "--pair", "SUPP,SUPO", "--pair", "SUPO,ROMA");
+                "--pair", "SUPP,SUHO", "--pair", "SUHO,SUAM", "--pair", "SUPP,SUPO", "--pair", "SUPO,ROMA");
     }
 
     /** {@code javino provision}: its id and those keys that it needs. */
     List<String> provisionCommand(Device device, Path keyring) {
         return java("javino.cli.Main", "provision", "--port", "ports/" + device.id(),
-            "--id", device.address, "--keyring", keyring.toString());
+                "--id", device.address, "--keyring", keyring.toString());
     }
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) {
-        return java("jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf", "logging.properties", "--no-net");
+        return java("jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf", "logging.properties",
+                "--no-net");
     }
 
     private static List<String> java(String... mainAndArguments) {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
-            "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp", System.getProperty("java.class.path")));
+                "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp",
+                System.getProperty("java.class.path")));
         command.addAll(List.of(mainAndArguments));
         return command;
     }

@@ -85,7 +85,7 @@ final class Scenario implements AutoCloseable {
         record = new PrintStream(new BufferedOutputStream(Files.newOutputStream(TRACE)), false, StandardCharsets.UTF_8);
         start("emulator", options.emulatorCommand(), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
-            .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
+                .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
     }
 
     /** A second run in this folder would mix up ports, EEPROM files and keys. The lock goes with this process. */
@@ -127,7 +127,8 @@ final class Scenario implements AutoCloseable {
         Files.deleteIfExists(keyring);
         runToEnd("keygen", Map.of("", options.keygenCommand(keyring)));
         runToEnd("provision", Arrays.stream(Device.values())
-            .collect(Collectors.toMap(device -> device.title() + ": ", device -> options.provisionCommand(device, keyring))));
+                .collect(Collectors.toMap(device -> device.title() + ": ",
+                        device -> options.provisionCommand(device, keyring))));
     }
 
     /** Starts the agents; the bus last, when all others have said that they are ready. */
@@ -161,7 +162,8 @@ final class Scenario implements AutoCloseable {
 
     private Observation said(Device device, String line) {
         String tag = "[" + device.id() + "] ";
-        return new Observation.Said(trace.seconds(), device, line.startsWith(tag) ? line.substring(tag.length()) : line);
+        return new Observation.Said(trace.seconds(), device,
+                line.startsWith(tag) ? line.substring(tag.length()) : line);
     }
 
     /** Starts a process that is to run as long as the scenario does. */
@@ -184,13 +186,14 @@ final class Scenario implements AutoCloseable {
         waitFor(name + " to end", () -> running.get() == 0);
     }
 
-    private synchronized void launch(List<String> command, Consumer<String> line, IntConsumer ended) throws IOException {
+    private synchronized void launch(List<String> command, Consumer<String> line, IntConsumer ended)
+            throws IOException {
         if (closed) {
             throw new IOException("the run is being ended");
         }
         children.add(Child.start(command,
-            text -> happenings.add(() -> line.accept(text)),
-            status -> happenings.add(() -> ended.accept(status))));
+                text -> happenings.add(() -> line.accept(text)),
+                status -> happenings.add(() -> ended.accept(status))));
     }
 
     private void see(Observation observation) {

@@ -32,18 +32,19 @@ final class Trace {
         seconds = event.get("t").getAsDouble();
         return switch (text(event, "event")) {
             case "rf-tx" -> Optional.of(text(event, "kind").equals("acknowledgement")
-                ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers")) : aired(seconds, event));
-            case "rf-damaged" -> device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
+                    ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers")) : aired(seconds, event));
+            case "rf-damaged" ->
+                device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
             case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
             case "pin" -> device(event)
-                .map(device -> new Pin(seconds, device, text(event, "name"), event.get("level").getAsInt()));
+                    .map(device -> new Pin(seconds, device, text(event, "name"), event.get("level").getAsInt()));
             default -> Optional.empty();
         };
     }
 
     private static Aired aired(double seconds, JsonObject event) {
         return new Aired(seconds, text(event, "origin"), text(event, "destination"),
-            event.has("sealed") && event.get("sealed").getAsBoolean(), text(event, "content"));
+                event.has("sealed") && event.get("sealed").getAsBoolean(), text(event, "content"));
     }
 
     private static Optional<Device> device(JsonObject event) {

@@ -18,7 +18,7 @@ import java.util.function.Consumer;
  * @param queueCapacity  how many requests may wait, at least 1; 64 by default.
  */
 public record BoardConfig(Duration pollInterval, Duration replyTimeout, int attempts, Duration helloInterval,
-                          Duration reopenInterval, Duration patience, int queueCapacity) {
+        Duration reopenInterval, Duration patience, int queueCapacity) {
 
     /** @throws IllegalArgumentException if a value is out of its range. */
     public BoardConfig {
@@ -45,7 +45,7 @@ public record BoardConfig(Duration pollInterval, Duration replyTimeout, int atte
 
     /** All defaults. */
     public static BoardConfig create() {
-        return create(builder -> { });
+        return create(builder -> {});
     }
 
     /** The defaults, except for values that the consumer sets. */

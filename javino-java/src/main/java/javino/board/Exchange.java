@@ -23,8 +23,8 @@ final class Exchange {
 
     /**
      * Has a Mega's boot loader start the sketch: CMD_LEAVE_PROGMODE_ISP of STK500 version 2 (Atmel AVR068), the first
-     * message, of one byte. A byte that comes in the first second after a reset has this boot loader wait for a new sketch,
-     * some 5 s from each further one on: a host that says hello until it is answered would wait for ever.
+     * message, of one byte. A byte that comes in the first second after a reset has this boot loader wait for a new
+     * sketch, some 5 s from each further one on: a host that says hello until it is answered would wait for ever.
      */
     private static final Bytes START_SKETCH = Bytes.of(0x1B, 0x01, 0x00, 0x01, 0x0E, 0x11, 0x04);
 
@@ -82,8 +82,8 @@ final class Exchange {
     }
 
     /**
-     * Waits until a reply as long as the last one is likely to be there whole. A serial line gives a few bytes at a time,
-     * and being woken for each few of fifty replies a second would be most of what an idle agent costs.
+     * Waits until a reply as long as the last one is likely to be there whole. A serial line gives a few bytes at a
+     * time, and being woken for each few of fifty replies a second would be most of what an idle agent costs.
      */
     private void gather(int bytes) {
         Duration line = link.timeFor(bytes);

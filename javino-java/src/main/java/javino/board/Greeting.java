@@ -24,7 +24,10 @@ final class Greeting {
      * booted, so that it need not wait for that.
      */
     private static final int HELLOS = 20;
-    /** For how many hello intervals an answer in the older protocol is waited for: by default 2 s, as there are slow sensors. */
+    /**
+     * For how many hello intervals an answer in the older protocol is waited for: by default 2 s, as there are slow
+     * sensors.
+     */
     private static final int LEGACY_INTERVALS = 20;
 
     private final Link link;

@@ -15,8 +15,9 @@ import javino.link.LinkException;
 final class LegacyExchange {
 
     /**
-     * From an action to the next message. The older library keeps one message only, so one that comes before the sketch's
-     * loop has come round takes the place of the action; there are sketches with a delay of 50 ms in each round.
+     * From an action to the next message. The older library keeps one message only, so one that comes before the
+     * sketch's loop has come round takes the place of the action; there are sketches with a delay of 50 ms in each
+     * round.
      */
     private static final Duration ROUND = Duration.ofMillis(100);
     /** The longest that a read waits, so that the session's end is noticed; a serial port makes 100 ms of it. */

@@ -14,7 +14,10 @@ import javino.protocol.Status;
 /** Serves a board that speaks the older protocol, until it is lost (SPEC 8.2). For the session's thread only. */
 final class LegacyService {
 
-    /** From an answer to the next question, at least: at 9600 bit/s an exchange takes some 70 ms, and actions wait for it. */
+    /**
+     * From an answer to the next question, at least: at 9600 bit/s an exchange takes some 70 ms, and actions wait for
+     * it.
+     */
     private static final Duration PAUSE = Duration.ofMillis(100);
     /** How often to look whether the link is still there while nothing is asked. */
     private static final Duration LOOK_INTERVAL = Duration.ofSeconds(1);

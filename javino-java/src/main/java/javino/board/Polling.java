@@ -126,7 +126,9 @@ final class Polling {
         perceptsCrowd = asksPercepts && (reply.more() || owesTaken);
     }
 
-    /** A poll that only says what is taken: messages that it brings stay with the board, for the next run of the host. */
+    /**
+     * A poll that only says what is taken: messages that it brings stay with the board, for the next run of the host.
+     */
     Request lastPoll() {
         asksPercepts = false;
         isLast = true;

@@ -7,7 +7,9 @@ import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** The bounded queue between those who ask and the session's thread, which also waits here. Completes nothing itself. */
+/**
+ * The bounded queue between those who ask and the session's thread, which also waits here. Completes nothing itself.
+ */
 final class RequestQueue {
 
     private final int capacity;
@@ -36,7 +38,9 @@ final class RequestQueue {
         notifyAll();
     }
 
-    /** The next request; null if the deadline passed, or {@link #wake} or {@link #close} was called, before one came. */
+    /**
+     * The next request; null if the deadline passed, or {@link #wake} or {@link #close} was called, before one came.
+     */
     synchronized Pending<?> next(Deadline deadline) {
         try {
             while (waiting.isEmpty() && closedWhy == null && !woken && !deadline.passed()) {

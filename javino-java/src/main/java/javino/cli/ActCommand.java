@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino act}: has a board perform an action. */
 @Command(name = "act", description = {"Makes a board perform an action of its sketch.",
-    "Most boards, also a Mega, boot when their port is opened: so each action is the first one after a boot."})
+        "Most boards, also a Mega, boot when their port is opened: so each action is the first one after a boot."})
 final class ActCommand implements Callable<Integer> {
 
     @Mixin

@@ -73,7 +73,8 @@ record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
         for (String part : rest.subList(1, rest.size())) {
             List<String> words = List.of(part.split("\\s+"));
             Address with = words.get(0).length() == Address.LENGTH ? Address.parse(words.get(0)) : Address.BROADCAST;
-            HeldKeys held = HeldKeys.parse(words.subList(1, words.size())).orElseThrow(() -> new IllegalArgumentException(FORM));
+            HeldKeys held = HeldKeys.parse(words.subList(1, words.size()))
+                    .orElseThrow(() -> new IllegalArgumentException(FORM));
             if (with.kind() != Address.Kind.DEVICE && with.kind() != Address.Kind.MULTICAST) {
                 throw new IllegalArgumentException(FORM);
             }

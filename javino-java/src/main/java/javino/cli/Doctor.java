@@ -56,9 +56,10 @@ final class Doctor {
      * @return whether all is well.
      * @throws JavinoException if the board went while it was examined.
      */
-    boolean examine(Address id, Map<Address, SharedKey> keys, Duration listen) throws JavinoException, InterruptedException {
+    boolean examine(Address id, Map<Address, SharedKey> keys, Duration listen)
+            throws JavinoException, InterruptedException {
         Watched link = new Watched(port.link());
-        try (Board board = Board.open(link, port.config(), new BoardListener() { })) {
+        try (Board board = Board.open(link, port.config(), new BoardListener() {})) {
             if (isReached(board, link)) {
                 BoardInfo info = Await.result(board.greeted());
                 Traffic traffic = new Traffic(board, findings);

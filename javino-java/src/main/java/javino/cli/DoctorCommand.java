@@ -16,9 +16,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino doctor}: looks for the usual troubles. */
 @Command(name = "doctor", description = {
-    "Looks for the usual problems with a board, from the port to the radio.",
-    "Each has a line: ok, or the remedy. Exit status 0 if all is ok.",
-    "The radio stays blocked: no message is taken from the board's agent. Let another board send meanwhile."})
+        "Looks for the usual problems with a board, from the port to the radio.",
+        "Each has a line: ok, or the remedy. Exit status 0 if all is ok.",
+        "The radio stays blocked: no message is taken from the board's agent. Let another board send meanwhile."})
 final class DoctorCommand implements Callable<Integer> {
 
     private static final int MOST_SECONDS = 3600;

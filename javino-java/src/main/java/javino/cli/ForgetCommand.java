@@ -47,7 +47,8 @@ final class ForgetCommand implements Callable<Integer> {
         private List<Address> held(List<Address> held) throws JavinoException {
             for (Address address : addresses) {
                 if (!held.contains(address)) {
-                    throw new JavinoException("the board has no key for " + address + (held.isEmpty() ? ", nor any other"
+                    throw new JavinoException("the board has no key for " + address + (held.isEmpty()
+                            ? ", nor any other"
                             : "; it has " + held.stream().map(Address::toString).collect(Collectors.joining(", "))));
                 }
             }

@@ -48,8 +48,8 @@ record HeldKeys(Bytes current, Bytes next, Bytes previous) {
     }
 
     /**
-     * Reads what {@link #toString} writes: {@code 3640e0}, {@code 3640e0 next 148bda} or {@code 148bda previous 3640e0};
-     * nothing from anything else.
+     * Reads what {@link #toString} writes: {@code 3640e0}, {@code 3640e0 next 148bda} or {@code 148bda previous
+     * 3640e0}; nothing from anything else.
      */
     static Optional<HeldKeys> parse(List<String> words) {
         String text = String.join(" ", words);

@@ -21,9 +21,10 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino info}: shows a board. */
 @Command(name = "info", description = {
-    "Shows a board's name, RF id, actions, check values of keys (never the keys), and counters.",
-    "The counters start at 0 with each boot, and most boards, also a Mega, boot when their port is opened: so they say "
-            + "little. With --after you see by how much they rise."})
+        "Shows a board's name, RF id, actions, check values of keys (never the keys), and counters.",
+        "The counters start at 0 with each boot, and most boards, also a Mega, boot when their port is opened: so "
+                + "they say "
+                + "little. With --after you see by how much they rise."})
 final class InfoCommand implements Callable<Integer> {
 
     private static final int MOST_SECONDS = 3600;
@@ -32,7 +33,8 @@ final class InfoCommand implements Callable<Integer> {
     private PortOption port;
 
     @Option(names = "--after", paramLabel = "SECONDS", description = "Show by how much each counter rises in this "
-            + "time, 1 to 3600 s. The radio is open meanwhile: info takes the messages, and their senders hear that they were "
+            + "time, 1 to 3600 s. The radio is open meanwhile: info takes the messages, and their senders hear that "
+            + "they were "
             + "delivered.")
     private Integer seconds;
 
@@ -42,7 +44,8 @@ final class InfoCommand implements Callable<Integer> {
     @Override
     public Integer call() throws JavinoException {
         if (seconds != null && (seconds < 1 || seconds > MOST_SECONDS)) {
-            throw new ParameterException(spec.commandLine(), "--after takes 1 to " + MOST_SECONDS + " seconds, not " + seconds);
+            throw new ParameterException(spec.commandLine(),
+                    "--after takes 1 to " + MOST_SECONDS + " seconds, not " + seconds);
         }
         UntilInterrupted.run(this::show);
         return 0;
@@ -68,7 +71,8 @@ final class InfoCommand implements Callable<Integer> {
         if (board.info().orElseThrow().bootEpoch() != before.bootEpoch()) {
             throw new JavinoException(port.name() + ": the board has booted meanwhile, and counts from 0; try again");
         }
-        counters.forEach((counter, value) -> out.println(line(counter, "+" + (value - counted.getOrDefault(counter, 0L)))));
+        counters.forEach(
+                (counter, value) -> out.println(line(counter, "+" + (value - counted.getOrDefault(counter, 0L)))));
     }
 
     private static void print(BoardInfo info, List<Reply.StoredKey> keys, PrintWriter out) {

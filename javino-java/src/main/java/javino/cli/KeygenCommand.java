@@ -21,9 +21,10 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino keygen}: makes a keyring, or new keys in one. */
 @Command(name = "keygen", description = {
-    "Makes new random keys and writes them to a file that only you can read.",
-    "With --renew it adds new keys to a keyring, which javino provision then takes into use: keys of the named pairs and "
-            + "groups, all keys of the devices named by --id, or, without these options, all keys."})
+        "Makes new random keys and writes them to a file that only you can read.",
+        "With --renew it adds new keys to a keyring, which javino provision then takes into use: keys of the named "
+                + "pairs and "
+                + "groups, all keys of the devices named by --id, or, without these options, all keys."})
 final class KeygenCommand implements Callable<Integer> {
 
     @ArgGroup(multiplicity = "1")
@@ -49,7 +50,8 @@ final class KeygenCommand implements Callable<Integer> {
         @Option(names = "--out", required = true, paramLabel = "FILE", description = "The keyring; must not exist yet.")
         private Path out;
 
-        @Option(names = "--renew", required = true, paramLabel = "FILE", description = "The keyring whose keys are renewed.")
+        @Option(names = "--renew", required = true, paramLabel = "FILE",
+                description = "The keyring whose keys are renewed.")
         private Path renew;
     }
 
@@ -75,7 +77,8 @@ final class KeygenCommand implements Callable<Integer> {
             throw wrongUsage(e.getMessage());
         }
         PrivateFile.create(which.out, keyring.format());
-        spec.commandLine().getOut().println(keyring.size() + (keyring.size() == 1 ? " key" : " keys") + " written to " + which.out);
+        spec.commandLine().getOut()
+                .println(keyring.size() + (keyring.size() == 1 ? " key" : " keys") + " written to " + which.out);
     }
 
     private void renew() throws IOException, JavinoException, InterruptedException {
@@ -91,7 +94,8 @@ final class KeygenCommand implements Callable<Integer> {
         Set<Keyring.Members> chosen = new LinkedHashSet<>(named());
         for (Keyring.Members members : chosen) {
             if (!keyring.keys().containsKey(members)) {
-                throw new JavinoException(which.renew + " has no key for " + members + "; it has " + keyring.describeMembers());
+                throw new JavinoException(
+                        which.renew + " has no key for " + members + "; it has " + keyring.describeMembers());
             }
         }
         for (Address id : ids) {
@@ -106,7 +110,8 @@ final class KeygenCommand implements Callable<Integer> {
         if (!unfinished.isEmpty()) {
             throw new JavinoException("the renewal of " + names(unfinished) + " is not finished; javino provision on "
                     + unfinished.stream().flatMap(members -> keyring.boardsWith(members).stream()).distinct()
-                            .map(Address::toString).collect(Collectors.joining(", ")) + " first");
+                            .map(Address::toString).collect(Collectors.joining(", "))
+                    + " first");
         }
         return chosen;
     }

@@ -59,7 +59,8 @@ final class Keyring {
             if (second == null) {
                 return first.reaches(device) ? Optional.of(first) : Optional.empty();
             }
-            return first.equals(device) ? Optional.of(second) : second.equals(device) ? Optional.of(first) : Optional.empty();
+            return first.equals(device) ? Optional.of(second)
+                    : second.equals(device) ? Optional.of(first) : Optional.empty();
         }
 
         @Override
@@ -81,7 +82,8 @@ final class Keyring {
     /**
      * Reads a file.
      *
-     * @throws IllegalArgumentException naming file and line if it is no keyring, without any key; or if others may read it.
+     * @throws IllegalArgumentException naming file and line if it is no keyring, without any key; or if others may read
+     * it.
      */
     static Keyring read(Path file) throws IOException {
         return parse(PrivateFile.read(file), file);
@@ -179,7 +181,8 @@ final class Keyring {
     /** Ends the renewals that each board has finished. @return whose. */
     List<Members> settle() {
         List<Members> settled = keys.keySet().stream().filter(members -> keys.get(members).next() != null
-                && boardsWith(members).stream().allMatch(board -> hasOnly(board, members, keys.get(members).next()))).toList();
+                && boardsWith(members).stream().allMatch(board -> hasOnly(board, members, keys.get(members).next())))
+                .toList();
         settled.forEach(members -> keys.put(members, new SharedKey(keys.get(members).next(), null)));
         return settled;
     }
@@ -195,13 +198,13 @@ final class Keyring {
     }
 
     /**
-     * The boards that have a key, or are to have it: both of a pair; of a group the devices that this keyring names, and
-     * others that were given its key. Without those that have lost what they had.
+     * The boards that have a key, or are to have it: both of a pair; of a group the devices that this keyring names,
+     * and others that were given its key. Without those that have lost what they had.
      */
     Set<Address> boardsWith(Members members) {
         Stream<Address> known = members.second != null ? Stream.of(members.first, members.second)
                 : Stream.concat(named(), boards.keySet().stream()).filter(device -> device.kind() == Address.Kind.DEVICE
-                                && (members.first.reaches(device) || note(device).keys().containsKey(members.first)));
+                        && (members.first.reaches(device) || note(device).keys().containsKey(members.first)));
         return known.filter(board -> !note(board).lost()).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
@@ -244,7 +247,8 @@ final class Keyring {
     Map<Address, SharedKey> keysOf(Address device) {
         Map<Address, SharedKey> needed = new LinkedHashMap<>();
         keys.forEach((members, key) -> members.sharedWith(device).ifPresent(with -> needed.put(with, key)));
-        note(device).keys().keySet().forEach(with -> keyOf(device, with).ifPresent(key -> needed.putIfAbsent(with, key)));
+        note(device).keys().keySet()
+                .forEach(with -> keyOf(device, with).ifPresent(key -> needed.putIfAbsent(with, key)));
         return needed;
     }
 
@@ -268,7 +272,8 @@ final class Keyring {
     }
 
     private Stream<Address> named() {
-        return keys.keySet().stream().flatMap(shared -> Stream.of(shared.first, shared.second)).filter(Objects::nonNull);
+        return keys.keySet().stream().flatMap(shared -> Stream.of(shared.first, shared.second))
+                .filter(Objects::nonNull);
     }
 
     /** All devices and groups that it has keys for, in one line. */
@@ -290,6 +295,7 @@ final class Keyring {
         if (line.members() != null) {
             return line.members() + " = " + keys.get(line.members()).format() + line.rest();
         }
-        return line.board() == null ? line.rest() : line.board() + ": " + boards.get(line.board()).format() + line.rest();
+        return line.board() == null ? line.rest()
+                : line.board() + ": " + boards.get(line.board()).format() + line.rest();
     }
 }

@@ -19,8 +19,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(name = "javino", description = "Sets up, inspects and controls Javino boards.",
         versionProvider = Main.Version.class,
         subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, InfoCommand.class,
-            KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,
-            PortsCommand.class, ProvisionCommand.class, SendCommand.class})
+                KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,
+                PortsCommand.class, ProvisionCommand.class, SendCommand.class})
 public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")
@@ -79,7 +79,8 @@ public final class Main implements Callable<Integer> {
         }
         String kind = unmatched.isUnknownOption() ? "there is no option "
                 : e.getCommandLine().getSubcommands().isEmpty() ? "there is no place for " : "there is no command ";
-        String near = unmatched.getSuggestions().stream().findFirst().map(name -> "; did you mean " + name + "?").orElse("");
+        String near =
+                unmatched.getSuggestions().stream().findFirst().map(name -> "; did you mean " + name + "?").orElse("");
         return kind + Printable.of(unmatched.getUnmatched().get(0)) + near;
     }
 

@@ -22,7 +22,8 @@ final class Monitor implements BoardListener {
     private static final Counter ROUTINE = Counter.SERIAL_REQUESTS;
     /** Counters of what is no loss. */
     private static final Set<Counter> NO_LOSS = EnumSet.of(Counter.SERIAL_REPEATS, Counter.RADIO_RECEIVED,
-            Counter.RADIO_MENDED, Counter.RADIO_REPEATS, Counter.RADIO_SENT, Counter.RADIO_RESENT, Counter.RADIO_DEFERRED,
+            Counter.RADIO_MENDED, Counter.RADIO_REPEATS, Counter.RADIO_SENT, Counter.RADIO_RESENT,
+            Counter.RADIO_DEFERRED,
             Counter.RADIO_ACKNOWLEDGED, Counter.RADIO_UNDELIVERED);
     private static final double NANOS_A_SECOND = 1e9;
 
@@ -80,7 +81,8 @@ final class Monitor implements BoardListener {
             long risen = value - counted.getOrDefault(counter, 0L);
             boolean lost = !NO_LOSS.contains(counter);
             if (risen > 0 && counter != ROUTINE) {
-                line(lost ? Style.fg_red : Style.reset, lost ? "dropped" : "counted", counter + " " + value + " (+" + risen + ")");
+                line(lost ? Style.fg_red : Style.reset, lost ? "dropped" : "counted",
+                        counter + " " + value + " (+" + risen + ")");
             }
         });
         counted = counters;

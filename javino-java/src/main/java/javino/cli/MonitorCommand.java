@@ -14,8 +14,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino monitor}: shows live what a board tells. */
 @Command(name = "monitor", description = {"Shows live all that a board tells, until Ctrl-C.",
-    "These are messages, changes of percepts, warnings, and all counters of the radio and of losses when they rise.",
-    "The radio is open meanwhile: monitor takes the messages, and their senders hear that they were delivered."})
+        "These are messages, changes of percepts, warnings, and all counters of the radio and of losses when they "
+                + "rise.",
+        "The radio is open meanwhile: monitor takes the messages, and their senders hear that they were delivered."})
 final class MonitorCommand implements Callable<Integer> {
 
     private static final int COUNT_INTERVAL_MILLIS = 1000;

@@ -15,8 +15,8 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino new}: writes a project that runs at once. */
 @Command(name = "new", description = {
-    "Writes a new project: an agent, its board's sketch, and a build that runs them on an emulated board.",
-    "Then call 'gradle run' in its folder. Its README says the rest."})
+        "Writes a new project: an agent, its board's sketch, and a build that runs them on an emulated board.",
+        "Then call 'gradle run' in its folder. Its README says the rest."})
 final class NewCommand implements Callable<Integer> {
 
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]*");

@@ -20,8 +20,9 @@ import javino.JavinoException;
  */
 record NewProject(String name, Kind kind, Path javinoHome) {
 
-    private static final List<String> COMMON = List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
-            ".gitignore", "logging.properties", "board.json", "sketch/Robot/Robot.ino");
+    private static final List<String> COMMON =
+            List.of("README.md", "settings.gradle", "gradle.properties", "javino.gradle",
+                    ".gitignore", "logging.properties", "board.json", "sketch/Robot/Robot.ino");
 
     /** What runs the agent of a project. */
     enum Kind {
@@ -55,8 +56,9 @@ record NewProject(String name, Kind kind, Path javinoHome) {
     static Path installed() throws JavinoException {
         String home = System.getProperty("javino.home");
         if (home == null) {
-            throw new JavinoException("a project needs Javino's folder; call bin/javino in it, as 'gradle install' or a "
-                    + "release's archive makes it");
+            throw new JavinoException(
+                    "a project needs Javino's folder; call bin/javino in it, as 'gradle install' or a "
+                            + "release's archive makes it");
         }
         return Path.of(home);
     }
@@ -79,11 +81,15 @@ record NewProject(String name, Kind kind, Path javinoHome) {
 
     private void write(Path file, String template) throws IOException {
         Files.createDirectories(file.getParent());
-        Files.writeString(file, template.replace("@name@", name).replace("@masFile@", kind.masFile).replace("@moreFiles@", kind.moreFiles)
-                .replace("@javinoHome@", property("javinoHome", javinoHome.toString())));
+        Files.writeString(file,
+                template.replace("@name@", name).replace("@masFile@", kind.masFile)
+                        .replace("@moreFiles@", kind.moreFiles)
+                        .replace("@javinoHome@", property("javinoHome", javinoHome.toString())));
     }
 
-    /** The resource of a file; what is hidden in a project is not among the resources, as builds leave such files out. */
+    /**
+     * The resource of a file; what is hidden in a project is not among the resources, as builds leave such files out.
+     */
     private static String template(String folder, String file) throws IOException {
         String resource = "project/" + folder + "/" + (file.startsWith(".") ? file.substring(1) : file);
         try (InputStream template = NewProject.class.getResourceAsStream(resource)) {

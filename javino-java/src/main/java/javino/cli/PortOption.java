@@ -60,7 +60,7 @@ final class PortOption {
 
     /** As {@link #open(BoardListener)}, for who only asks. */
     Board open() throws JavinoException, InterruptedException {
-        return open(new BoardListener() { });
+        return open(new BoardListener() {});
     }
 
     /**

@@ -17,9 +17,10 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino ports}: lists serial ports. */
 @Command(name = "ports", description = {
-    "Lists the serial ports of this computer, with the system's description of each device.",
-    "It also shows a name that stays when other devices come and go (/dev/serial/by-id/…), if there is one: give this "
-            + "name to your agent. No port is opened, so no board is reset."})
+        "Lists the serial ports of this computer, with the system's description of each device.",
+        "It also shows a name that stays when other devices come and go (/dev/serial/by-id/…), if there is one: give "
+                + "this "
+                + "name to your agent. No port is opened, so no board is reset."})
 final class PortsCommand implements Callable<Integer> {
 
     private static final Path STABLE_NAMES = Path.of("/dev/serial/by-id");

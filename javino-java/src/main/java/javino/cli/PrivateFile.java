@@ -68,7 +68,8 @@ final class PrivateFile {
     }
 
     /**
-     * Replaces a file as a whole, so that a loss of power leaves the old one or the new one. One program at a time does so.
+     * Replaces a file as a whole, so that a loss of power leaves the old one or the new one. One program at a time does
+     * so.
      *
      * @return the new text.
      * @throws IllegalArgumentException as {@link #read}.
@@ -95,8 +96,10 @@ final class PrivateFile {
             } catch (FileAlreadyExistsException e) {
                 Thread.sleep(PAUSE_MILLIS);
             } catch (AccessDeniedException e) {
-                throw new JavinoException(file + " cannot be changed, but must note the keys of boards; make its folder "
-                        + "writable for you", e);
+                throw new JavinoException(
+                        file + " cannot be changed, but must note the keys of boards; make its folder "
+                                + "writable for you",
+                        e);
             }
         }
         throw new JavinoException(file + " is being changed by another program; if none runs, delete " + part);
@@ -104,7 +107,8 @@ final class PrivateFile {
 
     private static FileChannel open(Path file) throws IOException {
         FileAttribute<?>[] attributes = POSIX
-                ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))}
+                ? new FileAttribute<?>[] {
+                        PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))}
                 : new FileAttribute<?>[0];
         return FileChannel.open(file, EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), attributes);
     }

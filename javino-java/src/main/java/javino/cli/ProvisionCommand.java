@@ -18,9 +18,10 @@ import picocli.CommandLine.Spec;
 
 /** {@code javino provision}: gives a board its address and its keys. */
 @Command(name = "provision", description = {
-    "Gives a board its RF id and the keys that it needs, and notes in the keyring which keys it has.",
-    "Keys from keygen --renew are changed in three steps: call provision for each board three times. It refuses a step "
-            + "that would lose messages because another board is not ready for it."})
+        "Gives a board its RF id and the keys that it needs, and notes in the keyring which keys it has.",
+        "Keys from keygen --renew are changed in three steps: call provision for each board three times. It refuses "
+                + "a step "
+                + "that would lose messages because another board is not ready for it."})
 final class ProvisionCommand implements Callable<Integer> {
 
     @Mixin

@@ -21,8 +21,8 @@ import javino.protocol.Key;
 import javino.protocol.Status;
 
 /**
- * Gives a board its epoch, its address and its keys, takes the step of their renewal that is due, and proves that they are
- * there. What the board then has is noted in the keyring.
+ * Gives a board its epoch, its address and its keys, takes the step of their renewal that is due, and proves that they
+ * are there. What the board then has is noted in the keyring.
  */
 final class Provisioning {
 
@@ -103,7 +103,8 @@ final class Provisioning {
                     || with.equals(id)).map(pair -> "the key of " + pair).orElse(null);
             if (isRenamed || owner != null || with.equals(id)) {
                 throw new JavinoException(port + ": the board holds pair keys of another id, "
-                        + (isRenamed ? info.rfId().get() + " (for " + with + ")" : owner == null ? "for " + with : owner)
+                        + (isRenamed ? info.rfId().get() + " (for " + with + ")"
+                                : owner == null ? "for " + with : owner)
                         + "; take the board of " + id + ", or make this one it by javino forget --port " + port
                         + " --all first");
             }
@@ -124,7 +125,8 @@ final class Provisioning {
         }
         Keyring.change(file, latest -> latest.note(id, latest.note(id).withLost()));
         throw new JavinoException(port + ": the board has lost keys that " + id + " was given (for " + text(lost)
-                + "): its EEPROM was erased, they were deleted, or it is another board. With them it would take recordings "
+                + "): its EEPROM was erased, they were deleted, or it is another board. With them it would take "
+                + "recordings "
                 + "of old messages for new ones. Make new keys: javino keygen --renew " + file + " --id " + id
                 + ", then javino provision on each board");
     }
@@ -136,15 +138,16 @@ final class Provisioning {
     }
 
     /**
-     * Gives the board an epoch above all that this id can have had, by the clock and by what is known: a computer may have
-     * no clock, and a board that was erased counts from 1. It is noted before the board has it.
+     * Gives the board an epoch above all that this id can have had, by the clock and by what is known: a computer may
+     * have no clock, and a board that was erased counts from 1. It is noted before the board has it.
      */
     private void raiseEpoch(BoardInfo info, Keyring ring, Instant now)
             throws IOException, JavinoException, InterruptedException {
         long minutes = Math.max(0, Duration.between(FIRST_EPOCH, now).toMinutes());
         int epoch = (int) Math.min(BoardInfo.LAST_EPOCH, Math.max(minutes, ring.note(id).epoch() + 1L));
         if (file != null) {
-            Keyring.change(file, latest -> latest.note(id, latest.note(id).withEpoch(Math.max(epoch, info.bootEpoch()))));
+            Keyring.change(file,
+                    latest -> latest.note(id, latest.note(id).withEpoch(Math.max(epoch, info.bootEpoch()))));
         }
         Await.result(board.raiseEpoch(epoch));
     }
@@ -154,7 +157,8 @@ final class Provisioning {
             throws JavinoException, InterruptedException {
         Key next = shared.next();
         if (next == null) {
-            store(with, shared.key(), held.sealsWith(shared.key().check()) && held.next() == null && held.previous() == null);
+            store(with, shared.key(),
+                    held.sealsWith(shared.key().check()) && held.next() == null && held.previous() == null);
         } else if (held.sealsWith(next.check())) {
             if (held.previous() != null && mayGoOn(with, ring, "seal with",
                     other -> other.sealsWith(next.check()))) {

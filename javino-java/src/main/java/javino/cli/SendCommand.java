@@ -18,7 +18,7 @@ import picocli.CommandLine.TypeConversionException;
 
 /** {@code javino send}: sends a message by radio. */
 @Command(name = "send", description = {"Sends a message by radio, and prints its outcome.",
-    "To a device this is delivered, or undelivered with exit status 1; to a group or to all it is sent."})
+        "To a device this is delivered, or undelivered with exit status 1; to a group or to all it is sent."})
 final class SendCommand implements Callable<Integer> {
 
     @Mixin
@@ -29,7 +29,8 @@ final class SendCommand implements Callable<Integer> {
     private Address to;
 
     @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
-            description = "A force and a term of AgentSpeak, such as 'tell;help'; a question or an answer has three digits"
+            description = "A force and a term of AgentSpeak, such as 'tell;help'; a question or an answer has three "
+                    + "digits"
                     + " for the conversation too, such as 'askOne#AbC;speed(X)'.")
     private Content content;
 

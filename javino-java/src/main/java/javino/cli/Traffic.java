@@ -66,10 +66,12 @@ final class Traffic {
         long damaged = counters.getOrDefault(Counter.RADIO_DAMAGED, 0L);
         String count = received + " packets received, " + damaged + " damaged";
         if (received + damaged == 0) {
-            findings.trouble("radio", "nothing was heard in " + listened.toSeconds() + " s; if another board was sending, "
+            findings.trouble("radio", "nothing was heard in " + listened.toSeconds()
+                    + " s; if another board was sending, "
                     + "look at the receiver's supply, ground and data wire (pin 11), the antennas, the distance");
         } else if (damaged > received) {
-            findings.trouble("radio", count + "; antenna, distance, the same bit rate in all sketches, other transmitters");
+            findings.trouble("radio",
+                    count + "; antenna, distance, the same bit rate in all sketches, other transmitters");
         } else {
             findings.ok("radio", count);
         }

@@ -38,7 +38,10 @@ final class UntilInterrupted {
         }
     }
 
-    /** Does the work with the board's radio open, and blocks it then, so that no message waits for a program that has ended. */
+    /**
+     * Does the work with the board's radio open, and blocks it then, so that no message waits for a program that has
+     * ended.
+     */
     static void listen(Board board, Work work) throws JavinoException, InterruptedException {
         try {
             Await.result(board.radio(true));

@@ -34,7 +34,9 @@ public record LegacyMessage(Bytes text) {
         return Bytes.join(Bytes.ofText(PREAMBLE + String.format("%02X", text.length())), text);
     }
 
-    /** What a board perceives, if this is its answer: AgentSpeak literals by the board's word, without blanks around. */
+    /**
+     * What a board perceives, if this is its answer: AgentSpeak literals by the board's word, without blanks around.
+     */
     public List<Bytes> percepts() {
         List<Bytes> percepts = new ArrayList<>();
         int start = 0;

@@ -23,7 +23,8 @@ public record ActionNames(int count, Bytes told) {
      * @throws ProtocolException BAD_REPLY if nothing comes, or more than there are actions.
      */
     public ActionNames and(ActionNames next) throws ProtocolException {
-        Reply.expect(next.count == count && next.told.length() > 0, "all of " + count + " actions have names", next.told);
+        Reply.expect(next.count == count && next.told.length() > 0, "all of " + count + " actions have names",
+                next.told);
         return new ActionNames(count, Bytes.join(told, next.told)).checked(next.told);
     }
 

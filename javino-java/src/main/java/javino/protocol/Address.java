@@ -41,7 +41,10 @@ public record Address(int value) {
         PIECE,
         /** The answer to a frame (SPEC 7.3): {@code +K} and two digits. */
         ACKNOWLEDGEMENT,
-        /** None of the others, or a name to which AgentSpeak gives a meaning, such as {@code self}; nothing is sent to it. */
+        /**
+         * None of the others, or a name to which AgentSpeak gives a meaning, such as {@code self}; nothing is sent to
+         * it.
+         */
         RESERVED
     }
 

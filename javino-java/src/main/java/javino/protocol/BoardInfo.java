@@ -10,10 +10,11 @@ import java.util.Optional;
  * @param rfId            its address on the radio, if it has one.
  * @param bootEpoch       the epoch of its nonces, raised in each boot; 0xFFFFFF where none is left.
  * @param firmware        the sketch's name.
- * @param actions         the names of the sketch's actions in its order; none where it speaks the older protocol, which cannot tell.
+ * @param actions         the names of the sketch's actions in its order; none where it speaks the older protocol, which
+ * cannot tell.
  */
 public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpoch, String firmware,
-                        List<String> actions) {
+        List<String> actions) {
 
     /** In the place of a version: the board speaks the older protocol (SPEC 8), which has no hello. */
     public static final int LEGACY_VERSION = 0;

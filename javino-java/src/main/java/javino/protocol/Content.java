@@ -55,9 +55,11 @@ public record Content(Force force, Optional<Conversation> conversation, String t
         String text = bytes.text();
         int divider = text.indexOf(DIVIDER);
         return (divider < 0 ? Optional.<Content>empty() : read(text.substring(0, divider), text.substring(divider + 1)))
-                .orElseThrow(() -> new ProtocolException(ProtocolError.BAD_CONTENT, "expected a force such as tell, with"
-                        + " a conversation such as #AbC where it asks or answers, then ; and a term, found \"" + text
-                        + "\""));
+                .orElseThrow(() -> new ProtocolException(ProtocolError.BAD_CONTENT,
+                        "expected a force such as tell, with"
+                                + " a conversation such as #AbC where it asks or answers, then ; and a term, found \""
+                                + text
+                                + "\""));
     }
 
     private static Optional<Content> read(String head, String term) {

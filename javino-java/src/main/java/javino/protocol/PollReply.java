@@ -88,7 +88,7 @@ public record PollReply(boolean more, boolean leftOut, boolean airActive, List<I
 
     private static Transmission decodeTransmission(Bytes value) throws ProtocolException {
         Reply.expect(value.length() == 2, "a transmission has number and outcome", value);
-        return new Transmission(value.at(0), Outcome.of(value.at(1)).orElseThrow(() ->
-                new ProtocolException(ProtocolError.BAD_REPLY, "unknown outcome " + value.at(1))));
+        return new Transmission(value.at(0), Outcome.of(value.at(1))
+                .orElseThrow(() -> new ProtocolException(ProtocolError.BAD_REPLY, "unknown outcome " + value.at(1))));
     }
 }

@@ -43,8 +43,8 @@ public record Reply(Status status, Bytes body) {
         expect(frame.destination().equals(Address.SERIAL) && frame.origin().equals(Address.SERIAL),
                 "a reply goes from ++++ to ++++", frame.header());
         expect(frame.message().length() > 0, "a reply has a status", frame.message());
-        Status status = Status.of(frame.message().at(0)).orElseThrow(() ->
-                new ProtocolException(ProtocolError.BAD_REPLY, "unknown status " + frame.message().at(0)));
+        Status status = Status.of(frame.message().at(0)).orElseThrow(
+                () -> new ProtocolException(ProtocolError.BAD_REPLY, "unknown status " + frame.message().at(0)));
         return new Reply(status, frame.message().from(1));
     }
 

@@ -33,7 +33,8 @@ public enum Status {
     /** The EEPROM did not keep what was written. */
     STORE_FAILED("the board's EEPROM did not keep what was written"),
     /** No nonce is left. */
-    NONCE_EXHAUSTED("the board has used all its nonces; reset it; if that does not help, use another board and new keys"),
+    NONCE_EXHAUSTED(
+            "the board has used all its nonces; reset it; if that does not help, use another board and new keys"),
     /** What is under way is sealed with the key that is to be replaced. */
     BUSY("a message sealed with the old key is under way; try again when it has ended");
 

@@ -28,7 +28,7 @@ abstract class BoardFixture {
 
     /** Opens a session that tells {@code told}. */
     final void open(BoardListener told) {
-        open(told, config -> { });
+        open(told, config -> {});
     }
 
     /** Opens a session that tells {@code told}, with some settings of its own. */

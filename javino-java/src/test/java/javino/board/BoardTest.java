@@ -524,7 +524,7 @@ class BoardTest extends BoardFixture {
                 public String name() {
                     return "broken";
                 }
-            }, quick(config -> { }), listener);
+            }, quick(config -> {}), listener);
             assertEquals("thrown by a test", uncaught.get().getMessage());
             failure(BoardOfflineException.class, board.act("stop"));
         } finally {

@@ -30,7 +30,9 @@ public final class FakeBoard {
     /** A board that was booted so often stays there (SPEC 5.1). */
     private static final int MAX_BOOT_EPOCH = 0xFFFFFF;
 
-    /** What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all. */
+    /**
+     * What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all.
+     */
     private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
 
     /** What the boot loader answers to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */

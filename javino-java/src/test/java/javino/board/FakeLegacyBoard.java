@@ -46,7 +46,7 @@ public final class FakeLegacyBoard implements LinkOpener {
     }
 
     /** A message, and when the host wrote it: however late a busy machine runs the board, it was there at that time. */
-    private record Arrival(LegacyMessage message, long nanos) { }
+    private record Arrival(LegacyMessage message, long nanos) {}
 
     /** A line that spoils all bytes where host and board have not the same speed. */
     private final class Line implements Link {
@@ -112,7 +112,8 @@ public final class FakeLegacyBoard implements LinkOpener {
                 for (Arrival arrival = arrivals.poll(); arrival != null; arrival = arrivals.poll()) {
                     Thread.sleep(ROUND_MILLIS);
                     // The library remembers one message, until the sketch's loop comes round.
-                    while (!arrivals.isEmpty() && arrivals.peek().nanos() - arrival.nanos() < ROUND_MILLIS * 1_000_000L) {
+                    while (!arrivals.isEmpty()
+                            && arrivals.peek().nanos() - arrival.nanos() < ROUND_MILLIS * 1_000_000L) {
                         arrival = arrivals.poll();
                     }
                     take(arrival.message(), link);

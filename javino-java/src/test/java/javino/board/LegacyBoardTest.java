@@ -28,7 +28,7 @@ class LegacyBoardTest {
     private Board board;
 
     private void open() throws InterruptedException {
-        board = Board.open(fake, BoardFixture.quick(config -> { }), listener);
+        board = Board.open(fake, BoardFixture.quick(config -> {}), listener);
         listener.until("online");
     }
 
@@ -174,15 +174,18 @@ class LegacyBoardTest {
         board.act("x".repeat(255)).get();
         assertEquals(255, fake.actions.take().length());
         LegacyBoardException refused = BoardFixture.failure(LegacyBoardException.class, board.act("é".repeat(128)));
-        assertTrue(refused.getMessage().endsWith("the board speaks the older protocol, in which an action has at most 255 "
-                + "bytes of UTF-8, not 256"), refused.getMessage());
+        assertTrue(
+                refused.getMessage().endsWith("the board speaks the older protocol, in which an action has at most 255 "
+                        + "bytes of UTF-8, not 256"),
+                refused.getMessage());
         assertEquals(List.of(), List.copyOf(fake.actions));
     }
 
     static Stream<Function<Board, CompletableFuture<?>>> radioRequests() {
         return Stream.of(board -> board.radio(true), board -> board.setRfId(Address.parse("ROMA")),
                 board -> board.transmit(Address.BROADCAST, BoardFixture.HELP).taken(),
-                board -> board.transmit(Address.parse("SUPO"), BoardFixture.HELP).end(), Board::keys, Board::statistics);
+                board -> board.transmit(Address.parse("SUPO"), BoardFixture.HELP).end(), Board::keys,
+                Board::statistics);
     }
 
     @ParameterizedTest
@@ -191,14 +194,16 @@ class LegacyBoardTest {
             throws Exception {
         open();
         String why = BoardFixture.failure(LegacyBoardException.class, request.apply(board)).getMessage();
-        assertTrue(why.endsWith(" was not performed: the board speaks the older protocol, which has percepts and actions "
-                + "only; for all else flash a sketch with the Javino library"), why);
+        assertTrue(
+                why.endsWith(" was not performed: the board speaks the older protocol, which has percepts and actions "
+                        + "only; for all else flash a sketch with the Javino library"),
+                why);
     }
 
     @Test
     void radio_wishedBefore_isWarnedOf() throws Exception {
         fake.setSilent(true);
-        board = Board.open(fake, BoardFixture.quick(config -> { }), listener);
+        board = Board.open(fake, BoardFixture.quick(config -> {}), listener);
         board.radio(true);
         fake.setSilent(false);
         listener.until("online");

@@ -43,7 +43,8 @@ abstract class CommandFixture {
                 .setReplyTimeout(Duration.ofMillis(20)).setAttempts(20)
                 .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
                 .setPatience(patience));
-        CommandLine commandLine = Main.commandLine(PortOption.factory(name -> name.equals(older.name()) ? older : port, config));
+        CommandLine commandLine =
+                Main.commandLine(PortOption.factory(name -> name.equals(older.name()) ? older : port, config));
         commandLine.setColorScheme(Help.defaultColorScheme(ansi));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));

@@ -57,7 +57,7 @@ class CommandsTest {
     }
 
     private Board open() {
-        return Board.open(new FakePort(fake), BoardConfig.create(), new BoardListener() { });
+        return Board.open(new FakePort(fake), BoardConfig.create(), new BoardListener() {});
     }
 
     private void assertFails(int code, String reason, String... args) {
@@ -82,7 +82,8 @@ class CommandsTest {
         if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
             assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(file)));
         }
-        assertFalse(out.toString().contains(Keyring.read(file).keysOf(SUPO).values().iterator().next().key().bytes().hex()));
+        assertFalse(out.toString()
+                .contains(Keyring.read(file).keysOf(SUPO).values().iterator().next().key().bytes().hex()));
     }
 
     @ParameterizedTest
@@ -100,7 +101,10 @@ class CommandsTest {
         assertEquals("precious", Files.readString(file));
     }
 
-    /** In a folder that others may write to, somebody else takes the file away as soon as it is there, and lays out another. */
+    /**
+     * In a folder that others may write to, somebody else takes the file away as soon as it is there, and lays out
+     * another.
+     */
     @Test
     void keygen_fileTakenAwayMeanwhile_writesNoKeyIntoWhatLiesThere() throws Exception {
         Path file = folder.resolve("keys");
@@ -147,9 +151,10 @@ class CommandsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ' ', value = {
-        "--pair ROMA,SU digits", "--pair ROMA,ROM digits", "--pair ROMA ROMA,SUPO", "--pair ROMA,SUPO,SUHO ROMA,SUPO",
-        "--pair ROMA,ROMA different", "--pair ROMA,//SU different", "--group S digits", "--group //SU digits",
-        "--group // digits"
+            "--pair ROMA,SU digits", "--pair ROMA,ROM digits", "--pair ROMA ROMA,SUPO",
+            "--pair ROMA,SUPO,SUHO ROMA,SUPO",
+            "--pair ROMA,ROMA different", "--pair ROMA,//SU different", "--group S digits", "--group //SU digits",
+            "--group // digits"
     })
     void keygen_badAddress_isWrongUsage(String option, String value, String reason) {
         assertFails(2, reason, "keygen", "--out", folder.resolve("keys").toString(), option, value);
@@ -223,7 +228,8 @@ class CommandsTest {
 
     @Test
     void ports_none_saysWhatToDo() throws IOException {
-        PortsCommand.print(new TreeMap<>(), PortsCommand.stableNames(folder.resolve("missing")), new PrintWriter(out, true));
+        PortsCommand.print(new TreeMap<>(), PortsCommand.stableNames(folder.resolve("missing")),
+                new PrintWriter(out, true));
         assertTrue(out.toString().startsWith("no serial port found: plug a board in"), out.toString());
     }
 
@@ -251,7 +257,8 @@ class CommandsTest {
     @Test
     void main_alone_listsItsSubcommands() {
         assertEquals(2, run());
-        for (String command : List.of("act", "doctor", "forget", "info", "keygen", "monitor", "new", "percepts", "ports",
+        for (String command : List.of("act", "doctor", "forget", "info", "keygen", "monitor", "new", "percepts",
+                "ports",
                 "provision", "send")) {
             assertTrue(err.toString().contains(command), err.toString());
         }
@@ -259,10 +266,10 @@ class CommandsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "inf --port x,there is no command inf; did you mean info? (try --help)",
-        "ports --hepl,there is no option --hepl; did you mean --help? (try --help)",
-        "ports here,there is no place for here (try --help)",
-        "--nope,there is no option --nope",
+            "inf --port x,there is no command inf; did you mean info? (try --help)",
+            "ports --hepl,there is no option --hepl; did you mean --help? (try --help)",
+            "ports here,there is no place for here (try --help)",
+            "--nope,there is no option --nope",
     })
     void main_wordTooMuch_isNamed(String arguments, String reason) {
         assertFails(2, "javino: " + reason, arguments.split(" "));

@@ -103,8 +103,10 @@ class DoctorCommandTest extends CommandFixture {
         assertEquals(1, run("doctor", "--port", "older"));
         assertEquals(List.of("port                ok, older",
                 "board               ok, a sketch with the older Javino library",
-                "protocol            older protocol: percepts and actions work, the radio does not; for that flash a sketch "
-                        + "with the Javino library"), lines());
+                "protocol            older protocol: percepts and actions work, the radio does not; for that flash a "
+                        + "sketch "
+                        + "with the Javino library"),
+                lines());
     }
 
     @Test

@@ -88,7 +88,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"lampOn|lampOn", "speed 3|speed(3)", "move -5 2|move(-5,2)",
-        "say \"a,b\"|say(\"a,b\")", "speed(3)|speed(3)"})
+            "say \"a,b\"|say(\"a,b\")", "speed(3)|speed(3)"})
     void act_action_isPerformed(String arguments, String action) {
         assertEquals(0, run(("act --port fake " + arguments).split(" ")), err.toString());
         assertEquals(List.of(action), fake.performed());
@@ -137,7 +137,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @ParameterizedTest
     @CsvSource({"NO_KEY,no key for this address", "TOO_LONG,too long", "BAD_DESTINATION,the board's own",
-        "NONCE_EXHAUSTED,all its nonces"})
+            "NONCE_EXHAUSTED,all its nonces"})
     void send_refused_saysWhy(Status status, String reason) {
         fake.setRfId("ROMA");
         fake.setRefusal(status);
@@ -148,7 +148,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @ParameterizedTest
     @CsvSource({"SUP,tell;help,digits", "++++,tell;help,a group such as //SU", "+FAA,tell;help,for all",
-        "SUPO,help,expected a force such as tell", "SUPO,tell;,and a term"})
+            "SUPO,help,expected a force such as tell", "SUPO,tell;,and a term"})
     void send_badArgument_isWrongUsage(String to, String content, String reason) {
         assertFails(2, reason, "send", "--port", "fake", to, content);
         assertEquals(List.of(), fake.performed());
@@ -157,7 +157,8 @@ class DriveCommandsTest extends CommandFixture {
     @ParameterizedTest
     @ValueSource(strings = {"askOne#AbC;speed(X)", "tellHow;{ +!go <- run }", "sorry#AbC;\"why\""})
     void send_toAllWhatNobodyTakesFromABroadcast_isWrongUsage(String content) {
-        assertFails(2, "goes to a device or a group, not to all: no agent accepts it from a broadcast", "send", "--port", "fake",
+        assertFails(2, "goes to a device or a group, not to all: no agent accepts it from a broadcast", "send",
+                "--port", "fake",
                 "////", content);
         assertEquals(List.of(), fake.performed());
     }
@@ -175,8 +176,10 @@ class DriveCommandsTest extends CommandFixture {
     @ValueSource(strings = {"send SUPO tell;help", "info", "monitor", "forget --all"})
     void olderBoard_commandOfTheRadio_saysWhatToDo(String arguments) {
         assertEquals(1, run((arguments + " --port older").split(" ")));
-        assertTrue(err.toString().contains("the board speaks the older protocol, which has percepts and actions only; for "
-                + "all else flash a sketch with the Javino library"), err.toString());
+        assertTrue(
+                err.toString().contains("the board speaks the older protocol, which has percepts and actions only; for "
+                        + "all else flash a sketch with the Javino library"),
+                err.toString());
         assertEquals(1, err.toString().lines().count(), err.toString());
     }
 

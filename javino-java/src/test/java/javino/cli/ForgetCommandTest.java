@@ -16,7 +16,8 @@ class ForgetCommandTest extends CommandFixture {
 
     @Test
     void key_notHeld_saysWhichAreAndDeletesNone() {
-        assertFails(1, "javino: the board has no key for //SU; it has SUPO", "forget", "--port", "fake", "--key", "SUPO", "--key",
+        assertFails(1, "javino: the board has no key for //SU; it has SUPO", "forget", "--port", "fake", "--key",
+                "SUPO", "--key",
                 "//SU");
         assertEquals(List.of("list"), fake.performed());
     }
@@ -24,7 +25,8 @@ class ForgetCommandTest extends CommandFixture {
     @Test
     void key_ofABoardWithoutAny_saysSo() {
         fake.eraseEeprom();
-        assertFails(1, "javino: the board has no key for SUPO, nor any other", "forget", "--port", "fake", "--key", "SUPO");
+        assertFails(1, "javino: the board has no key for SUPO, nor any other", "forget", "--port", "fake", "--key",
+                "SUPO");
     }
 
     @Test

@@ -48,7 +48,8 @@ class InfoCommandTest extends CommandFixture {
         await(out, written -> fake.performed().contains("statistics"));
         fake.reset();
         assertEquals(1, status());
-        assertEquals("javino: fake: the board has booted meanwhile, and counts from 0; try again", err.toString().strip());
+        assertEquals("javino: fake: the board has booted meanwhile, and counts from 0; try again",
+                err.toString().strip());
     }
 
     @Test

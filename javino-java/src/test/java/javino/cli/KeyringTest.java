@@ -45,8 +45,9 @@ class KeyringTest {
 
     @Test
     void keysOf_eachDevice_areThoseItNeeds() throws IOException, JavinoException {
-        Keyring keyring = read("# the highway\nROMA SUPO = " + HEX + " # bus and police\n\n  //SU=" + OTHER.toUpperCase()
-                + "\r\nSUHO SUPO = " + OTHER + "\n");
+        Keyring keyring =
+                read("# the highway\nROMA SUPO = " + HEX + " # bus and police\n\n  //SU=" + OTHER.toUpperCase()
+                        + "\r\nSUHO SUPO = " + OTHER + "\n");
         Key key = Key.ofHex(HEX);
         Key other = Key.ofHex(OTHER);
         assertEquals(Map.of(Address.parse("SUPO"), shared(key)), keyring.keysOf(Address.parse("ROMA")));
@@ -104,7 +105,8 @@ class KeyringTest {
             thread.join();
         }
         Keyring keyring = Keyring.read(file);
-        IntStream.range(0, 20).forEach(i -> assertEquals(i, keyring.note(Address.parse("AAA" + (char) ('A' + i))).epoch()));
+        IntStream.range(0, 20)
+                .forEach(i -> assertEquals(i, keyring.note(Address.parse("AAA" + (char) ('A' + i))).epoch()));
     }
 
     @ParameterizedTest
@@ -114,19 +116,21 @@ class KeyringTest {
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(permissions));
         Exception e = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file));
         assertEquals(file + ": others than you may read or write it; chmod 600 " + file, e.getMessage());
-        assertThrows(IllegalArgumentException.class, () -> Keyring.change(file, keyring -> { }));
+        assertThrows(IllegalArgumentException.class, () -> Keyring.change(file, keyring -> {}));
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--------"));
         assertEquals(1, Keyring.read(file).size());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "ROMA SUPO", "ROMA = " + HEX, "//// = " + HEX, "ROMA //SU = " + HEX, "ROMA ROMA = " + HEX,
-        "A B C = " + HEX, "ROMA SUPO = 00", "ROMA SUPO = " + HEX + "=", "= " + HEX, "RO-A SUPO = " + HEX,
-        "SUPO ROMA = " + HEX, "SUHO ROMA = " + HEX + ", " + HEX, "SUHO ROMA = " + HEX + ", next 00",
-        "SUHO ROMA = " + HEX + ", next " + HEX + ", next " + HEX, "SUPO: " + HEX, "SUPO: epoch 16777216", "SUPO: epoch x",
-        "SUPO: epoch 1, ROMA " + HEX, "SUPO: epoch 1, ROMA 010203 then 010203", "SUPO: epoch 1, //// 010203",
-        "//SU: epoch 1", "SUPO: epoch 1, " + HEX + " 010203", HEX + ": epoch 1", HEX + " = " + OTHER, "ROMA " + HEX + " = " + OTHER
+            "ROMA SUPO", "ROMA = " + HEX, "//// = " + HEX, "ROMA //SU = " + HEX, "ROMA ROMA = " + HEX,
+            "A B C = " + HEX, "ROMA SUPO = 00", "ROMA SUPO = " + HEX + "=", "= " + HEX, "RO-A SUPO = " + HEX,
+            "SUPO ROMA = " + HEX, "SUHO ROMA = " + HEX + ", " + HEX, "SUHO ROMA = " + HEX + ", next 00",
+            "SUHO ROMA = " + HEX + ", next " + HEX + ", next " + HEX, "SUPO: " + HEX, "SUPO: epoch 16777216",
+            "SUPO: epoch x",
+            "SUPO: epoch 1, ROMA " + HEX, "SUPO: epoch 1, ROMA 010203 then 010203", "SUPO: epoch 1, //// 010203",
+            "//SU: epoch 1", "SUPO: epoch 1, " + HEX + " 010203", HEX + ": epoch 1", HEX + " = " + OTHER,
+            "ROMA " + HEX + " = " + OTHER
     })
     void read_badLine_throwsWithFileAndLineButNoKey(String line) {
         String text = "ROMA SUPO = " + OTHER + "\n\n" + line;

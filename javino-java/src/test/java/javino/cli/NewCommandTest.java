@@ -66,7 +66,8 @@ class NewCommandTest extends CommandFixture {
             assertTrue(text(jacamo.resolve("README.md")).contains("`" + file + "`"), file);
             assertFalse(text(jason.resolve("README.md")).contains(file), file);
         }
-        for (String named : List.of("agent keeper : keeper.asl", "artifact diary : house.Diary()", "organisation house : house.xml")) {
+        for (String named : List.of("agent keeper : keeper.asl", "artifact diary : house.Diary()",
+                "organisation house : house.xml")) {
             assertTrue(mas.contains(named), mas);
         }
         assertTrue(text(jacamo.resolve("build.gradle")).matches("(?s).*'org\\.jacamo:jacamo:\\d.*"));

@@ -102,7 +102,8 @@ class ProvisionCommandTest {
     @Test
     void provision_newBoard_getsEpochIdAndKeysAndIsNoted() throws Exception {
         assertEquals(List.of("RF id SUPO", "key for ROMA, check value " + check("SUPO", "ROMA"),
-                "key for SUPP, check value " + check("SUPO", "SUPP"), "key for //SU, check value " + check("SUPO", "//SU")),
+                "key for SUPP, check value " + check("SUPO", "SUPP"),
+                "key for //SU, check value " + check("SUPO", "//SU")),
                 provision("SUPO"));
         List<String> performed = boards.get("SUPO").performed();
         assertTrue(performed.get(1).startsWith("epoch "), performed.toString());
@@ -129,7 +130,7 @@ class ProvisionCommandTest {
     }
 
     private void provisionAt(Instant now) throws Exception {
-        try (Board board = Board.open(new FakePort(boards.get("SUPO")), BoardConfig.create(), new BoardListener() { })) {
+        try (Board board = Board.open(new FakePort(boards.get("SUPO")), BoardConfig.create(), new BoardListener() {})) {
             new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out, true)).run(Map.of(), now);
         }
     }
@@ -162,12 +163,17 @@ class ProvisionCommandTest {
         provisionAll();
         boards.get("SUPO").eraseEeprom();
         int before = boards.get("SUPO").performed().size();
-        assertEquals("javino: SUPO: the board has lost keys that SUPO was given (for ROMA, SUPP, //SU): its EEPROM was erased, "
-                + "they were deleted, or it is another board. With them it would take recordings of old messages for new "
-                + "ones. Make new keys: javino keygen --renew " + keys + " --id SUPO, then javino provision on each board",
+        assertEquals(
+                "javino: SUPO: the board has lost keys that SUPO was given (for ROMA, SUPP, //SU): its EEPROM was "
+                        + "erased, "
+                        + "they were deleted, or it is another board. With them it would take recordings of old "
+                        + "messages for new "
+                        + "ones. Make new keys: javino keygen --renew " + keys
+                        + " --id SUPO, then javino provision on each board",
                 fail(provisionOf("SUPO")));
         fail(provisionOf("SUPO"));
-        assertEquals(List.of("list", "list"), boards.get("SUPO").performed().stream().skip(before).toList(), "nothing is written");
+        assertEquals(List.of("list", "list"), boards.get("SUPO").performed().stream().skip(before).toList(),
+                "nothing is written");
     }
 
     @Test
@@ -187,7 +193,8 @@ class ProvisionCommandTest {
         for (SharedKey key : keyring().keysOf(Address.parse("SUPO")).values()) {
             assertEquals(null, key.next(), "the renewal is finished");
         }
-        assertTrue(Stream.of(check("SUPO", "ROMA"), check("SUPO", "SUPP"), check("SUPO", "//SU")).noneMatch(old::contains));
+        assertTrue(Stream.of(check("SUPO", "ROMA"), check("SUPO", "SUPP"), check("SUPO", "//SU"))
+                .noneMatch(old::contains));
         assertEquals(0, performed("SUPO", "renew"), "it had nothing to be renewed");
         assertEquals(1, performed("ROMA", "use SUPO"));
         provisionAll();
@@ -200,7 +207,8 @@ class ProvisionCommandTest {
         provisionAll();
         boards.get("SUPO").eraseEeprom();
         assertTrue(fail(provisionOf("SUPO")).contains("has lost keys"));
-        assertTrue(fail("keygen", "--renew", keys.toString(), "--id", "SUPO").contains("is not finished; javino provision on"));
+        assertTrue(fail("keygen", "--renew", keys.toString(), "--id", "SUPO")
+                .contains("is not finished; javino provision on"));
         for (String id : List.of("SUPP", "ROMA", "SUPP", "ROMA")) {
             provision(id);
         }
@@ -214,8 +222,10 @@ class ProvisionCommandTest {
     @Test
     void provision_anotherIdsBoard_isRefusedWithTheRemedy() {
         provisionAll();
-        assertEquals("javino: ROMA: the board holds pair keys of another id, ROMA (for SUPO); take the board of SUPP, or make "
-                + "this one it by javino forget --port ROMA --all first",
+        assertEquals(
+                "javino: ROMA: the board holds pair keys of another id, ROMA (for SUPO); take the board of SUPP, or "
+                        + "make "
+                        + "this one it by javino forget --port ROMA --all first",
                 fail("provision", "--port", "ROMA", "--id", "SUPP", "--keyring", keys.toString()));
         boards.get("ROMA").setRfId("SUPP");
         assertTrue(fail("provision", "--port", "ROMA", "--id", "SUPP", "--keyring", keys.toString())
@@ -225,14 +235,16 @@ class ProvisionCommandTest {
     @Test
     void provision_sharedKeyring_isRefusedWithTheRemedy() throws Exception {
         Files.setPosixFilePermissions(keys, PosixFilePermissions.fromString("rw-r--r--"));
-        assertEquals("javino: " + keys + ": others than you may read or write it; chmod 600 " + keys, fail(provisionOf("SUPO")));
+        assertEquals("javino: " + keys + ": others than you may read or write it; chmod 600 " + keys,
+                fail(provisionOf("SUPO")));
         assertEquals(List.of(), boards.get("SUPO").performed());
     }
 
     @Test
     void provision_keyFile_isGivenAndNoted() throws Exception {
         Path group = folder.resolve("group");
-        PrivateFile.create(group, keyring().keyOf(Address.parse("SUPO"), Address.parse("//SU")).orElseThrow().key().bytes().hex());
+        PrivateFile.create(group,
+                keyring().keyOf(Address.parse("SUPO"), Address.parse("//SU")).orElseThrow().key().bytes().hex());
         succeed("provision", "--port", "ROMA", "--id", "ROMA", "--keyring", keys.toString(), "--key", "//SU=" + group);
         assertTrue(keyring().boardsWith(Keyring.Members.group(Address.parse("//SU"))).contains(Address.parse("ROMA")));
         succeed("provision", "--port", "SUPP", "--id", "SUPP", "--key", "ROMA=" + group);
@@ -250,7 +262,9 @@ class ProvisionCommandTest {
     void renewal_stepByStep_isFinished() throws Exception {
         provisionAll();
         String old = check("ROMA", "SUPO");
-        assertEquals(List.of("new keys for ROMA SUPO, SUPO SUPP, //SU in " + keys + "; now javino provision on each board, three times"),
+        assertEquals(
+                List.of("new keys for ROMA SUPO, SUPO SUPP, //SU in " + keys
+                        + "; now javino provision on each board, three times"),
                 succeed("keygen", "--renew", keys.toString()));
         String next = keyring().keyOf(Address.parse("ROMA"), Address.parse("SUPO")).orElseThrow().next().check().hex();
         assertNotEquals(old, next);
@@ -260,7 +274,8 @@ class ProvisionCommandTest {
         assertEquals(List.of("RF id ROMA", "key for SUPO, check value " + next + ", in use"), provision("ROMA"));
         provision("SUPO");
         provision("SUPP");
-        assertEquals(List.of("RF id ROMA", "previous key for SUPO, check value " + old + ", forgotten"), provision("ROMA"));
+        assertEquals(List.of("RF id ROMA", "previous key for SUPO, check value " + old + ", forgotten"),
+                provision("ROMA"));
         assertTrue(provision("SUPO").contains("renewal of ROMA SUPO finished"));
         assertEquals(List.of("renewal of SUPO SUPP finished", "renewal of //SU finished"),
                 provision("SUPP").stream().filter(line -> line.startsWith("renewal")).toList());
@@ -275,9 +290,13 @@ class ProvisionCommandTest {
         provisionAll();
         succeed("keygen", "--renew", keys.toString());
         provision("SUPO");
-        assertEquals("javino: nothing can be done with SUPO yet: key for ROMA waits until ROMA accept the next one; key for SUPP "
-                + "waits until SUPP accept the next one; key for //SU waits until SUPP accept the next one; javino provision on "
-                + "these first", fail(provisionOf("SUPO")));
+        assertEquals(
+                "javino: nothing can be done with SUPO yet: key for ROMA waits until ROMA accept the next one; key "
+                        + "for SUPP "
+                        + "waits until SUPP accept the next one; key for //SU waits until SUPP accept the next one; "
+                        + "javino provision on "
+                        + "these first",
+                fail(provisionOf("SUPO")));
         assertEquals(0, performed("SUPO", "use ROMA"));
         provision("SUPP");
         List<String> partly = provision("SUPO");
@@ -293,8 +312,10 @@ class ProvisionCommandTest {
         provisionAll();
         succeed("keygen", "--renew", keys.toString(), "--group", "SU");
         assertEquals(1, keyring().keys().values().stream().filter(key -> key.next() != null).count());
-        assertTrue(fail("keygen", "--renew", keys.toString(), "--group", "SU").contains("the renewal of //SU is not finished"));
-        assertTrue(fail("keygen", "--renew", keys.toString(), "--group", "RO").contains(keys + " has no key for //RO; it has ROMA"));
+        assertTrue(fail("keygen", "--renew", keys.toString(), "--group", "SU")
+                .contains("the renewal of //SU is not finished"));
+        assertTrue(fail("keygen", "--renew", keys.toString(), "--group", "RO")
+                .contains(keys + " has no key for //RO; it has ROMA"));
         assertEquals(2, run("keygen", "--out", folder.resolve("x").toString(), "--group", "SU", "--id", "SUPO"));
     }
 
@@ -333,16 +354,19 @@ class ProvisionCommandTest {
         provisionAll();
         provisionAll();
         run("doctor", "--port", "SUPO", "--id", "SUPO", "--keyring", keys.toString(), "--listen", "0");
-        assertEquals(3, out.toString().lines().filter(line -> line.startsWith("key ") && line.contains("ok, ")).count(), out.toString());
+        assertEquals(3, out.toString().lines().filter(line -> line.startsWith("key ") && line.contains("ok, ")).count(),
+                out.toString());
     }
 
     @Test
     void provision_keyringThatCannotBeChanged_failsBeforeTheBoardGetsAKey() throws Exception {
         Files.writeString(folder.resolve("keys.part"), "");
-        try (Board board = Board.open(new FakePort(boards.get("SUPO")), BoardConfig.create(), new BoardListener() { })) {
-            Provisioning provisioning = new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out));
+        try (Board board = Board.open(new FakePort(boards.get("SUPO")), BoardConfig.create(), new BoardListener() {})) {
+            Provisioning provisioning =
+                    new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out));
             JavinoException e = assertThrows(JavinoException.class, () -> provisioning.run(Map.of(), Instant.now()));
-            assertTrue(e.getMessage().contains("is being changed by another program; if none runs, delete"), e.getMessage());
+            assertTrue(e.getMessage().contains("is being changed by another program; if none runs, delete"),
+                    e.getMessage());
         }
         assertEquals(List.of("list"), boards.get("SUPO").performed());
     }

@@ -51,28 +51,28 @@ class LegacyDecoderTest {
 
     @ParameterizedTest
     @CsvSource({"fffe0Bledoff,nothing", "fffe0bgetPercepts,getPercepts", "fffe0BgetPercepts,getPercepts",
-        "FFFE01x,nothing", "fffe1,nothing"})
+            "FFFE01x,nothing", "fffe1,nothing"})
     void feed_digitsOfEitherCase_areRead(String line, String expected) throws ProtocolException {
         assertEquals(expected.equals("nothing") ? List.of() : List.of(expected), feed(line));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
-        "\u00ff\u00ff        | 4",
-        "f                     | 1",
-        "ff                    | 2",
-        "fff                   | 3",
-        "fffffff               | 7",
-        "ffx                   | 3",
-        "fffx                  | 4",
-        "ffe                   | 3",
-        "fffe                  | 0",
-        "fffeX                 | 5",
-        "fffe1X                | 6",
-        "fffe-1                | 6",
-        "fffe+1                | 6",
-        "\"fffe \"             | 5",
-        "hello fff             | 9",
+            "\u00ff\u00ff        | 4",
+            "f                     | 1",
+            "ff                    | 2",
+            "fff                   | 3",
+            "fffffff               | 7",
+            "ffx                   | 3",
+            "fffx                  | 4",
+            "ffe                   | 3",
+            "fffe                  | 0",
+            "fffeX                 | 5",
+            "fffe1X                | 6",
+            "fffe-1                | 6",
+            "fffe+1                | 6",
+            "\"fffe \"             | 5",
+            "hello fff             | 9",
     })
     void feed_noiseBeforeAMessage_isSkippedAndTheMessageFound(String noise, int skipped) throws ProtocolException {
         // A preamble that is whole takes the next one's first two letters for a size: so it ends with the silence.

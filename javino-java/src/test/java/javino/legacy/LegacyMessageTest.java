@@ -40,12 +40,12 @@ class LegacyMessageTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', nullValues = "none", value = {
-        "ledStatus(on);            | ledStatus(on)",
-        "ledStatus(on)             | ledStatus(on)",
-        "a(1);b(2);                | a(1) b(2)",
-        "a(1);b(2)                 | a(1) b(2)",
-        "' a(1) ; b(2)\r\n;'       | a(1) b(2)",
-        ";;a(1);;;b(2);;           | a(1) b(2)",
+            "ledStatus(on);            | ledStatus(on)",
+            "ledStatus(on)             | ledStatus(on)",
+            "a(1);b(2);                | a(1) b(2)",
+            "a(1);b(2)                 | a(1) b(2)",
+            "' a(1) ; b(2)\r\n;'       | a(1) b(2)",
+            ";;a(1);;;b(2);;           | a(1) b(2)",
     })
     void percepts_someDivided_areTakenApart(String text, String expected) throws ProtocolException {
         assertEquals(List.of(expected.split(" ")), percepts(text));

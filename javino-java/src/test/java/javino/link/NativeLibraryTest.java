@@ -29,15 +29,19 @@ class NativeLibraryTest {
         }
     }
 
-    /** Says why no device is a serial port, twice, which folders are in the properties, and which libraries are in use. */
+    /**
+     * Says why no device is a serial port, twice, which folders are in the properties, and which libraries are in use.
+     */
     static final class Opening {
         public static void main(String[] args) throws IOException {
             for (int i = 0; i < 2; i++) {
-                System.out.println(assertThrows(LinkException.class, () -> SerialLink.opener("/dev/null").open()).getMessage());
+                System.out.println(
+                        assertThrows(LinkException.class, () -> SerialLink.opener("/dev/null").open()).getMessage());
             }
             System.out.println(System.getProperty("java.io.tmpdir") + " " + System.getProperty("user.home"));
             try (Stream<String> maps = Files.lines(Path.of("/proc/self/maps"))) {
-                maps.filter(map -> map.contains("libjSerialComm.so")).map(map -> map.replaceFirst("[^/]*", "")).distinct()
+                maps.filter(map -> map.contains("libjSerialComm.so")).map(map -> map.replaceFirst("[^/]*", ""))
+                        .distinct()
                         .forEach(System.out::println);
             }
         }
@@ -115,7 +119,8 @@ class NativeLibraryTest {
     void open_noLibraryForThisComputer_saysSoEachTime() throws Exception {
         List<String> lines = run(Opening.class, "-Dos.arch_full=abacus");
 
-        assertTrue(lines.get(0).startsWith("/dev/null: serial ports need a native library, and jSerialComm has none"), lines::toString);
+        assertTrue(lines.get(0).startsWith("/dev/null: serial ports need a native library, and jSerialComm has none"),
+                lines::toString);
         assertEquals(lines.get(0), lines.get(1));
     }
 

@@ -39,7 +39,7 @@ class SerialLinkTest {
 
     @ParameterizedTest
     @CsvSource({"13, join its group (dialout on Debian)", "11, another program", "16, another program",
-        "35, another program", "25, is no serial port", "5, (system error 5)", "0, cannot be opened;"})
+            "35, another program", "25, is no serial port", "5, (system error 5)", "0, cannot be opened;"})
     void whyNotOpened_systemError_saysWhatToDo(int code, String expected) {
         String why = SerialLink.whyNotOpened(code);
         assertTrue(why.contains(expected), why);

@@ -73,7 +73,7 @@ class AddressTest {
 
     @ParameterizedTest
     @CsvSource({"SUPO,SUPO,true", "SUPO,SUPP,false", "//SU,SUPO,true", "//SU,ROMA,false", "////,ROMA,true",
-        "+FSU,SUPO,false", "++++,SUPO,false"})
+            "+FSU,SUPO,false", "++++,SUPO,false"})
     void reaches_device_isWhomAFrameIsFor(String to, String device, boolean reached) {
         assertEquals(reached, Address.parse(to).reaches(Address.parse(device)));
     }

@@ -148,7 +148,7 @@ class PacketTest {
                 damaged.write(random.nextInt(256));
                 damaged.write(line[at]);
             }
-            default -> { }
+            default -> {}
         }
         damaged.write(line, at + 1, line.length - at - 1);
         return damaged.toByteArray();

@@ -57,7 +57,7 @@ final class AcknowledgementVectors {
     }
 
     private static Map<String, Object> begin(String key, String sender, String acknowledger, String nonce,
-                                             String kind) {
+            String kind) {
         return vector("key", key, "kmac", Wire.hex(EnvelopeVectors.authenticationKey(key)), "sender", sender,
                 "acknowledger", acknowledger, "nonce", nonce, "kind", kind);
     }
@@ -76,7 +76,7 @@ final class AcknowledgementVectors {
     }
 
     private static Map<String, Object> stale(String sender, String acknowledger, String nonce, String floor,
-                                             int uptime) {
+            int uptime) {
         Map<String, Object> vector = begin(KEY, sender, acknowledger, nonce, "stale");
         vector.put("floor", floor);
         vector.put("uptime", uptime);

@@ -132,10 +132,10 @@ final class CommandVectors {
                 ok("poll", bytes(0), vector("more", false, "leftOut", false, "airActive", false, "records", List.of())),
                 ok("poll", bytes(4), vector("more", false, "leftOut", false, "airActive", true, "records", List.of())),
                 ok("poll", join(bytes(7), bytes('T', 0, 2, 9, 0), bytes('T', 0, 2, 10, 1),
-                                bytes('T', 0, 2, 255, 2), record('P', text("proximity(17)")),
-                                record('P', text("dark")),
-                                record('M', join(bytes(255), text("////ROMA"), bytes(0, 0, 0), text("tell;help"))),
-                                record('M', join(bytes(0), text("SUPOROMA"), bytes(0xFF, 0, 1), text("tell;x(\"\u00e9\")")))),
+                        bytes('T', 0, 2, 255, 2), record('P', text("proximity(17)")),
+                        record('P', text("dark")),
+                        record('M', join(bytes(255), text("////ROMA"), bytes(0, 0, 0), text("tell;help"))),
+                        record('M', join(bytes(0), text("SUPOROMA"), bytes(0xFF, 0, 1), text("tell;x(\"\u00e9\")")))),
                         vector("more", true, "leftOut", true, "airActive", true, "records", List.of(
                                 transmission(9, 0), transmission(10, 1), transmission(255, 2),
                                 percept("proximity(17)"), percept("dark"),
@@ -145,7 +145,7 @@ final class CommandVectors {
                         vector("more", true, "leftOut", false, "airActive", false, "records",
                                 List.of(percept("x".repeat(300)), percept("")))),
                 ok("poll", join(bytes(1), record('M', join(bytes(7), text("9///AAAA"), bytes(0xFF, 0xFF, 0xFF),
-                                text("tell;" + "x".repeat(489))))),
+                        text("tell;" + "x".repeat(489))))),
                         vector("more", true, "leftOut", false, "airActive", false, "records",
                                 List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
                 ok("act", new byte[0], vector()),
@@ -162,7 +162,7 @@ final class CommandVectors {
                 ok("finishRenewal", new byte[0], vector()),
                 ok("listKeys", new byte[0], vector("keys", List.of())),
                 ok("listKeys", join(text("SUPO"), bytes(0, 1, 2, 3), text("SUPO"), bytes(1, 9, 8, 7),
-                                text("//SU"), bytes(0, 0, 0, 0), text("//SU"), bytes(2, 6, 5, 4)),
+                        text("//SU"), bytes(0, 0, 0, 0), text("//SU"), bytes(2, 6, 5, 4)),
                         vector("keys", List.of(key("SUPO", 0, "010203"), key("SUPO", 1, "090807"),
                                 key("//SU", 0, "000000"), key("//SU", 2, "060504")))),
                 ok("statistics", bytes(1, 0, 0, 1, 2, 18, 0xFF, 0xFF, 0xFF, 0xFF, 200, 0, 0, 0, 1),
@@ -186,7 +186,7 @@ final class CommandVectors {
     }
 
     private static Map<String, Object> message(int number, String destination, String origin, int id,
-                                               String content) {
+            String content) {
         return vector("type", "message", "number", number, "destination", destination, "origin", origin,
                 "id", id, "content", content);
     }

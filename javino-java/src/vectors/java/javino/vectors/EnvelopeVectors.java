@@ -77,7 +77,7 @@ final class EnvelopeVectors {
     }
 
     private static Map<String, Object> valid(String key, String origin, String destination, String nonceHex,
-                                             byte[] content) {
+            byte[] content) {
         byte[] nonce = Wire.unhex(nonceHex);
         return vector("key", key, "kenc", Wire.hex(encryptionKey(key)), "kmac", Wire.hex(authenticationKey(key)),
                 "origin", origin, "destination", destination, "nonce", nonceHex,

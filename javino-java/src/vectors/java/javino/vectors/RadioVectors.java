@@ -17,8 +17,8 @@ public final class RadioVectors {
 
     /** Each nibble's symbol as its six bits in the order they are sent. */
     private static final String[] SYMBOLS = {
-        "101100", "011100", "110010", "101010", "011010", "100110", "010110", "001110",
-        "110001", "101001", "011001", "100101", "010101", "001101", "010011", "001011"
+            "101100", "011100", "110010", "101010", "011010", "100110", "010110", "001110",
+            "110001", "101001", "011001", "100101", "010101", "001101", "010011", "001011"
     };
     /** Six times 2A, then 38 and 2C. */
     private static final String START = "010101".repeat(6) + "000111" + "001101";

@@ -14,7 +14,8 @@ import java.util.Set;
  * @param offered   messages that the first handed to its board.
  * @param delivered of these, reported delivered.
  * @param lost      reported delivered, and not in the second's log.
- * @param again     handed over once more to a later run of the second host, with the same id: SPEC 7.2 allows it, since the
+ * @param again     handed over once more to a later run of the second host, with the same id: SPEC 7.2 allows it, since
+ * the
  *                  run before died before it had said that it has the message.
  * @param twice     handed over twice otherwise.
  * @param wrong     handed over, but never sent like this.
@@ -25,7 +26,7 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
     static final Account EMPTY = new Account(0, 0, 0, 0, 0, 0, 0);
 
     /** A message handed to a host. */
-    private record Handed(int run, String id) { }
+    private record Handed(int run, String id) {}
 
     static Account of(HostLog sender, HostLog receiver) throws IOException {
         Set<String> offered = new HashSet<>();
@@ -41,18 +42,19 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
                     }
                 }
                 case "stuck" -> stuck += Long.parseLong(words[1]);
-                default -> { }
+                default -> {}
             }
         }
         Map<String, List<Handed>> handed = handed(receiver);
         long wrong = receiver.lines().stream().filter(line -> line.startsWith("wrong ")).count()
-            + handed.keySet().stream().filter(number -> !offered.contains(number)).count();
+                + handed.keySet().stream().filter(number -> !offered.contains(number)).count();
         long lost = delivered.stream().filter(number -> !handed.containsKey(number)).count();
         long again = 0;
         long twice = 0;
         for (List<Handed> times : handed.values()) {
             for (int i = 1; i < times.size(); i++) {
-                boolean allowed = times.get(i).run > times.get(i - 1).run && times.get(i).id.equals(times.get(i - 1).id);
+                boolean allowed =
+                        times.get(i).run > times.get(i - 1).run && times.get(i).id.equals(times.get(i - 1).id);
                 again += allowed ? 1 : 0;
                 twice += allowed ? 0 : 1;
             }
@@ -77,6 +79,6 @@ record Account(long offered, long delivered, long lost, long again, long twice, 
 
     Account plus(Account other) {
         return new Account(offered + other.offered, delivered + other.delivered, lost + other.lost, again + other.again,
-            twice + other.twice, wrong + other.wrong, stuck + other.stuck);
+                twice + other.twice, wrong + other.wrong, stuck + other.stuck);
     }
 }

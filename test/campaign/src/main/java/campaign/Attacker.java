@@ -30,7 +30,8 @@ final class Attacker implements AutoCloseable {
 
     /** Adds an attacker to a cell of a scenario that has not started. */
     static void join(Emulator.Scenario scenario, int cell) {
-        scenario.board(post(cell).name(), "Transmitter", Map.of("position", Field.position(cell), "resetOnOpen", false));
+        scenario.board(post(cell).name(), "Transmitter",
+                Map.of("position", Field.position(cell), "resetOnOpen", false));
     }
 
     private static Field.Post post(int cell) {
@@ -52,7 +53,8 @@ final class Attacker implements AutoCloseable {
      * @param share  of the air that it takes, over 0 and under 1.
      * @param forger makes each packet.
      */
-    void flood(double share, Timetable timetable, ProcessHandle emulator, Random random, Function<Random, byte[]> forger) {
+    void flood(double share, Timetable timetable, ProcessHandle emulator, Random random,
+            Function<Random, byte[]> forger) {
         thread = new Thread(() -> {
             try {
                 while (!ended) {
@@ -88,15 +90,17 @@ final class Attacker implements AutoCloseable {
     }
 
     /**
-     * A last piece of one byte, in the next message of a sender whose messages all go in pieces: it tells a wrong length.
+     * A last piece of one byte, in the next message of a sender whose messages all go in pieces: it tells a wrong
+     * length.
      *
      * @param ended how many of its messages have ended: their ids run from 0 (SPEC 7.1), and one is under way.
      */
     static byte[] forgedEnd(Field.Post from, long ended, Random random) {
         String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         char id = digits.charAt((int) ((ended + 1) % digits.length()));
-        return new Frame(Address.parse("+F" + id + digits.charAt(1 + random.nextInt(3))), from.address(), random(1, random))
-            .encode().toArray();
+        return new Frame(Address.parse("+F" + id + digits.charAt(1 + random.nextInt(3))), from.address(),
+                random(1, random))
+                .encode().toArray();
     }
 
     /** A broadcast of nothing that a host hands on, so that only the way to there is taken up. */

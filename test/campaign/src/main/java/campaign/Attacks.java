@@ -27,20 +27,22 @@ final class Attacks implements Campaign {
 
         static Line parse(String text) {
             String[] cells = text.split("\t");
-            return new Line(cells[0], Long.parseLong(cells[1]), Long.parseLong(cells[2]), Long.parseLong(cells[3]), Long.parseLong(cells[4]));
+            return new Line(cells[0], Long.parseLong(cells[1]), Long.parseLong(cells[2]), Long.parseLong(cells[3]),
+                    Long.parseLong(cells[4]));
         }
     }
 
     private static void onSources(Settings settings, Report report) throws IOException, InterruptedException {
         List<Line> lines = attack(settings, report);
         report.text("""
-            **The firmware's sources on the PC** (`test/attack`): a whole board with a simulated EEPROM gets hostile packets and, between
-            them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in pieces. *Accepted*: the host was handed a forged
-            or repeated message, or the board took a forged acknowledgement or stale notice for genuine.""");
+            **The firmware's sources on the PC** (`test/attack`): a whole board with a simulated EEPROM gets hostile
+            packets and, between them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in pieces.
+            *Accepted*: the host was handed a forged or repeated message, or the board took a forged acknowledgement or
+            stale notice for genuine.""");
         Table table = new Table("attack", "tries", "accepted", "genuine", "of these lost");
         lines.forEach(line -> table.row(line.name, line.tries, line.accepted, line.genuine, line.lost));
         table.row("all", lines.stream().mapToLong(Line::tries).sum(), lines.stream().mapToLong(Line::accepted).sum(),
-            lines.stream().mapToLong(Line::genuine).sum(), lines.stream().mapToLong(Line::lost).sum());
+                lines.stream().mapToLong(Line::genuine).sum(), lines.stream().mapToLong(Line::lost).sum());
         report.table(table);
         report.never("hostile and accepted", lines.stream().mapToLong(Line::accepted).sum());
         report.never("genuine and refused", lines.stream().mapToLong(Line::lost).sum());
@@ -48,10 +50,12 @@ final class Attacks implements Campaign {
 
     private static List<Line> attack(Settings settings, Report report) throws IOException, InterruptedException {
         Process process = new ProcessBuilder(settings.root().resolve("test/attack/build/attacks").toString(),
-            "--tries", "" + settings.choose(TRIES, TEST_TRIES), "--seed", "" + settings.seed()).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+                "--tries", "" + settings.choose(TRIES, TEST_TRIES), "--seed", "" + settings.seed())
+                .redirectError(ProcessBuilder.Redirect.INHERIT).start();
         try {
             List<Line> lines = process.inputReader().lines().map(Line::parse)
-                .peek(line -> report.progress("%s: %d tries, %d accepted", line.name, line.tries, line.accepted)).toList();
+                    .peek(line -> report.progress("%s: %d tries, %d accepted", line.name, line.tries, line.accepted))
+                    .toList();
             // 1 says that something was accepted or lost, which the lines say too.
             if (!process.waitFor(1, TimeUnit.MINUTES) || process.exitValue() > 1) {
                 throw new IOException("the attacks on the PC ended early");

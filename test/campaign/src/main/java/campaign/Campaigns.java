@@ -9,13 +9,16 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** Runs campaigns, prints their tables and writes docs/reliability.md. Exit status 1 if what must always hold did not. */
+/**
+ * Runs campaigns, prints their tables and writes docs/reliability.md. Exit status 1 if what must always hold did not.
+ */
 @Command(name = "campaign", mixinStandardHelpOptions = true, description = "Shows what the link holds, in figures.")
 public final class Campaigns implements Callable<Integer> {
 
     private static final long DEFAULT_SEED = 1;
     private static final long DEFAULT_MINUTES = 20;
-    private static final List<Campaign> ALL = List.of(new Delivery(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Soak());
+    private static final List<Campaign> ALL =
+            List.of(new Delivery(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Soak());
 
     @Option(names = "--only", split = ",", paramLabel = "NAME", description = "run these alone")
     private List<String> only = List.of();
@@ -26,7 +29,7 @@ public final class Campaigns implements Callable<Integer> {
     @Option(names = "--minutes", paramLabel = "N", description = "wall time of soak (default 20)")
     private long minutes = DEFAULT_MINUTES;
 
-    private Campaigns() { }
+    private Campaigns() {}
 
     public static void main(String[] arguments) {
         CommandLine command = new CommandLine(new Campaigns());

@@ -13,7 +13,7 @@ final class Contents {
     private static final int DIGITS = 8;
     private static final String BEFORE = "tell;m(";
 
-    private Contents() { }
+    private Contents() {}
 
     /**
      * The content of a number.
@@ -45,6 +45,6 @@ final class Contents {
 
     private static String filler(int number, int length) {
         return new Random(number).ints(length, 'a', 'z' + 1)
-            .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append).toString();
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append).toString();
     }
 }

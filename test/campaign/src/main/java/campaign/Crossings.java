@@ -4,10 +4,13 @@ import harness.TraceEvent;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Counts, of two boards, the packets of each that were on the air while the other one was sending, and so not listening. */
+/**
+ * Counts, of two boards, the packets of each that were on the air while the other one was sending, and so not
+ * listening.
+ */
 final class Crossings {
 
-    private record Packet(double start, double end, boolean crossed) { }
+    private record Packet(double start, double end, boolean crossed) {}
 
     private final Map<String, Packet> last = new HashMap<>();
     private final Map<String, Long> crossed = new HashMap<>();
@@ -17,7 +20,8 @@ final class Crossings {
         if (!event.name().equals("rf-tx")) {
             return;
         }
-        Packet packet = new Packet(event.fields().get("start").getAsDouble(), event.fields().get("end").getAsDouble(), false);
+        Packet packet =
+                new Packet(event.fields().get("start").getAsDouble(), event.fields().get("end").getAsDouble(), false);
         for (Map.Entry<String, Packet> each : last.entrySet()) {
             Packet other = each.getValue();
             if (each.getKey().equals(event.board()) || other.end < packet.start || packet.end < other.start) {

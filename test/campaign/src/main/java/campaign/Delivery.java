@@ -21,10 +21,10 @@ final class Delivery implements Campaign {
      *
      * @param seconds emulated, how long new messages begin.
      */
-    private record Case(double rate, int messages, int longMessages, int seconds) { }
+    private record Case(double rate, int messages, int longMessages, int seconds) {}
 
     private static final List<Case> CAMPAIGN = List.of(new Case(0, 1000, 60, 40), new Case(1e-4, 1000, 60, 40),
-        new Case(AIM_RATE, 4000, 80, 200), new Case(3e-3, 1000, 60, 60), new Case(1e-2, 1000, 60, 60));
+            new Case(AIM_RATE, 4000, 80, 200), new Case(3e-3, 1000, 60, 60), new Case(1e-2, 1000, 60, 60));
     private static final List<Case> TEST = List.of(new Case(AIM_RATE, 30, 3, 10));
 
     @Override
@@ -35,11 +35,13 @@ final class Delivery implements Campaign {
     @Override
     public void run(Settings settings, Report report) throws Exception {
         report.text("""
-            The boards (`Station`) are in pairs, each out of the others' range. One board of a pair sends unicasts to the other, with two
-            always waiting. Each bit that a receiver gets is inverted with the probability in the first column. *Delivered* counts reports to
-            the sender's host, *received* messages handed to the other host. *Packets* and *air* count everything that both boards send
-            for a message: attempts, pieces and acknowledgements; a millisecond of air is two bits.""");
-        Table table = new Table("bit error rate, content", "unicasts", "delivered", "received", "packets each", "air per delivered byte");
+            The boards (`Station`) are in pairs, each out of the others' range. One board of a pair sends unicasts to
+            the other, with two always waiting. Each bit that a receiver gets is inverted with the probability in the
+            first column. *Delivered* counts reports to the sender's host, *received* messages handed to the other host.
+            *Packets* and *air* count everything that both boards send for a message: attempts, pieces and
+            acknowledgements; a millisecond of air is two bits.""");
+        Table table = new Table("bit error rate, content", "unicasts", "delivered", "received", "packets each",
+                "air per delivered byte");
         Ledger.Sum all = Ledger.Sum.ZERO;
         long repeated = 0;
         boolean reached = true;
@@ -60,13 +62,16 @@ final class Delivery implements Campaign {
         report.never("a nonce with two messages", repeated);
     }
 
-    private record Result(Ledger.Sum shorts, AirUsage.Sum shortAir, Ledger.Sum longs, AirUsage.Sum longAir, long repeated) {
+    private record Result(Ledger.Sum shorts, AirUsage.Sum shortAir, Ledger.Sum longs, AirUsage.Sum longAir,
+            long repeated) {
 
         void row(Table table, Case of, int length, Ledger.Sum sum, AirUsage.Sum air) {
             String each = Table.text("%.2f", (double) air.packets() / sum.offered());
-            String perByte = sum.delivered() == 0 ? "-" : Table.text("%.1f ms", 1000 * air.seconds() / (sum.delivered() * length));
-            table.row(Table.text("%.0e, %d bytes", of.rate, length), sum.offered(), Table.percent(sum.delivered(), sum.offered()),
-                Table.percent(sum.received(), sum.offered()), each, perByte);
+            String perByte = sum.delivered() == 0 ? "-"
+                    : Table.text("%.1f ms", 1000 * air.seconds() / (sum.delivered() * length));
+            table.row(Table.text("%.0e, %d bytes", of.rate, length), sum.offered(),
+                    Table.percent(sum.delivered(), sum.offered()),
+                    Table.percent(sum.received(), sum.offered()), each, perByte);
         }
     }
 
@@ -74,9 +79,11 @@ final class Delivery implements Campaign {
         int shorts = settings.choose(9, 2);
         int longs = settings.choose(3, 1);
         AirUsage air = new AirUsage();
-        Emulator.Scenario scenario = new Emulator.Scenario().radio("bitErrorRate", each.rate).seed(settings.seed()).listener(air).forgetful();
+        Emulator.Scenario scenario = new Emulator.Scenario().radio("bitErrorRate", each.rate).seed(settings.seed())
+                .listener(air).forgetful();
         try (Closing closing = new Closing()) {
-            Field field = closing.add(Field.start(scenario, Collections.nCopies(shorts + longs, new Field.Cell("Station", 2))));
+            Field field = closing
+                    .add(Field.start(scenario, Collections.nCopies(shorts + longs, new Field.Cell("Station", 2))));
             List<Pair> pairs = new ArrayList<>();
             for (int i = 0; i < shorts + longs; i++) {
                 pairs.add(closing.add(new Pair(field, i, i < shorts ? SHORT : LONG)));
@@ -92,9 +99,12 @@ final class Delivery implements Campaign {
             }
             List<Pair> shortPairs = pairs.subList(0, shorts);
             List<Pair> longPairs = pairs.subList(shorts, pairs.size());
-            report.progress("bit error rate %.0e: %d of %d short and %d of %d long unicasts delivered, %.0f s emulated", each.rate,
-                sum(shortPairs).delivered(), sum(shortPairs).offered(), sum(longPairs).delivered(), sum(longPairs).offered(), air.now());
-            return new Result(sum(shortPairs), usage(air, shortPairs), sum(longPairs), usage(air, longPairs), air.nonces().repeated());
+            report.progress("bit error rate %.0e: %d of %d short and %d of %d long unicasts delivered, %.0f s emulated",
+                    each.rate,
+                    sum(shortPairs).delivered(), sum(shortPairs).offered(), sum(longPairs).delivered(),
+                    sum(longPairs).offered(), air.now());
+            return new Result(sum(shortPairs), usage(air, shortPairs), sum(longPairs), usage(air, longPairs),
+                    air.nonces().repeated());
         }
     }
 

@@ -15,8 +15,9 @@ public final class Document {
 
         Written by `gradle campaign`, which runs all of this anew; each section by the run that it names. Do not edit.
 
-        Boards are emulated Arduino Megas with the sketches that users flash, hosts are `javino-java` over real serial ports
-        (ptys). The seed decides where errors and faults fall; hosts run in wall time, so figures differ a little from run to run.
+        Boards are emulated Arduino Megas with the sketches that users flash, hosts are `javino-java` over real serial
+        ports (ptys). The seed decides where errors and faults fall; hosts run in wall time, so figures differ a little
+        from run to run.
         """;
     private static final String SECTION = "\n## ";
 

@@ -45,14 +45,15 @@ record Fault(Kind kind, int pair, int side, double second, int writes) {
         switch (kind) {
             case UNPLUG -> scenario.fault(second, board, "unplug").fault(second + UNPLUGGED_SECONDS, board, "plug");
             case RESET -> scenario.fault(second, board, "reset");
-            case JAM -> scenario.fault(Map.of("t", second, "do", "jam", "duration", JAMMED_SECONDS, "position", position));
+            case JAM ->
+                scenario.fault(Map.of("t", second, "do", "jam", "duration", JAMMED_SECONDS, "position", position));
             case POWER_CUT -> {
                 Map<String, Object> cut = new LinkedHashMap<>(Map.of("t", second, "board", board, "do", "power-cut"));
                 cut.put("duration", DARK_SECONDS);
                 cut.put("eepromWrites", writes);
                 scenario.fault(cut);
             }
-            case KILL -> { }
+            case KILL -> {}
         }
     }
 

@@ -70,7 +70,8 @@ final class FaultField implements AutoCloseable {
     }
 
     private HostProcess host(Field.Post of, Field.Post to) throws IOException {
-        return new HostProcess(field.emulator().port(of.name()), to, SPARE.toString(), field.folder().resolve(of.name() + ".log").toString());
+        return new HostProcess(field.emulator().port(of.name()), to, SPARE.toString(),
+                field.folder().resolve(of.name() + ".log").toString());
     }
 
     private Endpoint endpoint(Field.Post of, Field.Post peer) {
@@ -109,7 +110,8 @@ final class FaultField implements AutoCloseable {
             }
             if (air.now() - told >= 30) {
                 told = air.now();
-                report.progress("%.0f of %.0f s, %d faults over", told, second, recoveries.stream().filter(Recovery::ended).count());
+                report.progress("%.0f of %.0f s, %d faults over", told, second,
+                        recoveries.stream().filter(Recovery::ended).count());
             }
             wait(1000);
         }
@@ -142,12 +144,13 @@ final class FaultField implements AutoCloseable {
             List<Reply.StoredKey> keys = Host.get(endpoint.board().keys());
             boolean named = endpoint.board().info().orElseThrow().rfId().equals(java.util.Optional.of(post.address()));
             return named && holds(keys, peer.address(), List.of(Key.of(Bytes.copyOf(TestKeys.PAIR))))
-                && holds(keys, SPARE, List.of(HostProgram.key(true), HostProgram.key(false)));
+                    && holds(keys, SPARE, List.of(HostProgram.key(true), HostProgram.key(false)));
         }
     }
 
     private static boolean holds(List<Reply.StoredKey> keys, Address address, List<Key> allowed) {
-        List<Bytes> checks = keys.stream().filter(key -> key.address().equals(address)).map(Reply.StoredKey::check).toList();
+        List<Bytes> checks =
+                keys.stream().filter(key -> key.address().equals(address)).map(Reply.StoredKey::check).toList();
         return checks.size() == 1 && allowed.stream().anyMatch(key -> key.check().equals(checks.get(0)));
     }
 
@@ -155,7 +158,8 @@ final class FaultField implements AutoCloseable {
     Account account() throws IOException {
         Account all = Account.EMPTY;
         for (List<Field.Post> pair : posts) {
-            all = all.plus(Account.of(log(pair.get(0)), log(pair.get(1)))).plus(Account.of(log(pair.get(1)), log(pair.get(0))));
+            all = all.plus(Account.of(log(pair.get(0)), log(pair.get(1))))
+                    .plus(Account.of(log(pair.get(1)), log(pair.get(0))));
         }
         return all;
     }

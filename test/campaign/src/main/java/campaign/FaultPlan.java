@@ -12,7 +12,7 @@ final class FaultPlan {
     static final double BETWEEN_SECONDS = 8;
     private static final int MOST_WRITES = 30;
 
-    private FaultPlan() { }
+    private FaultPlan() {}
 
     /**
      * Makes a plan.

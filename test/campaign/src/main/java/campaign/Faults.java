@@ -18,13 +18,15 @@ final class Faults implements Campaign {
         int each = settings.choose(100, 1);
         List<Fault> faults = FaultPlan.of(settings.seed(), pairs, each, settings.choose(45, 12));
         report.text("""
-            %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a reset as a Mega's).
-            All hosts send to their peers without a pause, nine contents of 16 bytes to one of 60 in two pieces, replace a key every
-            3 s, so that much is written to the EEPROM, and log each received message before their board learns that they have it. Every %.0f s a fault
-            hits each pair. A power cut comes at the 1st to 30th byte that the board writes from then on, tears that byte, leaves random
-            bytes in RAM, and lasts 0.2 s. Emulated time from the end of the cause: *answered*, until the link works both ways again: a packet of one
-            board has reached the other, and its answer, with a proof of the key, has come back; *first* and *both*, until a unicast was
-            proved delivered by either of the two boards, and by both. A killed host's cause ends when its successor opens the port.
+            %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a
+            reset as a Mega's). All hosts send to their peers without a pause, nine contents of 16 bytes to one of 60 in
+            two pieces, replace a key every 3 s, so that much is written to the EEPROM, and log each received message
+            before their board learns that they have it. Every %.0f s a fault hits each pair. A power cut comes at the
+            1st to 30th byte that the board writes from then on, tears that byte, leaves random bytes in RAM, and lasts
+            0.2 s. Emulated time from the end of the cause: *answered*, until the link works both ways again: a packet
+            of one board has reached the other, and its answer, with a proof of the key, has come back; *first* and
+            *both*, until a unicast was proved delivered by either of the two boards, and by both. A killed host's cause
+            ends when its successor opens the port.
             """.formatted(pairs, FaultPlan.BETWEEN_SECONDS));
         try (FaultField field = new FaultField(settings.seed(), pairs, faults)) {
             field.start();
@@ -36,22 +38,27 @@ final class Faults implements Campaign {
 
     private static void describe(FaultField field, long spoilt, Report report) throws Exception {
         List<Recovery> all = field.recoveries();
-        Table table = new Table("fault", "times", "answered, median", "answered, longest", "first, median", "first, longest", "both, median", "both, longest", "answered within 2 s", "first within 2 s", "both within 2 s");
+        Table table =
+                new Table("fault", "times", "answered, median", "answered, longest", "first, median", "first, longest",
+                        "both, median", "both, longest", "answered within 2 s", "first within 2 s", "both within 2 s");
         for (Fault.Kind kind : Fault.Kind.values()) {
             row(table, kind, all.stream().filter(each -> each.fault().kind() == kind).toList());
         }
         report.table(table);
         Account account = field.account();
-        report.table(new Table("messages", "sent", "reported delivered", "again to a host's next run").row("all hosts", account.offered(),
-            account.delivered(), account.again()));
-        report.aim("the link works again within 2 s of the end of each cause", all.stream().allMatch(each -> each.answered() <= AIM_SECONDS));
+        report.table(new Table("messages", "sent", "reported delivered", "again to a host's next run").row("all hosts",
+                account.offered(),
+                account.delivered(), account.again()));
+        report.aim("the link works again within 2 s of the end of each cause",
+                all.stream().allMatch(each -> each.answered() <= AIM_SECONDS));
         report.never("reported delivered, but missing in the receiver's log", account.lost());
         report.never("delivered twice", account.twice());
         report.never("delivered, but never sent like this", account.wrong());
         report.never("a unicast without an end", account.stuck());
         report.never("a nonce with two messages", field.nonces().repeated());
         report.never("a board without its id or keys at the end", spoilt);
-        report.never("a fault that did not come about", field.failedKills() + all.stream().filter(each -> !each.ended()).count());
+        report.never("a fault that did not come about",
+                field.failedKills() + all.stream().filter(each -> !each.ended()).count());
     }
 
     private static void row(Table table, Fault.Kind kind, List<Recovery> all) {
@@ -63,8 +70,9 @@ final class Faults implements Campaign {
             table.row(kind.title(), 0, "-", "-", "-", "-", "-", "-", "-", "-", "-");
             return;
         }
-        table.row(kind.title(), ended.size(), middle(answered), last(answered), middle(first), last(first), middle(both), last(both),
-            within(answered), within(first), within(both));
+        table.row(kind.title(), ended.size(), middle(answered), last(answered), middle(first), last(first),
+                middle(both), last(both),
+                within(answered), within(first), within(both));
     }
 
     private static String middle(List<Double> sorted) {

@@ -30,7 +30,7 @@ final class Field implements AutoCloseable {
      * @param sketch what they all run.
      * @param boards how many, at least 1.
      */
-    record Cell(String sketch, int boards) { }
+    record Cell(String sketch, int boards) {}
 
     /**
      * One board.
@@ -38,7 +38,7 @@ final class Field implements AutoCloseable {
      * @param name    what the trace calls it.
      * @param address its RF id, once its host has set it.
      */
-    record Post(String name, Address address) { }
+    record Post(String name, Address address) {}
 
     private Field(Path folder, Emulator emulator, List<List<Post>> cells) {
         this.folder = folder;

@@ -17,7 +17,8 @@ final class Floods {
 
     /** What is forged. */
     private enum Kind {
-        NONE("nothing"), FRAMES("sealed frames"), PIECES("first pieces"), ENDS("ends of the next message"), BROADCASTS("broadcasts");
+        NONE("nothing"), FRAMES("sealed frames"), PIECES("first pieces"), ENDS("ends of the next message"),
+        BROADCASTS("broadcasts");
 
         private final String title;
 
@@ -50,14 +51,17 @@ final class Floods {
         }
     }
 
-    private static final List<Case> CAMPAIGN = List.of(new Case(Kind.NONE, 0), new Case(Kind.FRAMES, 0.25), new Case(Kind.FRAMES, 0.5),
-        new Case(Kind.PIECES, 0.25), new Case(Kind.PIECES, 0.5), new Case(Kind.BROADCASTS, 0.25), new Case(Kind.BROADCASTS, 0.5),
-        new Case(Kind.PIECES, 0.05),
-        new Case(Kind.NONE, 0, LONG, 0), new Case(Kind.ENDS, 0.05, LONG, 0), new Case(Kind.NONE, 0, LONG, 1),
-        new Case(Kind.ENDS, 0.05, LONG, 1), new Case(Kind.NONE, 0, LONG, 2), new Case(Kind.ENDS, 0.05, LONG, 2));
+    private static final List<Case> CAMPAIGN = List.of(new Case(Kind.NONE, 0), new Case(Kind.FRAMES, 0.25),
+            new Case(Kind.FRAMES, 0.5),
+            new Case(Kind.PIECES, 0.25), new Case(Kind.PIECES, 0.5), new Case(Kind.BROADCASTS, 0.25),
+            new Case(Kind.BROADCASTS, 0.5),
+            new Case(Kind.PIECES, 0.05),
+            new Case(Kind.NONE, 0, LONG, 0), new Case(Kind.ENDS, 0.05, LONG, 0), new Case(Kind.NONE, 0, LONG, 1),
+            new Case(Kind.ENDS, 0.05, LONG, 1), new Case(Kind.NONE, 0, LONG, 2), new Case(Kind.ENDS, 0.05, LONG, 2));
     private static final List<Case> TEST = List.of(new Case(Kind.FRAMES, 0.25), new Case(Kind.ENDS, 0.05, LONG, 0));
 
-    private final Table table = new Table("flood", "forged", "share of the air", "bytes", "unicasts", "delivered", "a second");
+    private final Table table =
+            new Table("flood", "forged", "share of the air", "bytes", "unicasts", "delivered", "a second");
     private Ledger.Sum all = Ledger.Sum.ZERO;
     private long stopped;
 
@@ -65,11 +69,12 @@ final class Floods {
         List<Case> cases = settings.choose(CAMPAIGN, TEST);
         double seconds = settings.choose(120, 5);
         report.text("""
-            **Floods**, on emulated boards: a third board in range of a pair sends forged packets, whatever is on the air, for %.0f s, at
-            random times that come to a share of it: frames from the sender that the receiver has to check, first pieces from the sender
-            that ask for an answer, last pieces of one byte in the next message of the sender, and broadcasts that no host can read. The
-            pair goes on with unicasts, two of them always waiting; *bytes* are those of each content. *Share of the air* is the
-            attacker's, as measured.""".formatted(seconds));
+            **Floods**, on emulated boards: a third board in range of a pair sends forged packets, whatever is on the
+            air, for %.0f s, at random times that come to a share of it: frames from the sender that the receiver has to
+            check, first pieces from the sender that ask for an answer, last pieces of one byte in the next message of
+            the sender, and broadcasts that no host can read. The pair goes on with unicasts, two of them always
+            waiting; *bytes* are those of each content. *Share of the air* is the attacker's, as
+            measured.""".formatted(seconds));
         for (int i = 0; i < cases.size(); i += AT_ONCE) {
             run(cases.subList(i, Math.min(i + AT_ONCE, cases.size())), seconds, settings, report);
         }
@@ -99,7 +104,8 @@ final class Floods {
             for (int cell = 0; cell < cases.size(); cell++) {
                 begin(cases.get(cell), pairs.get(cell), attackers.get(cell), timetable, field, settings);
             }
-            List<Stream> streams = pairs.stream().map(pair -> pair.stream(2, Integer.MAX_VALUE, () -> timetable.now() < begun + seconds)).toList();
+            List<Stream> streams = pairs.stream()
+                    .map(pair -> pair.stream(2, Integer.MAX_VALUE, () -> timetable.now() < begun + seconds)).toList();
             for (Stream stream : streams) {
                 stream.await(PATIENCE_SECONDS);
             }
@@ -111,20 +117,24 @@ final class Floods {
         }
     }
 
-    private static void begin(Case each, Pair pair, Attacker attacker, Timetable timetable, Field field, Settings settings) {
+    private static void begin(Case each, Pair pair, Attacker attacker, Timetable timetable, Field field,
+            Settings settings) {
         if (each.kind == Kind.NONE) {
             return;
         }
-        attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed() + each.run), each.kind.forger(pair, attacker.post()));
+        attacker.flood(each.share, timetable, field.emulator().process(), new Random(settings.seed() + each.run),
+                each.kind.forger(pair, attacker.post()));
     }
 
     private void note(Case each, Pair pair, Attacker attacker, AirUsage air, double seconds, Report report) {
         Ledger.Sum sum = pair.ledger().sum();
         AirUsage.Sum forged = air.of(List.of(attacker.post()));
-        table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds), each.length, sum.offered(),
-            Table.percent(sum.delivered(), sum.offered()), Table.text("%.2f", sum.delivered() / seconds));
-        report.progress("flood of %s at %.0f %%: %d of %d unicasts delivered %s", each.kind.title, 100 * each.share, sum.delivered(),
-            sum.offered(), attacker.failure());
+        table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds),
+                each.length, sum.offered(),
+                Table.percent(sum.delivered(), sum.offered()), Table.text("%.2f", sum.delivered() / seconds));
+        report.progress("flood of %s at %.0f %%: %d of %d unicasts delivered %s", each.kind.title, 100 * each.share,
+                sum.delivered(),
+                sum.offered(), attacker.failure());
         all = all.plus(sum);
         stopped += attacker.failure().isEmpty() ? 0 : 1;
     }

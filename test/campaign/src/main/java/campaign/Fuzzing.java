@@ -15,7 +15,7 @@ final class Fuzzing implements Campaign {
     private static final int SECONDS = 600;
 
     /** @param run of a target, and how long it was given. */
-    private record Result(Target target, Run run, int seconds) { }
+    private record Result(Target target, Run run, int seconds) {}
 
     @Override
     public String name() {
@@ -24,11 +24,13 @@ final class Fuzzing implements Campaign {
 
     @Override
     public void run(Settings settings, Report report) throws Exception {
-        report.text("""
-            Jazzer tries the decoders of `javino-java`, libFuzzer the sources of the firmware, built for the PC with AddressSanitizer and
-            UndefinedBehaviorSanitizer; the first lines of each target in `test/fuzz` say what it demands. Each side shares its time among its
-            targets. *Inputs* were tried beyond the kept corpus; *edges* of the code were reached, in each fuzzer's own count. Inputs that
-            reached further than the corpus are in `test/fuzz/build/found`; `test/fuzz/README.md` tells how to keep them.""");
+        report.text(
+                """
+            Jazzer tries the decoders of `javino-java`, libFuzzer the sources of the firmware, built for the PC with
+            AddressSanitizer and UndefinedBehaviorSanitizer; the first lines of each target in `test/fuzz` say what it
+            demands. Each side shares its time among its targets. *Inputs* were tried beyond the kept corpus; *edges* of
+            the code were reached, in each fuzzer's own count. Inputs that reached further than the corpus are in
+            `test/fuzz/build/found`; `test/fuzz/README.md` tells how to keep them.""");
         List<Target> firmware = Target.ofFirmware(settings.root().resolve("test/fuzz/native/build"));
         List<Target> java = Target.ofJava();
         List<Result> results = new ArrayList<>();
@@ -54,8 +56,10 @@ final class Fuzzing implements Campaign {
         List<Result> results = new ArrayList<>();
         for (Target target : targets) {
             Run run = Run.of(target, build.resolve("found").resolve(target.name()),
-                List.of(build.resolve("corpus").resolve(target.name())), "-seed=" + settings.seed(), "-max_total_time=" + seconds);
-            report.progress("%s: %d inputs%s", target.name(), run.executed(), run.failure().isEmpty() ? "" : ", one fails:\n" + run.failure());
+                    List.of(build.resolve("corpus").resolve(target.name())), "-seed=" + settings.seed(),
+                    "-max_total_time=" + seconds);
+            report.progress("%s: %d inputs%s", target.name(), run.executed(),
+                    run.failure().isEmpty() ? "" : ", one fails:\n" + run.failure());
             results.add(new Result(target, run, seconds));
         }
         return results;

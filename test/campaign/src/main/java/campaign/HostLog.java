@@ -27,7 +27,8 @@ final class HostLog {
 
     synchronized void write(String line) {
         try {
-            Files.writeString(file, line.replace('\n', ' ') + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+            Files.writeString(file, line.replace('\n', ' ') + "\n", StandardOpenOption.CREATE,
+                    StandardOpenOption.APPEND);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }

@@ -17,14 +17,15 @@ final class HostProcess implements AutoCloseable {
     HostProcess(String port, Field.Post to, String spare, String log) throws IOException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         // Small and quick to start: there are dozens.
-        command = List.of(java, "-Xmx64m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
-            HostProgram.class.getName(), port, to.address().toString(), spare, log);
+        command = List.of(java, "-Xmx64m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp",
+                System.getProperty("java.class.path"),
+                HostProgram.class.getName(), port, to.address().toString(), spare, log);
         start();
     }
 
     private void start() throws IOException {
         process = new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD)
-            .redirectError(ProcessBuilder.Redirect.INHERIT).start();
+                .redirectError(ProcessBuilder.Redirect.INHERIT).start();
     }
 
     /** Kills it as it stands, with SIGKILL, and starts it anew. */

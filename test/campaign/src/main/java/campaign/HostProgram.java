@@ -18,8 +18,8 @@ import javino.protocol.Key;
 
 /**
  * A host in a process of its own, that can be killed: it sends unicasts to one device without end, replaces a key that
- * nobody uses every three seconds, and writes to its log whatever it was told, before it tells the board that it has it.
- * When its standard input ends it waits for what is under way, and ends.
+ * nobody uses every three seconds, and writes to its log whatever it was told, before it tells the board that it has
+ * it. When its standard input ends it waits for what is under way, and ends.
  */
 final class HostProgram implements BoardListener {
 
@@ -55,7 +55,8 @@ final class HostProgram implements BoardListener {
     public static void main(String[] arguments) {
         int status = 1;
         try {
-            new HostProgram(arguments[0], Address.parse(arguments[1]), new HostLog(Path.of(arguments[3]))).run(Address.parse(arguments[2]));
+            new HostProgram(arguments[0], Address.parse(arguments[1]), new HostLog(Path.of(arguments[3])))
+                    .run(Address.parse(arguments[2]));
             status = 0;
         } catch (IOException | UncheckedIOException | InterruptedException failed) {
             System.err.println("campaign: a host failed: " + failed);

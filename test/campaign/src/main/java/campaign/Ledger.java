@@ -26,14 +26,16 @@ final class Ledger {
     }
 
     /** What a ledger, or several together, come to. Each number is one of messages. */
-    record Sum(long offered, long refused, long delivered, long undelivered, long unknown, long received, long lost, long wrong, long twice) {
+    record Sum(long offered, long refused, long delivered, long undelivered, long unknown, long received, long lost,
+            long wrong, long twice) {
 
         static final Sum ZERO = new Sum(0, 0, 0, 0, 0, 0, 0, 0, 0);
 
         Sum plus(Sum other) {
             return new Sum(offered + other.offered, refused + other.refused, delivered + other.delivered,
-                undelivered + other.undelivered, unknown + other.unknown, received + other.received, lost + other.lost,
-                wrong + other.wrong, twice + other.twice);
+                    undelivered + other.undelivered, unknown + other.unknown, received + other.received,
+                    lost + other.lost,
+                    wrong + other.wrong, twice + other.twice);
         }
 
         /** Those whose end is not known yet. */
@@ -112,7 +114,8 @@ final class Ledger {
     synchronized Sum sum() {
         BitSet lost = (BitSet) delivered.clone();
         lost.andNot(received);
-        return new Sum(offered, refused, delivered.cardinality(), undelivered, unknown, received.cardinality(), lost.cardinality(),
-            wrong, twice);
+        return new Sum(offered, refused, delivered.cardinality(), undelivered, unknown, received.cardinality(),
+                lost.cardinality(),
+                wrong, twice);
     }
 }

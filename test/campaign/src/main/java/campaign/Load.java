@@ -37,7 +37,7 @@ final class Load implements Campaign {
     }
 
     /** @param fairness Jain's index of the boards' shares: 1 if all are equal, 1/n if one has all. */
-    private record Result(Ledger.Sum sum, double fairness, double least, double load, double packets) { }
+    private record Result(Ledger.Sum sum, double fairness, double least, double load, double packets) {}
 
     private final Map<Case, Result> results = new LinkedHashMap<>();
     private long repeated;
@@ -54,7 +54,8 @@ final class Load implements Campaign {
         for (List<Case> group : groups(cases(settings))) {
             run(group, settings);
             for (Case each : group) {
-                report.progress("%d boards, %.0f %% load, %s: %s delivered", each.boards, 100 * each.load, each.sketch, delivered(each));
+                report.progress("%d boards, %.0f %% load, %s: %s delivered", each.boards, 100 * each.load, each.sketch,
+                        delivered(each));
             }
         }
         describe(settings, report);
@@ -76,7 +77,8 @@ final class Load implements Campaign {
     private static List<List<Case>> groups(List<Case> cases) {
         List<List<Case>> groups = new ArrayList<>();
         for (Case each : cases) {
-            List<Case> group = groups.stream().filter(some -> boards(some) + each.boards <= Field.MOST_BOARDS).findFirst().orElse(null);
+            List<Case> group = groups.stream().filter(some -> boards(some) + each.boards <= Field.MOST_BOARDS)
+                    .findFirst().orElse(null);
             if (group == null) {
                 groups.add(group = new ArrayList<>());
             }
@@ -119,19 +121,21 @@ final class Load implements Campaign {
 
     private static void awaitEnds(List<Ring> rings) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (System.nanoTime() - end < 0 && rings.stream().flatMap(ring -> ring.sums().stream()).anyMatch(sum -> sum.open() > 0)) {
+        while (System.nanoTime() - end < 0
+                && rings.stream().flatMap(ring -> ring.sums().stream()).anyMatch(sum -> sum.open() > 0)) {
             TimeUnit.MILLISECONDS.sleep(100);
         }
     }
 
     private static Result result(List<Ledger.Sum> sums, double seconds, AirUsage.Sum air) {
         Ledger.Sum all = sums.stream().reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
-        List<Double> shares = sums.stream().filter(sum -> sum.offered() > 0).map(sum -> (double) sum.delivered() / sum.offered()).toList();
+        List<Double> shares = sums.stream().filter(sum -> sum.offered() > 0)
+                .map(sum -> (double) sum.delivered() / sum.offered()).toList();
         double total = shares.stream().mapToDouble(share -> share).sum();
         double squares = shares.stream().mapToDouble(share -> share * share).sum();
         return new Result(all, squares == 0 ? 0 : total * total / (shares.size() * squares),
-            shares.stream().mapToDouble(share -> share).min().orElse(0), all.offered() * AIRTIME_SECONDS / seconds,
-            (double) air.packets() / all.offered());
+                shares.stream().mapToDouble(share -> share).min().orElse(0), all.offered() * AIRTIME_SECONDS / seconds,
+                (double) air.packets() / all.offered());
     }
 
     private String delivered(Case of) {
@@ -140,21 +144,28 @@ final class Load implements Campaign {
     }
 
     private void describe(Settings settings, Report report) {
-        report.text("""
-            All boards of a row are in one range. Each sends sealed contents of 16 bytes to its neighbour at random times (Poisson), for %.0f s;
-            then the run waits for all of them. *Load*: the measured share of the air's time that messages and acknowledgements would take if
-            each were sent once. *Delivered*: the share of the offered messages that was reported delivered; a message that a full queue refused
-            counts as offered.
-            *Fairness*: Jain's index of the boards' shares. *Without* carrier sense boards run `test/system/sketches/DeafStation`, which begins
-            to send even if others are on the air, and listens only for the answer to its own message; all else is the same.""".formatted(settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS)));
-        Table table = new Table("boards, load", "unicasts", "load", "delivered", "least of a board", "fairness", "packets each",
-            "without: delivered", "least of a board", "fairness", "packets each");
-        cases(settings).stream().filter(each -> each.sketch.equals(WITH)).sorted(java.util.Comparator.comparingInt(Case::boards)
-            .thenComparingDouble(Case::load)).forEach(each -> row(table, each));
+        report.text(
+                """
+            All boards of a row are in one range. Each sends sealed contents of 16 bytes to its neighbour at random
+            times (Poisson), for %.0f s; then the run waits for all of them. *Load*: the measured share of the air's
+            time that messages and acknowledgements would take if each were sent once. *Delivered*: the share of the
+            offered messages that was reported delivered; a message that a full queue refused counts as offered.
+            *Fairness*: Jain's index of the boards' shares. *Without* carrier sense boards run
+            `test/system/sketches/DeafStation`, which begins to send even if others are on the air, and listens only for
+            the answer to its own message; all else is the same."""
+                        .formatted(settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS)));
+        Table table = new Table("boards, load", "unicasts", "load", "delivered", "least of a board", "fairness",
+                "packets each",
+                "without: delivered", "least of a board", "fairness", "packets each");
+        cases(settings).stream().filter(each -> each.sketch.equals(WITH))
+                .sorted(java.util.Comparator.comparingInt(Case::boards)
+                        .thenComparingDouble(Case::load))
+                .forEach(each -> row(table, each));
         report.table(table);
         report.aim("at 50 % offered load at least 90 % delivered, however many boards", results.entrySet().stream()
-            .filter(each -> each.getKey().load == AIM_LOAD && each.getKey().sketch.equals(WITH)).map(each -> each.getValue().sum)
-            .allMatch(sum -> sum.delivered() >= AIM_SHARE * sum.offered()));
+                .filter(each -> each.getKey().load == AIM_LOAD && each.getKey().sketch.equals(WITH))
+                .map(each -> each.getValue().sum)
+                .allMatch(sum -> sum.delivered() >= AIM_SHARE * sum.offered()));
         Ledger.Sum all = results.values().stream().map(Result::sum).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
         all.report(report);
         report.never("a unicast without an end", all.open());
@@ -165,8 +176,11 @@ final class Load implements Campaign {
         Result result = results.get(with);
         Case without = new Case(with.boards, with.load, WITHOUT);
         Result deaf = results.get(without);
-        table.row(Table.text("%d boards, %.0f %%", with.boards, 100 * with.load), result.sum.offered(), Table.text("%.0f %%", 100 * result.load),
-            delivered(with), Table.text("%.0f %%", 100 * result.least), Table.text("%.3f", result.fairness), Table.text("%.2f", result.packets),
-            delivered(without), Table.text("%.0f %%", 100 * deaf.least), Table.text("%.3f", deaf.fairness), Table.text("%.2f", deaf.packets));
+        table.row(Table.text("%d boards, %.0f %%", with.boards, 100 * with.load), result.sum.offered(),
+                Table.text("%.0f %%", 100 * result.load),
+                delivered(with), Table.text("%.0f %%", 100 * result.least), Table.text("%.3f", result.fairness),
+                Table.text("%.2f", result.packets),
+                delivered(without), Table.text("%.0f %%", 100 * deaf.least), Table.text("%.3f", deaf.fairness),
+                Table.text("%.2f", deaf.packets));
     }
 }

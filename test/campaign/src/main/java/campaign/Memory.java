@@ -57,13 +57,16 @@ final class Memory {
         return samples.get((int) Math.round(share * (samples.size() - 1)));
     }
 
-    /** By how much the second half's least is above the first half's greatest, in bytes; growth that goes on shows here. */
+    /**
+     * By how much the second half's least is above the first half's greatest, in bytes; growth that goes on shows here.
+     */
     Sample growth() {
         List<Sample> first = samples.subList(0, (samples.size() + 1) / 2);
         List<Sample> second = samples.subList(samples.size() / 2, samples.size());
-        long heap = second.stream().mapToLong(Sample::heap).min().orElseThrow() - first.stream().mapToLong(Sample::heap).max().orElseThrow();
+        long heap = second.stream().mapToLong(Sample::heap).min().orElseThrow()
+                - first.stream().mapToLong(Sample::heap).max().orElseThrow();
         long resident = second.stream().mapToLong(Sample::resident).min().orElseThrow()
-            - first.stream().mapToLong(Sample::resident).max().orElseThrow();
+                - first.stream().mapToLong(Sample::resident).max().orElseThrow();
         return new Sample(Math.max(heap, 0), Math.max(resident, 0));
     }
 }

@@ -37,7 +37,8 @@ final class Nonces {
         if (isFirstPiece(payload)) {
             payload = Arrays.copyOfRange(payload, MESSAGE, payload.length);
         }
-        if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+' || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') {
+        if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+'
+                || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') {
             return;
         }
         enter(payload);

@@ -2,7 +2,9 @@ package campaign;
 
 import java.util.SplittableRandom;
 
-/** Something that happens at random times, as often as told on average, each time independent of the others (Poisson). */
+/**
+ * Something that happens at random times, as often as told on average, each time independent of the others (Poisson).
+ */
 final class Offer {
 
     private final Timetable timetable;

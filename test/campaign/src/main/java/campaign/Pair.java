@@ -30,7 +30,8 @@ final class Pair implements AutoCloseable {
 
     /** Begins to send, up to so many messages and as long as told. */
     Stream stream(int window, int messages, BooleanSupplier goOn) {
-        return new Stream(sender, posts.get(1).address(), ledger, window, () -> ledger.sum().offered() < messages && goOn.getAsBoolean());
+        return new Stream(sender, posts.get(1).address(), ledger, window,
+                () -> ledger.sum().offered() < messages && goOn.getAsBoolean());
     }
 
     /** The same, until a time of {@link System#nanoTime}. */

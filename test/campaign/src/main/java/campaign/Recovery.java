@@ -3,8 +3,8 @@ package campaign;
 import harness.TraceEvent;
 
 /**
- * What became of one fault, in emulated seconds: when its cause ended, when a packet of its pair was answered again, and
- * when each direction delivered again.
+ * What became of one fault, in emulated seconds: when its cause ended, when a packet of its pair was answered again,
+ * and when each direction delivered again.
  */
 final class Recovery {
 
@@ -74,8 +74,8 @@ final class Recovery {
     }
 
     /**
-     * From the cause's end until a packet of either board came to the other and its answer came back, whatever that said;
-     * infinite if none did.
+     * From the cause's end until a packet of either board came to the other and its answer came back, whatever that
+     * said; infinite if none did.
      */
     double answered() {
         return answered - end;

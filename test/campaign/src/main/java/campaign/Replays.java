@@ -10,7 +10,9 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import javino.link.LinkException;
 
-/** All that a pair has sent is sent again by a third board: in the same boot, after a reset and after a loss of power. */
+/**
+ * All that a pair has sent is sent again by a third board: in the same boot, after a reset and after a loss of power.
+ */
 final class Replays {
 
     private static final int LENGTH = 16;
@@ -51,14 +53,17 @@ final class Replays {
 
     private static void describe(List<Scene> scenes, Report report) {
         report.text("""
-            **Replays on the air**, with emulated boards: %d pairs, and beside each a third board that sends again all that both boards have sent
-            (frames and acknowledgements): at once, after a reset of the receiver, and after it lost its power and RAM. After each of
-            the three the pair exchanges unicasts of %d bytes anew.""".formatted(scenes.size(), LENGTH));
-        Ledger.Sum all = scenes.stream().map(scene -> scene.pair.ledger().sum()).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
+            **Replays on the air**, with emulated boards: %d pairs, and beside each a third board that sends again all
+            that both boards have sent (frames and acknowledgements): at once, after a reset of the receiver, and after
+            it lost its power and RAM. After each of the three the pair exchanges unicasts of %d bytes
+            anew.""".formatted(scenes.size(), LENGTH));
+        Ledger.Sum all =
+                scenes.stream().map(scene -> scene.pair.ledger().sum()).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
         report.table(new Table("replayed packets", "number", "unicasts in between", "delivered").row("all",
-            scenes.stream().mapToLong(scene -> scene.replayed).sum(), all.offered(), all.delivered()));
+                scenes.stream().mapToLong(scene -> scene.replayed).sum(), all.offered(), all.delivered()));
         all.report(report);
-        report.never("a replay that could not be carried out", scenes.stream().filter(scene -> scene.failure != null).count());
+        report.never("a replay that could not be carried out",
+                scenes.stream().filter(scene -> scene.failure != null).count());
         scenes.stream().filter(scene -> scene.failure != null).forEach(scene -> report.progress("%s", scene.failure));
     }
 
@@ -71,7 +76,8 @@ final class Replays {
             if (!event.name().equals("rf-tx")) {
                 return;
             }
-            packets.computeIfAbsent(event.board(), board -> new ArrayList<>()).add(HexFormat.of().parseHex(event.text("payload")));
+            packets.computeIfAbsent(event.board(), board -> new ArrayList<>())
+                    .add(HexFormat.of().parseHex(event.text("payload")));
         }
 
         /** The last packets of a board. */
@@ -94,7 +100,8 @@ final class Replays {
         private long replayed;
         private Throwable failure;
 
-        Scene(Field field, int cell, int messages, int resetAt, Timetable timetable, Recorder recorder) throws LinkException {
+        Scene(Field field, int cell, int messages, int resetAt, Timetable timetable, Recorder recorder)
+                throws LinkException {
             this.field = field;
             this.messages = messages;
             this.resetAt = resetAt;

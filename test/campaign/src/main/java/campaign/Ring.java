@@ -29,7 +29,7 @@ final class Ring implements AutoCloseable {
 
     private static Map<javino.protocol.Address, byte[]> keys(Field.Post before, Field.Post next) {
         return before.equals(next) ? Map.of(next.address(), TestKeys.PAIR)
-            : Map.of(before.address(), TestKeys.PAIR, next.address(), TestKeys.PAIR);
+                : Map.of(before.address(), TestKeys.PAIR, next.address(), TestKeys.PAIR);
     }
 
     private Field.Post next(int index) {
@@ -47,7 +47,8 @@ final class Ring implements AutoCloseable {
             Endpoint endpoint = endpoints.get(i);
             Field.Post to = next(i);
             Ledger ledger = ledgers.get(i);
-            new Offer(timetable, seed * Field.MOST_BOARDS + i, meanSeconds, end, () -> endpoint.send(to.address(), ledger, () -> { }));
+            new Offer(timetable, seed * Field.MOST_BOARDS + i, meanSeconds, end,
+                    () -> endpoint.send(to.address(), ledger, () -> {}));
         }
     }
 

@@ -39,13 +39,15 @@ public final class Table {
     /** In columns, for a screen. */
     public String text() {
         List<Integer> widths = IntStream.range(0, rows.get(0).size())
-            .mapToObj(column -> Collections.max(rows.stream().map(row -> row.get(column).length()).toList())).toList();
+                .mapToObj(column -> Collections.max(rows.stream().map(row -> row.get(column).length()).toList()))
+                .toList();
         return rows.stream().map(row -> line(row, widths)).collect(Collectors.joining("\n"));
     }
 
     private static String line(List<String> row, List<Integer> widths) {
-        return IntStream.range(0, row.size()).mapToObj(i -> text((i == 0 ? "%-" : "%") + widths.get(i) + "s", row.get(i)))
-            .collect(Collectors.joining("  ")).stripTrailing();
+        return IntStream.range(0, row.size())
+                .mapToObj(i -> text((i == 0 ? "%-" : "%") + widths.get(i) + "s", row.get(i)))
+                .collect(Collectors.joining("  ")).stripTrailing();
     }
 
     /** A text with figures in it, written alike in all countries. */
@@ -59,6 +61,7 @@ public final class Table {
             return "-";
         }
         double share = 100.0 * part / whole;
-        return part == whole || part == 0 ? text("%.0f %%", share) : text(share >= 99 || share < 1 ? "%.3f %%" : "%.1f %%", share);
+        return part == whole || part == 0 ? text("%.0f %%", share)
+                : text(share >= 99 || share < 1 ? "%.3f %%" : "%.1f %%", share);
     }
 }

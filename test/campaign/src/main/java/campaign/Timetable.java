@@ -19,7 +19,7 @@ final class Timetable implements AutoCloseable {
     private static final String METRONOME = "metronome";
     private static final double FAR_METRES = -100_000;
 
-    private record Entry(double second, Runnable what) { }
+    private record Entry(double second, Runnable what) {}
 
     private final PriorityQueue<Entry> entries = new PriorityQueue<>(Comparator.comparingDouble(Entry::second));
     private final ExecutorService performer = Executors.newSingleThreadExecutor();
@@ -28,7 +28,8 @@ final class Timetable implements AutoCloseable {
     /** A forgetful scenario with the board that beats the time; of each event the listener hears first. */
     Emulator.Scenario scenario(long seed, Consumer<TraceEvent> listener) {
         return new Emulator.Scenario().seed(seed).forgetful().listener(listener.andThen(this::see))
-            .board(METRONOME, "Metronome", Map.of("position", List.of(FAR_METRES, 0), "watch", List.of(Map.of("pin", 5, "name", "beat"))));
+                .board(METRONOME, "Metronome",
+                        Map.of("position", List.of(FAR_METRES, 0), "watch", List.of(Map.of("pin", 5, "name", "beat"))));
     }
 
     /** Takes notice of an event of the trace. */

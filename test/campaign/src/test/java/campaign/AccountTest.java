@@ -17,7 +17,8 @@ class AccountTest {
     @Test
     void of_deliveredAndReceived_isWell() throws IOException {
         assertEquals(new Account(2, 1, 0, 0, 0, 0, 0),
-            account("run\noffered 0\noffered 1\nended 0 DELIVERED\nended 1 UNDELIVERED\nend\n", "run\nreceived 0 17\nreceived 1 18\nend\n"));
+                account("run\noffered 0\noffered 1\nended 0 DELIVERED\nended 1 UNDELIVERED\nend\n",
+                        "run\nreceived 0 17\nreceived 1 18\nend\n"));
     }
 
     @Test

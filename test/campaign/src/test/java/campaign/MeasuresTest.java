@@ -52,7 +52,8 @@ class MeasuresTest {
                 });
             }
             timetable.see(TraceEvent.parse("{\"t\": 1, \"event\": \"pin\"}"));
-            assertTrue(first.await(10, TimeUnit.SECONDS), () -> "of 1000, whose first times are a second away on average, " + begun + " came within it");
+            assertTrue(first.await(10, TimeUnit.SECONDS),
+                    () -> "of 1000, whose first times are a second away on average, " + begun + " came within it");
         }
         assertTrue(begun.get() < 720, () -> "632 were to be expected, not " + begun);
     }
@@ -70,7 +71,8 @@ class MeasuresTest {
     }
 
     private static void send(Crossings crossings, String board, double start, double end) {
-        crossings.see(TraceEvent.parse(Table.text("{\"t\":%f,\"board\":\"%s\",\"event\":\"rf-tx\",\"start\":%f,\"end\":%f}", end, board, start, end)));
+        crossings.see(TraceEvent.parse(Table.text(
+                "{\"t\":%f,\"board\":\"%s\",\"event\":\"rf-tx\",\"start\":%f,\"end\":%f}", end, board, start, end)));
     }
 
     @Test

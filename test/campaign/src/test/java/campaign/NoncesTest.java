@@ -82,6 +82,6 @@ class NoncesTest {
 
     private void see(String payload) {
         nonces.see(TraceEvent.parse("{\"t\":1,\"board\":\"b\",\"event\":\"rf-tx\",\"payload\":\""
-            + HexFormat.of().formatHex(payload.getBytes(StandardCharsets.ISO_8859_1)) + "\"}"));
+                + HexFormat.of().formatHex(payload.getBytes(StandardCharsets.ISO_8859_1)) + "\"}"));
     }
 }

@@ -17,10 +17,10 @@ class RecoveryTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "UNPLUG; \"board\":\"hit\",\"event\":\"port\",\"state\":\"plugged\"",
-        "RESET; \"board\":\"hit\",\"event\":\"reset\",\"why\":\"fault\"",
-        "KILL; \"board\":\"hit\",\"event\":\"port\",\"state\":\"open\"",
-        "POWER_CUT; \"board\":\"hit\",\"event\":\"reset\",\"why\":\"power\""})
+            "UNPLUG; \"board\":\"hit\",\"event\":\"port\",\"state\":\"plugged\"",
+            "RESET; \"board\":\"hit\",\"event\":\"reset\",\"why\":\"fault\"",
+            "KILL; \"board\":\"hit\",\"event\":\"port\",\"state\":\"open\"",
+            "POWER_CUT; \"board\":\"hit\",\"event\":\"reset\",\"why\":\"power\""})
     void see_causesEndAndProofs_givesTimes(Fault.Kind kind, String end) {
         Recovery recovery = recovery(kind);
         see(recovery, 9, end);

@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Each campaign with little of everything: what must always hold holds here, too. What has to be reached in figures does
- * not count. Progress is shown of those only that fail.
+ * Each campaign with little of everything: what must always hold holds here, too. What has to be reached in figures
+ * does not count. Progress is shown of those only that fail.
  */
 @Tag("verify")
 class SmallCampaignsTest {
@@ -31,7 +31,8 @@ class SmallCampaignsTest {
         Report report = new Report(campaign.name(), new PrintStream(progress, true, StandardCharsets.UTF_8));
         boolean held = false;
         try {
-            campaign.run(new Settings(1, true, Duration.ofSeconds(10), Path.of(System.getProperty("javino.root"))), report);
+            campaign.run(new Settings(1, true, Duration.ofSeconds(10), Path.of(System.getProperty("javino.root"))),
+                    report);
 
             assertEquals(List.of(), report.violations(), report::screen);
             assertFalse(report.screen().contains("NaN"), report::screen);

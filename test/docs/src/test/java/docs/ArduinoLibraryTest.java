@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * javino-firmware/ is a library as Arduino's Library Manager takes it: those rules of arduino-lint, by their numbers, that
- * apply and need no network, as strict as its strict mode.
+ * javino-firmware/ is a library as Arduino's Library Manager takes it: those rules of arduino-lint, by their numbers,
+ * that apply and need no network, as strict as its strict mode.
  */
 class ArduinoLibraryTest {
 
@@ -32,7 +32,8 @@ class ArduinoLibraryTest {
 
     private static final Set<String> REQUIRED = Set.of("name", "version", "author", "maintainer", "sentence",
             "paragraph", "category", "url", "architectures");
-    private static final Set<String> OPTIONAL = Set.of("depends", "dot_a_linkage", "includes", "precompiled", "ldflags");
+    private static final Set<String> OPTIONAL =
+            Set.of("depends", "dot_a_linkage", "includes", "precompiled", "ldflags");
     private static final Set<String> CATEGORIES = Set.of("Display", "Communication", "Signal Input/Output", "Sensors",
             "Device Control", "Timing", "Data Storage", "Data Processing", "Other");
     private static final Pattern FILE_NAME = Pattern.compile("[a-zA-Z0-9_][a-zA-Z0-9_.-]{0,62}");
@@ -46,13 +47,14 @@ class ArduinoLibraryTest {
         assertTrue(has(PROPERTIES.get("includes")::equals, LIBRARY.resolve("src")));            // LS001, LP052
         assertEquals(PROPERTIES.get("name") + ".h", PROPERTIES.get("includes"));                // LS008
         assertEquals(List.of(), folders().filter(name -> miscased(name, "src", "examples", "extras")
-                || name.matches("(?i)utility|example|extra")).toList());                        // LS009 … LS012, LD005, LD006
+                || name.matches("(?i)utility|example|extra")).toList()); // LS009 … LS012, LD005, LD006
     }
 
     @Test
     void files_areNoneThatTheLibraryManagerRefuses() {
         assertEquals(List.of(), FILES.stream().filter(Files::isSymbolicLink).toList());         // LS005
-        assertEquals(List.of(), FILES.stream().filter(named(".gitmodules|\\.development|.*\\.exe")).toList()); // LS004 … LS007
+        // LS004 … LS007
+        assertEquals(List.of(), FILES.stream().filter(named(".gitmodules|\\.development|.*\\.exe")).toList());
         assertEquals(List.of(LIBRARY.resolve("library.properties")),
                 FILES.stream().filter(named("(?i)library\\.propert(y|ies)")).toList());         // LP001 … LP004
         assertTrue(has("README.md"::equals, LIBRARY));                                          // LD001
@@ -121,7 +123,8 @@ class ArduinoLibraryTest {
 
     @Test
     void keywords_areTheNamesOfTheApi() {
-        List<String> lines = Repository.text(FOLDER + "/keywords.txt").lines().filter(line -> !line.startsWith("#")).toList();
+        List<String> lines =
+                Repository.text(FOLDER + "/keywords.txt").lines().filter(line -> !line.startsWith("#")).toList();
         assertEquals(List.of(), lines.stream().filter(line -> !KEYWORD.matcher(line).matches()).toList());
         String readme = Repository.text(FOLDER + "/README.md");
         String api = readme.substring(readme.indexOf("\n## API"), readme.indexOf("\n## Size"));
@@ -134,8 +137,8 @@ class ArduinoLibraryTest {
 
     private static Map<String, String> properties() {
         return Repository.text(FOLDER + "/library.properties").lines()
-                .filter(line -> !line.isBlank() && !line.startsWith("#"))
-                .map(line -> line.split("=", 2)).collect(Collectors.toMap(field -> field[0], field -> field[1])); // LP005
+                .filter(line -> !line.isBlank() && !line.startsWith("#")) // LP005
+                .map(line -> line.split("=", 2)).collect(Collectors.toMap(field -> field[0], field -> field[1]));
     }
 
     private static String firstColumn(String table) {

@@ -39,8 +39,9 @@ class ErrorsPageTest {
 
     @Test
     void gate_eachRefusal_hasAnEntry() {
-        assertTexts("In a plan", Stream.of("Gate", "Inbox").flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
-                Repository.text("diffuser-arch/src/main/java/diffuser/" + name + ".java"))));
+        assertTexts("In a plan",
+                Stream.of("Gate", "Inbox").flatMap(name -> texts("new (?:Gate\\.)?RefusedException\\(([^;]*)\\)",
+                        Repository.text("diffuser-arch/src/main/java/diffuser/" + name + ".java"))));
     }
 
     @Test
@@ -74,7 +75,8 @@ class ErrorsPageTest {
                 Repository.text("examples/highway/src/main/java/highway/Scenario.java"));
         Stream<String> project = texts("new GradleException\\((.*)\\)",
                 Repository.text("javino-java/src/main/resources/javino/cli/project/common/javino.gradle"));
-        assertTexts("On the command line", Stream.of(commands, session, port, highway, project).flatMap(texts -> texts));
+        assertTexts("On the command line",
+                Stream.of(commands, session, port, highway, project).flatMap(texts -> texts));
     }
 
     @Test

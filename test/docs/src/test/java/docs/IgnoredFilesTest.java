@@ -25,8 +25,9 @@ class IgnoredFilesTest {
     private static final Path PROJECT = Path.of("javino-java/src/main/resources/javino/cli/project/common/gitignore");
 
     /** What is written: by a command, by a scenario's board, or by the reader, who is told its name. */
-    private static final Pattern MADE = Pattern.compile("(?:--out|--renew|--trace) ([a-z][\\w/.]*)|\"eeprom\": \"([\\w/]+)"
-        + "|`(?:examples/highway/)?(agents/\\w+\\.asl|\\w+\\.mas2j|(?:fleet|follower)\\.\\w+)`");
+    private static final Pattern MADE =
+            Pattern.compile("(?:--out|--renew|--trace) ([a-z][\\w/.]*)|\"eeprom\": \"([\\w/]+)"
+                    + "|`(?:examples/highway/)?(agents/\\w+\\.asl|\\w+\\.mas2j|(?:fleet|follower)\\.\\w+)`");
 
     @TempDir
     private Path folder;
@@ -37,7 +38,8 @@ class IgnoredFilesTest {
             for (Path page : pages.filter(file -> file.toString().endsWith(".md")).toList()) {
                 Matcher matcher = MADE.matcher(Files.readString(page));
                 while (matcher.find()) {
-                    String file = Stream.of(1, 2, 3).map(matcher::group).filter(name -> name != null).findFirst().orElseThrow();
+                    String file = Stream.of(1, 2, 3).map(matcher::group).filter(name -> name != null).findFirst()
+                            .orElseThrow();
                     if (!Files.exists(Repository.ROOT.resolve("examples/highway").resolve(file))) {
                         made.add(file);
                     }
@@ -66,12 +68,13 @@ class IgnoredFilesTest {
     private String unknown() throws IOException, InterruptedException {
         git("add", "*.gitignore");
         return git("status", "--porcelain", "--untracked-files=all").lines().filter(line -> line.startsWith("??"))
-            .collect(Collectors.joining("\n"));
+                .collect(Collectors.joining("\n"));
     }
 
     @Test
     void howTos_makeWhatIsKnown() throws IOException {
-        assertTrue(made().containsAll(Set.of("keys", "eeprom/vehicle", "agents/mine.asl", "fleet.sh", "lamp.mas2j")), made()::toString);
+        assertTrue(made().containsAll(Set.of("keys", "eeprom/vehicle", "agents/mine.asl", "fleet.sh", "lamp.mas2j")),
+                made()::toString);
     }
 
     @Test

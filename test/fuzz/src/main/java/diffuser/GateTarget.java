@@ -32,9 +32,9 @@ import javino.protocol.ProtocolException;
 /**
  * Messages of all casts against an agent that runs. Each line of the input is one: a letter for its cast (b, m, u), one
  * for its sender, and its content, in which bytes of 0x80 and more are whole words. Whatever they say: no plan of the
- * agent's goes, and none comes but by a sealed tellHow; its beliefs stay, and new ones have the sender as source and the
- * cast that they came by; of its plans for goals a broadcast runs those only that ask for it; no action is performed but
- * by a sealed goal; and each entry of the log is one line.
+ * agent's goes, and none comes but by a sealed tellHow; its beliefs stay, and new ones have the sender as source and
+ * the cast that they came by; of its plans for goals a broadcast runs those only that ask for it; no action is
+ * performed but by a sealed goal; and each entry of the log is one line.
  */
 public final class GateTarget {
 
@@ -58,10 +58,13 @@ public final class GateTarget {
     /** Bytes of 0x80 and more stand for these, so that the fuzzer writes messages rather than noise. */
     private static final List<String> WORDS = List.of("tell;", "untell;", "achieve;", "unachieve;", "signal;",
             "tellHow;", "untellHow;", "askOne#AbC;", "askAll#AbC;", "askHow#AbC;", "tell#AbC;", "kqml_received(",
-            "add_all_kqml_achieve(", "kqml::", "default::", "jag_shutting_down(", "source(", "cast(", "unicast,", "percept",
+            "add_all_kqml_achieve(", "kqml::", "default::", "jag_shutting_down(", "source(", "cast(", "unicast,",
+            "percept",
             "self", "'SUPO'", "\"SUPO\"", "x(", "own(", "trusted(", "go(", "opened(", "guarded(", "held(", "any(",
-            "{ +!e", "{ @l +!go(X)", " : true <- ", " <- danger }", "\"+!e <- danger.\"", "[|T]", "|T]", "[", "]", "(", ")",
-            ",", "X", "_", "1", "-", "+", "\"", "\\n", "math.sqrt(", ".print(", "~", "x", "a", "tellHow,", "achieve,", "m)",
+            "{ +!e", "{ @l +!go(X)", " : true <- ", " <- danger }", "\"+!e <- danger.\"", "[|T]", "|T]", "[", "]", "(",
+            ")",
+            ",", "X", "_", "1", "-", "+", "\"", "\\n", "math.sqrt(", ".print(", "~", "x", "a", "tellHow,", "achieve,",
+            "m)",
             "start", "\u202e", "NS::");
     private static final int MOST_LINES = 6;
     private static final int MOST_CYCLES = 60;
@@ -162,7 +165,8 @@ public final class GateTarget {
         Set<String> beliefs = beliefs(body);
         for (Line line : lines) {
             try {
-                diffuser.inbox().put(new ReceivedMessage(line.from(), line.to(), 0, Content.decode(line.content())), "me");
+                diffuser.inbox().put(new ReceivedMessage(line.from(), line.to(), 0, Content.decode(line.content())),
+                        "me");
             } catch (ProtocolException e) {
                 continue;  // The session drops and counts it.
             }
@@ -173,7 +177,7 @@ public final class GateTarget {
     }
 
     private static void check(List<Line> lines, LocalAgArch body, Watched diffuser, List<String> plans,
-                              Set<String> beliefs) {
+            Set<String> beliefs) {
         List<String> plansNow = plans(body);
         holds(plansNow.containsAll(plans), "no plan is lost", plansNow);
         boolean taught = lines.stream().anyMatch(line -> line.isSealed() && line.has("tellHow"));
@@ -215,7 +219,8 @@ public final class GateTarget {
         Literal own = belief.copy();
         own.delAnnots(own.getAnnots("cast"));
         own.delAnnots(own.getAnnots("source").stream()
-                .filter(source -> SENDERS.stream().anyMatch(sender -> source.toString().equals("source(" + sender + ")")))
+                .filter(source -> SENDERS.stream()
+                        .anyMatch(sender -> source.toString().equals("source(" + sender + ")")))
                 .toList());
         return own.toString();
     }
@@ -252,7 +257,8 @@ public final class GateTarget {
     private static Body agent() throws Exception {
         Body body = new Body();
         body.setAgName("me");
-        body.createArchs(List.of(Watched.class.getName()), Agent.class.getName(), null, FILE.toString(), new Settings());
+        body.createArchs(List.of(Watched.class.getName()), Agent.class.getName(), null, FILE.toString(),
+                new Settings());
         PlainLines.of(body.getTS().getLogger());
         PlainLines.of(body.getTS().getAg().getLogger());
         return body;

@@ -13,8 +13,9 @@ import javino.cli.KeyringTarget;
  */
 public record Target(String name, List<String> command) {
 
-    private static final List<Class<?>> JAVA = List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
-            ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class);
+    private static final List<Class<?>> JAVA =
+            List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
+                    ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class);
     private static final List<String> FIRMWARE = List.of("packet_decoder", "arguments", "radio", "board");
 
     /** The decoders of the Java library, under Jazzer. */
@@ -28,7 +29,8 @@ public record Target(String name, List<String> command) {
      * @param built the folder in which CMake built native.
      */
     public static List<Target> ofFirmware(Path built) {
-        return FIRMWARE.stream().map(name -> new Target(name, List.of(built.resolve("fuzz-" + name).toString()))).toList();
+        return FIRMWARE.stream().map(name -> new Target(name, List.of(built.resolve("fuzz-" + name).toString())))
+                .toList();
     }
 
     /** The command for any class that has {@code fuzzerTestOneInput(byte[])}. */

@@ -21,8 +21,8 @@ import java.util.function.Predicate;
 import uppaal.replay.Replay;
 
 /**
- * A running {@code javino-emulator} with a scenario of its own, in a folder of its own. Its trace is replayed in the model
- * as it comes: {@link #close} fails where the model refuses it.
+ * A running {@code javino-emulator} with a scenario of its own, in a folder of its own. Its trace is replayed in the
+ * model as it comes: {@link #close} fails where the model refuses it.
  */
 public final class Emulator implements AutoCloseable {
 
@@ -30,7 +30,9 @@ public final class Emulator implements AutoCloseable {
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
-    /** So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards. */
+    /**
+     * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
+     */
     private static final int LATEST_LINES = 10_000;
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
@@ -64,7 +66,7 @@ public final class Emulator implements AutoCloseable {
         private String speed = "1";
         private long seed = 1;
         private boolean keeping = true;
-        private Consumer<TraceEvent> listener = event -> { };
+        private Consumer<TraceEvent> listener = event -> {};
 
         public Scenario radio(String key, Object value) {
             radio.put(key, value);
@@ -130,8 +132,9 @@ public final class Emulator implements AutoCloseable {
             Files.createDirectories(folder.resolve("eeprom"));
             Files.writeString(file, new Gson().toJson(scenario));
             Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
-                file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed", "" + seed)
-                .start();
+                    file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed",
+                    "" + seed)
+                    .start();
             RUNNING.add(process);
             Emulator emulator = new Emulator(folder, process, listener);
             emulator.reader = read(process.inputReader(), emulator::traced);
@@ -233,7 +236,8 @@ public final class Emulator implements AutoCloseable {
     }
 
     /** The n-th event, since the run began, that is as described; waits for it if need be. */
-    public synchronized TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted) throws InterruptedException {
+    public synchronized TraceEvent await(String what, int nth, Predicate<TraceEvent> wanted)
+            throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         int next = 0;
         int found = 0;

@@ -7,7 +7,7 @@ import javino.vectors.RadioVectors;
 /** VirtualWire's line code by the maker of the vectors, which shares nothing with library, firmware and emulator. */
 public final class LineCode {
 
-    private LineCode() { }
+    private LineCode() {}
 
     /** The bits that a transmit pin is to show of a payload between its first rise and its last fall. */
     public static String bits(String payload) {

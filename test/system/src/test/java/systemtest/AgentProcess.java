@@ -37,9 +37,9 @@ final class AgentProcess implements AutoCloseable {
         }
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         return start(new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
-            "jason.infra.local.RunLocalMAS", name + ".mas2j",
-            "--log-conf", ROOT.resolve("examples/highway/logging.properties").toString(), "--no-net")
-            .directory(folder.toFile()));
+                "jason.infra.local.RunLocalMAS", name + ".mas2j",
+                "--log-conf", ROOT.resolve("examples/highway/logging.properties").toString(), "--no-net")
+                .directory(folder.toFile()));
     }
 
     /** Starts it by a command of its own. */

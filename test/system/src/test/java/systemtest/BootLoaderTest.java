@@ -20,7 +20,7 @@ class BootLoaderTest {
 
     /** Of Debian's arduino-core-avr, which the sketches are built with. */
     private static final String BOOT_LOADER =
-        "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
+            "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
     /** Emulated seconds, long after the board was greeted. */
     private static final double BUTTON_AT = 10;
     /** Emulated seconds from a reset to a board that does what it is asked: left alone, the boot loader takes 0.8. */

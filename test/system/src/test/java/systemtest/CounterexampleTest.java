@@ -43,8 +43,8 @@ class CounterexampleTest {
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
-            .board("police", "Station").board("thief", "Transmitter").board("support", "Station")
-            .start(folder);
+                .board("police", "Station").board("thief", "Transmitter").board("support", "Station")
+                .start(folder);
         thief = Transmitter.of(emulator, "thief");
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));

@@ -60,7 +60,7 @@ final class DamagedLink implements Link {
                 continue;
             }
             switch (random.nextInt(3)) {
-                case 0 -> { }
+                case 0 -> {}
                 case 1 -> damaged.write(bytes[i] ^ 1 << random.nextInt(8));
                 default -> {
                     damaged.write(random.nextInt(256));

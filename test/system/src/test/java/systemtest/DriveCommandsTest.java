@@ -43,8 +43,8 @@ class DriveCommandsTest {
     private Process start(String command, String board, String... more) throws IOException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         ProcessBuilder builder = new ProcessBuilder(Stream.concat(Stream.of(java, "-cp",
-            System.getProperty("java.class.path"), "javino.cli.Main", command, "--port", emulator.port(board)),
-            Stream.of(more)).toList());
+                System.getProperty("java.class.path"), "javino.cli.Main", command, "--port", emulator.port(board)),
+                Stream.of(more)).toList());
         return builder.redirectError(ProcessBuilder.Redirect.DISCARD).start();
     }
 

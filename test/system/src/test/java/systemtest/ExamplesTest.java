@@ -17,10 +17,10 @@ class ExamplesTest {
     @Test
     void thermometer_tellsDegreesOnBoardsOfEachSupply(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario()
-                 .board("warm", "Thermometer", reading("mega", 153))     // 747 mV of 5 V
-                 .board("cold", "Thermometer", reading("uno", 82))       // 400 mV
-                 .board("mini", "Thermometer", reading("promini", 232))  // 748 mV of 3.3 V
-                 .start(folder)) {
+                .board("warm", "Thermometer", reading("mega", 153))     // 747 mV of 5 V
+                .board("cold", "Thermometer", reading("uno", 82))       // 400 mV
+                .board("mini", "Thermometer", reading("promini", 232))  // 748 mV of 3.3 V
+                .start(folder)) {
             assertEquals("temperature(25)", percept(emulator, "warm"));
             assertEquals("temperature(-10)", percept(emulator, "cold"));
             assertEquals("temperature(25)", percept(emulator, "mini"));
@@ -30,10 +30,13 @@ class ExamplesTest {
     @Test
     void twoBoards_chatByWhatIsTyped(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario()
-                 .board("one", "TwoBoards", Map.of("model", "uno"))
-                 .board("other", "TwoBoards", Map.of("sensors", List.of(Map.of("type", "digital", "pin", 2, "level", List.of(List.of(0, 0))))))
-                 .start(folder);
-             Monitor one = Monitor.of(emulator, "one"); Monitor other = Monitor.of(emulator, "other")) {
+                .board("one", "TwoBoards", Map.of("model", "uno"))
+                .board("other", "TwoBoards",
+                        Map.of("sensors",
+                                List.of(Map.of("type", "digital", "pin", 2, "level", List.of(List.of(0, 0))))))
+                .start(folder);
+                Monitor one = Monitor.of(emulator, "one");
+                Monitor other = Monitor.of(emulator, "other")) {
             assertEquals("ALFA: type a line", one.line());
             assertEquals("BETA: type a line", other.line());
 
@@ -51,8 +54,10 @@ class ExamplesTest {
 
     @Test
     void twoBoards_isUnderstoodByAgentsAndUnderstandsThem(@TempDir Path folder) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().board("one", "TwoBoards").board("station", "Station").start(folder);
-             Monitor one = Monitor.of(emulator, "one"); Host station = Host.of(emulator, "station").as("ROMA", Map.of())) {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("one", "TwoBoards").board("station", "Station").start(folder);
+                Monitor one = Monitor.of(emulator, "one");
+                Host station = Host.of(emulator, "station").as("ROMA", Map.of())) {
             assertEquals("ALFA: type a line", one.line());
             one.type("tell;hello\n");
             assertEquals("tell;hello", station.message().content().toString());
@@ -63,7 +68,7 @@ class ExamplesTest {
 
     private static Map<String, Object> reading(String model, int light) {
         return Map.of("model", model,
-            "sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, light)))));
+                "sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, light)))));
     }
 
     private static String percept(Emulator emulator, String board) throws InterruptedException {

@@ -42,7 +42,8 @@ class FirstStepsMegaTest {
     }
 
     private static String normalised(String text) {
-        return ported(text).replaceAll("check value [0-9a-f]{6}", "check value …").replaceAll("(boot epoch +|\\w+ {2,})\\d+", "$1…");
+        return ported(text).replaceAll("check value [0-9a-f]{6}", "check value …")
+                .replaceAll("(boot epoch +|\\w+ {2,})\\d+", "$1…");
     }
 
     /** The block of the page that follows these words. */
@@ -67,8 +68,9 @@ class FirstStepsMegaTest {
     }
 
     private AgentProcess agent(String name) throws IOException {
-        return AgentProcess.start(new ProcessBuilder(JAVA, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
-            "highway.Agent", "--agent=" + name).directory(folder.toFile()));
+        return AgentProcess.start(
+                new ProcessBuilder(JAVA, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
+                        "highway.Agent", "--agent=" + name).directory(folder.toFile()));
     }
 
     private String lineAfter(String words) {
@@ -84,11 +86,15 @@ class FirstStepsMegaTest {
         Files.writeString(folder.resolve("lamp.mas2j"), blockAfter("`lamp.mas2j` is"));
         Files.writeString(folder.resolve("caller.mas2j"), blockAfter("`lamp.mas2j` is").replace("lamp", "caller"));
         List<String> commands = BLOCK.matcher(ported(page.substring(page.indexOf("## 4.")))).results()
-            .map((MatchResult block) -> block.group(1)).flatMap(String::lines).filter(line -> line.startsWith("javino ")).toList();
-        assertEquals(4, commands.stream().filter(line -> line.matches("javino (keygen|provision|info) .*")).count(), commands::toString);
+                .map((MatchResult block) -> block.group(1)).flatMap(String::lines)
+                .filter(line -> line.startsWith("javino ")).toList();
+        assertEquals(4, commands.stream().filter(line -> line.matches("javino (keygen|provision|info) .*")).count(),
+                commands::toString);
 
-        try (AgentProcess emulator = AgentProcess.start(new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
-                HIGHWAY.resolve("two-megas.json").toString(), "--directory", folder.toString(), "--trace", "-"))) {
+        try (AgentProcess emulator =
+                AgentProcess.start(new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
+                        HIGHWAY.resolve("two-megas.json").toString(), "--directory", folder.toString(), "--trace",
+                        "-"))) {
             while (!Files.exists(folder.resolve("ports/supo"))) {
                 Thread.sleep(20);
             }

@@ -87,11 +87,15 @@ class HighwayTest {
         run.assertNothingLeft();
     }
 
-    /** The picture has the eight messages with an arrow to each receiver, and what the agents said, in well-formed SVG. */
+    /**
+     * The picture has the eight messages with an arrow to each receiver, and what the agents said, in well-formed SVG.
+     */
     private static void assertPictured(Run run) throws Exception {
-        Document svg = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(run.folder.resolve("build/highway.svg").toFile());
+        Document svg = DocumentBuilderFactory.newInstance().newDocumentBuilder()
+                .parse(run.folder.resolve("build/highway.svg").toFile());
         NodeList lines = svg.getElementsByTagName("line");
-        long arrows = IntStream.range(0, lines.getLength()).filter(i -> ((Element) lines.item(i)).hasAttribute("marker-end")).count();
+        long arrows = IntStream.range(0, lines.getLength())
+                .filter(i -> ((Element) lines.item(i)).hasAttribute("marker-end")).count();
         assertEquals(4 + 3 + 6, arrows);
         assertTrue(svg.getDocumentElement().getTextContent().contains("“Help is coming, says SUPO”"));
     }
@@ -102,7 +106,7 @@ class HighwayTest {
         Path jason = Path.of(System.getProperty("javino.newerJason"));
         Optional<Path> home = NewerJava.home();
         String skipped = "skipped: the highway with " + jason.getFileName()
-            + " needs Java 21 or newer, beside " + JAVA + " or named by JAVA_HOME_21_X64";
+                + " needs Java 21 or newer, beside " + JAVA + " or named by JAVA_HOME_21_X64";
         if (home.isEmpty()) {
             System.out.println(skipped);
         }
@@ -129,12 +133,16 @@ class HighwayTest {
     @Test
     void traceThatTheModelRefuses_failsTheRun() throws Exception {
         Path spoiling = folder.resolve("emulator");
-        Files.writeString(spoiling, "#!/bin/bash\nexec " + EMULATOR + " \"$@\" > >(exec sed -u 's/\"host-transmit\"/\"nothing\"/')\n");
+        Files.writeString(spoiling,
+                "#!/bin/bash\nexec " + EMULATOR + " \"$@\" > >(exec sed -u 's/\"host-transmit\"/\"nothing\"/')\n");
         assertTrue(spoiling.toFile().setExecutable(true));
         Run run = launch(spoiling.toString());
 
         assertTrue(run.lastButOne().matches(ALL), run::toString);
-        assertTrue(run.last().matches("model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////, but expected was .*"), run::toString);
+        assertTrue(run.last().matches(
+                "model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////, but expected "
+                        + "was .*"),
+                run::toString);
         assertEquals(1, run.status);
     }
 
@@ -170,19 +178,23 @@ class HighwayTest {
     void optionThatIsUnknown_saysWhichThereAre() throws Exception {
         Run run = launch(EMULATOR, "--speed=2");
 
-        assertEquals(List.of("highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout"), run.lines);
+        assertEquals(List.of(
+                "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout"),
+                run.lines);
         assertEquals(2, run.status);
     }
 
     @ParameterizedTest
     @CsvSource(nullValues = "none", delimiter = '|', value = {
-        "none         | agent: -Pagent=NAME names the agent: one of ambulance, bus, hospital, police, support",
-        "--agent=buss | agent: there is no buss.mas2j; -Pagent=NAME names the agent: one of ambulance, bus, hospital, police, support",
-        "--nope=      | agent: there is no option -Pnope; there is -Pagent",
+            "none         | agent: -Pagent=NAME names the agent: one of ambulance, bus, hospital, police, support",
+            "--agent=buss | agent: there is no buss.mas2j; -Pagent=NAME names the agent: one of ambulance, bus, "
+                    + "hospital, police, support",
+            "--nope=      | agent: there is no option -Pnope; there is -Pagent",
     })
     void agentThatIsNotNamed_saysWhichThereAre(String option, String line) throws Exception {
         copyScenario();
-        List<String> command = new ArrayList<>(List.of(JAVA.resolve("bin/java").toString(), "-cp", CLASS_PATH, "highway.Agent"));
+        List<String> command =
+                new ArrayList<>(List.of(JAVA.resolve("bin/java").toString(), "-cp", CLASS_PATH, "highway.Agent"));
         command.addAll(option == null ? List.of() : List.of(option));
         Run run = follow(new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start());
 
@@ -236,7 +248,8 @@ class HighwayTest {
     /** The launcher starts all others with the Java and the class path that it has. */
     private Process start(Path javaHome, String classPath, String emulator, String... options) throws IOException {
         List<String> command = new ArrayList<>(List.of(javaHome.resolve("bin/java").toString(),
-            "--enable-native-access=ALL-UNNAMED", "-cp", classPath, "highway.Highway", "--plain", "--emulator", emulator));
+                "--enable-native-access=ALL-UNNAMED", "-cp", classPath, "highway.Highway", "--plain", "--emulator",
+                emulator));
         command.addAll(List.of(options));
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
     }
@@ -244,7 +257,7 @@ class HighwayTest {
     /** The class path of this test with another Jason. */
     private static String classPathWith(Path jason) {
         List<String> others = Stream.of(CLASS_PATH.split(File.pathSeparator))
-            .filter(jar -> !jar.contains("jason-interpreter")).toList();
+                .filter(jar -> !jar.contains("jason-interpreter")).toList();
         return jason + File.pathSeparator + String.join(File.pathSeparator, others);
     }
 

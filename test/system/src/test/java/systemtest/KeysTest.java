@@ -57,7 +57,7 @@ class KeysTest {
 
     private List<String> provision(Emulator emulator, String board) {
         return JavinoCommand.run("provision", "--port", emulator.port(board), "--id", IDS.get(board), "--keyring",
-            folder.resolve("keys").toString());
+                folder.resolve("keys").toString());
     }
 
     private static void assertDone(List<String> lines) {
@@ -97,14 +97,15 @@ class KeysTest {
 
     private List<byte[]> record(Emulator emulator) {
         return IDS.keySet().stream().flatMap(board -> emulator.sentBy(board).stream())
-            .map(event -> HexFormat.of().parseHex(event.text("payload"))).toList();
+                .map(event -> HexFormat.of().parseHex(event.text("payload"))).toList();
     }
 
     /** The nonces that an origin has used, whatever for. */
     private static Set<String> noncesOf(String origin, List<byte[]> packets) {
         Set<String> nonces = new HashSet<>();
         for (byte[] packet : packets) {
-            boolean sealed = packet.length > NONCE_END && packet[0] != '+' && new String(packet, 4, 4, java.nio.charset.StandardCharsets.US_ASCII).equals(origin);
+            boolean sealed = packet.length > NONCE_END && packet[0] != '+'
+                    && new String(packet, 4, 4, java.nio.charset.StandardCharsets.US_ASCII).equals(origin);
             if (sealed) {
                 nonces.add(HexFormat.of().formatHex(packet, NONCE_AT, NONCE_END));
             }
@@ -115,7 +116,8 @@ class KeysTest {
     @Test
     void erasedBoard_getsNewKeysOnly_andNoRecordingIsTakenAndNoNonceComesTwice() throws Exception {
         String keys = folder.resolve("keys").toString();
-        assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO", "--pair", "SUPP,SUHO", "--group", "SU"));
+        assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO", "--pair",
+                "SUPP,SUHO", "--group", "SU"));
         List<byte[]> recorded;
         try (Emulator emulator = scenario().start(folder)) {
             for (String board : IDS.keySet()) {
@@ -128,7 +130,8 @@ class KeysTest {
         try (Emulator emulator = scenario().board("thief", "Transmitter").start(folder)) {
             List<String> refused = provision(emulator, "police");
             assertEquals("1", refused.get(refused.size() - 1));
-            assertTrue(refused.get(0).contains("the board has lost keys that SUPO was given (for SUPP, SUHO, //SU)"), refused.toString());
+            assertTrue(refused.get(0).contains("the board has lost keys that SUPO was given (for SUPP, SUHO, //SU)"),
+                    refused.toString());
             assertDone(JavinoCommand.run("keygen", "--renew", keys, "--id", "SUPO"));
             // The police comes first and has to wait for the others; each of them takes three steps.
             List<String> early = provision(emulator, "police");
@@ -219,7 +222,8 @@ class KeysTest {
         }
     }
 
-    private void round(List<String> order, java.util.function.BiFunction<Host, Address, CompletableFuture<?>> step) throws Exception {
+    private void round(List<String> order, java.util.function.BiFunction<Host, Address, CompletableFuture<?>> step)
+            throws Exception {
         for (String board : order) {
             for (String sender : IDS.keySet()) {
                 sendFrom(sender);
@@ -235,7 +239,8 @@ class KeysTest {
     private void multicastFrom(String board) throws Exception {
         settle();
         String text = "tell;n" + sent++;
-        assertEquals(Outcome.SENT, Host.get(hosts.get(board).board.transmit(Address.parse("//SU"), Content.parse(text)).end()));
+        assertEquals(Outcome.SENT,
+                Host.get(hosts.get(board).board.transmit(Address.parse("//SU"), Content.parse(text)).end()));
         for (String to : IDS.keySet()) {
             if (!to.equals(board)) {
                 assertEquals(text, hosts.get(to).message().content().toString(), to);

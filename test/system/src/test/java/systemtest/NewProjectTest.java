@@ -48,9 +48,9 @@ class NewProjectTest {
             assertBetween(greeted + 4, lamp.get(2).seconds(), greeted + 9);    // board.json: night
             assertTrue(lamp.get(3).seconds() > greeted + 9, () -> String.join("\n", gradle.lines()));
             for (String said : List.of("[robot] my board at ports/robot is on", "[robot] it is dark: ",
-                "[robot] it is bright again: ", "[robot] my lamp is on")) {
+                    "[robot] it is bright again: ", "[robot] my lamp is on")) {
                 assertTrue(gradle.lines().stream().anyMatch(line -> line.contains(said)),
-                    () -> said + " is missing:\n" + String.join("\n", gradle.lines()));
+                        () -> said + " is missing:\n" + String.join("\n", gradle.lines()));
             }
         }
         awaitGone(project.resolve("ports/robot"));
@@ -65,11 +65,12 @@ class NewProjectTest {
         assertTrue(Files.size(bundle.resolve("Robot.ino.hex")) > 0);
         Files.createSymbolicLink(bundle.resolve("ports"), project.resolve("ports"));
 
-        try (AgentProcess board = AgentProcess.start(new ProcessBuilder(home.resolve("bin/javino-emulator").toString(), "board.json", "--trace", "-")
-                    .directory(project.toFile()));
+        try (AgentProcess board = AgentProcess
+                .start(new ProcessBuilder(home.resolve("bin/javino-emulator").toString(), "board.json", "--trace", "-")
+                        .directory(project.toFile()));
                 AgentProcess agent = AgentProcess.start(new ProcessBuilder(JAVA_HOME + "/bin/java", "-cp", "lib/*",
-                    "jason.infra.local.RunLocalMAS", "robot.mas2j", "--log-conf", "logging.properties", "--no-net")
-                    .directory(bundle.toFile()))) {
+                        "jason.infra.local.RunLocalMAS", "robot.mas2j", "--log-conf", "logging.properties", "--no-net")
+                        .directory(bundle.toFile()))) {
             board.await("\"name\":\"lamp\",\"level\":1}");
             agent.await("[robot] my lamp is off");
         }
@@ -88,8 +89,9 @@ class NewProjectTest {
 
     /** The Gradle that runs this test. */
     private static ProcessBuilder gradle(String task) {
-        ProcessBuilder gradle = new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
-            "--gradle-user-home", System.getProperty("javino.gradleUserHome"), task);
+        ProcessBuilder gradle =
+                new ProcessBuilder(System.getProperty("javino.gradle"), "--no-daemon", "--console", "plain",
+                        "--gradle-user-home", System.getProperty("javino.gradleUserHome"), task);
         gradle.environment().put("JAVA_HOME", JAVA_HOME);
         return gradle;
     }

@@ -14,7 +14,7 @@ final class NewerJava {
 
     private static final int LEAST = 21;
 
-    private NewerJava() { }
+    private NewerJava() {}
 
     /** The home of the newest Java here, if that is new enough. */
     static Optional<Path> home() throws IOException {
@@ -23,11 +23,14 @@ final class NewerJava {
         }
     }
 
-    /** Those that lie beside the one that runs this (and so that one), and those that JAVA_HOME, JAVA_HOME_21_X64 or the like name. */
+    /**
+     * Those that lie beside the one that runs this (and so that one), and those that JAVA_HOME, JAVA_HOME_21_X64 or the
+     * like name.
+     */
     private static Stream<Path> homes() throws IOException {
         return Stream.concat(Files.list(Path.of(System.getProperty("java.home")).getParent()),
-            System.getenv().entrySet().stream().filter(variable -> variable.getKey().startsWith("JAVA_HOME"))
-                .map(variable -> Path.of(variable.getValue())));
+                System.getenv().entrySet().stream().filter(variable -> variable.getKey().startsWith("JAVA_HOME"))
+                        .map(variable -> Path.of(variable.getValue())));
     }
 
     /** By the file that each Java has in its home; 0 where there is none, or no program to start. */

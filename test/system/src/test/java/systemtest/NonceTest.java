@@ -32,7 +32,8 @@ class NonceTest {
     // Nobody hears the unicasts, so they are sent again and again: with the same nonce, but byte for byte.
     private static void sendMany(Path folder, Map<String, String> frames) throws Exception {
         try (Emulator emulator = new Emulator.Scenario().speed("max").board("police", "Station").start(folder);
-             Host police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP))) {
+                Host police =
+                        Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP))) {
             for (int message = 0; message < MESSAGES_A_RUN; message++) {
                 police.send(message % 50 == 0 ? "SUPP" : "//SU", "tell;x");
             }
@@ -40,7 +41,8 @@ class NonceTest {
                 byte[] frame = HexFormat.of().parseHex(sent.text("payload"));
                 String nonce = HexFormat.of().formatHex(frame, 10, 16);
                 String before = frames.putIfAbsent(nonce, sent.text("payload"));
-                assertTrue(before == null || before.equals(sent.text("payload")), "nonce " + nonce + " was used for another frame");
+                assertTrue(before == null || before.equals(sent.text("payload")),
+                        "nonce " + nonce + " was used for another frame");
             }
         }
     }

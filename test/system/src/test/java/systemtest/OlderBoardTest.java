@@ -29,7 +29,7 @@ class OlderBoardTest {
 
     private static Emulator.Scenario scenario() {
         return new Emulator.Scenario().board("lamp", "OlderBoard",
-            Map.of("watch", List.of(Map.of("pin", 13, "name", "led"))));
+                Map.of("watch", List.of(Map.of("pin", 13, "name", "led"))));
     }
 
     @Test
@@ -39,13 +39,14 @@ class OlderBoardTest {
             host.board.percepts(true);
             assertEquals(List.of("led(off)", "performed(0)", "last(none)"), host.percepts(any -> true));
             List<CompletableFuture<Void>> actions = IntStream.rangeClosed(1, ACTIONS)
-                .mapToObj(i -> host.board.act("step(" + i + ")")).toList();
+                    .mapToObj(i -> host.board.act("step(" + i + ")")).toList();
             actions.forEach(Host::get);
             get(host.board.act("ledOn"));
             List<String> percepts = host.percepts(literals -> literals.contains("last(ledOn)"));
-            // The board keeps one action until its loop comes round, and the host leaves it time by the clock on the wall.
+            // The board keeps one action until its loop comes round, and the host leaves it time by the clock on the
+            // wall.
             assumeTrue(emulator.complaints().stream().noneMatch(line -> line.contains("cannot keep up")),
-                "the machine is too busy to run the board as fast as the clock");
+                    "the machine is too busy to run the board as fast as the clock");
             assertEquals(List.of("led(on)", "performed(" + (ACTIONS + 1) + ")", "last(ledOn)"), percepts);
             emulator.await("the LED", event -> event.is("pin", "lamp") && event.number("level") == 1);
             assertEquals(0, host.board.counters().get(SessionCounter.SILENCES));
@@ -70,7 +71,7 @@ class OlderBoardTest {
             List<String> errors = agent.lines().stream().filter(line -> line.contains("legacy_board, ")).toList();
             assertEquals(3, errors.stream().filter(line -> line.endsWith(remedy)).count(), String.join("\n", errors));
             assertTrue(agent.lines().stream().anyMatch(line -> line.contains("write .act(ledOff) instead of ledOff")),
-                String.join("\n", agent.lines()));
+                    String.join("\n", agent.lines()));
             assertTrue(agent.lines().stream().noneMatch(line -> line.contains("no error of")));
             emulator.await("the LED", 2, event -> event.is("pin", "lamp"));
         }
@@ -79,7 +80,7 @@ class OlderBoardTest {
     @Test
     void argoAgent_drivesItAndSeesItGoAndCome(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = scenario()
-            .fault(UNPLUGGED_SECONDS, "lamp", "unplug").fault(UNPLUGGED_SECONDS + 2, "lamp", "plug");
+                .fault(UNPLUGGED_SECONDS, "lamp", "unplug").fault(UNPLUGGED_SECONDS + 2, "lamp", "plug");
         try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("argo", folder)) {
             agent.await("lamp is on");
             agent.await("led is off");

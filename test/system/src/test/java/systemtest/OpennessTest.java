@@ -21,40 +21,43 @@ class OpennessTest {
     @Test
     void boardGoesAndComes_agentGoesThroughAllTransitionsOfFigureOne(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("antenna", "Vehicle")
-            .fault(UNPLUGGED_SECONDS, "antenna", "unplug").fault(UNPLUGGED_SECONDS + 2, "antenna", "plug")
-            .fault(UNPLUGGED_AGAIN_SECONDS, "antenna", "unplug");
+                .fault(UNPLUGGED_SECONDS, "antenna", "unplug").fault(UNPLUGGED_SECONDS + 2, "antenna", "plug")
+                .fault(UNPLUGGED_AGAIN_SECONDS, "antenna", "unplug");
         try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("wanderer", folder)) {
             emulator.await("the board unplugged again", 2,
-                event -> event.is("port", "antenna") && event.text("state").equals("unplugged"));
+                    event -> event.is("port", "antenna") && event.text("state").equals("unplugged"));
             agent.await("openness totallyClosed", 3);
             assertEquals(List.of(
-                "totallyClosed",
-                "closed",         // +com: the board has come
-                "open",           // +mob
-                "limitedOpen",    // -com: the board is unplugged
-                "totallyClosed",  // -mob
-                "limitedOpen",    // +mob
-                "open",           // +com: the board is back
-                "closed",         // -mob
-                "totallyClosed"), // -com: the board is unplugged again
-                openness(agent));
+                    "totallyClosed",
+                    "closed",         // +com: the board has come
+                    "open",           // +mob
+                    "limitedOpen",    // -com: the board is unplugged
+                    "totallyClosed",  // -mob
+                    "limitedOpen",    // +mob
+                    "open",           // +com: the board is back
+                    "closed",         // -mob
+                    "totallyClosed"), // -com: the board is unplugged again
+                    openness(agent));
         }
     }
 
     @Test
-    void radioHearsNobodyAndThenAPacketForAnother_communicabilityIsLostAndRestored(@TempDir Path folder) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().board("antenna", "Vehicle").board("other", "Transmitter").start(folder);
-             Transmitter other = Transmitter.of(emulator, "other");
-             AgentProcess agent = AgentProcess.start("listener", folder)) {
+    void radioHearsNobodyAndThenAPacketForAnother_communicabilityIsLostAndRestored(@TempDir Path folder)
+            throws Exception {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("antenna", "Vehicle").board("other", "Transmitter").start(folder);
+                Transmitter other = Transmitter.of(emulator, "other");
+                AgentProcess agent = AgentProcess.start("listener", folder)) {
             agent.await("openness totallyClosed", 2);
             other.send("ROMACAFFBotell;hello(1)".getBytes(StandardCharsets.US_ASCII));
             agent.await("openness totallyClosed", 3);
-            assertEquals(List.of("totallyClosed", "closed", "totallyClosed", "closed", "totallyClosed"), openness(agent));
+            assertEquals(List.of("totallyClosed", "closed", "totallyClosed", "closed", "totallyClosed"),
+                    openness(agent));
         }
     }
 
     private static List<String> openness(AgentProcess agent) {
         return agent.lines().stream().filter(line -> line.contains("openness "))
-            .map(line -> line.substring(line.indexOf("openness ") + "openness ".length())).toList();
+                .map(line -> line.substring(line.indexOf("openness ") + "openness ".length())).toList();
     }
 }

@@ -29,9 +29,10 @@ class ProMiniTest {
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
-            .board("mini", "Blink", Map.of("model", "promini", "watch", List.of(Map.of("pin", 12, "name", "transmitter"))))
-            .board("mega", "Station")
-            .start(folder);
+                .board("mini", "Blink",
+                        Map.of("model", "promini", "watch", List.of(Map.of("pin", 12, "name", "transmitter"))))
+                .board("mega", "Station")
+                .start(folder);
         mini = Host.of(emulator, "mini").as("LAMP", Map.of("ROMA", TestKeys.PAIR));
         mega = Host.of(emulator, "mega").as("ROMA", Map.of("LAMP", TestKeys.PAIR));
     }
@@ -47,7 +48,7 @@ class ProMiniTest {
         mini.send("////", "tell;help");
 
         List<TraceEvent> edges = emulator.trace().stream().filter(event -> event.is("pin", "mini"))
-            .dropWhile(edge -> edge.number("level") == 0).toList();
+                .dropWhile(edge -> edge.number("level") == 0).toList();
         assertEquals(LineCode.bits("////LAMPBItell;help"), LineCode.bits(edges, BIT_SECONDS));
         double seconds = edges.get(edges.size() - 1).seconds() - edges.get(0).seconds();
         assertEquals(0, Math.IEEEremainder(seconds, BIT_SECONDS), BIT_SECONDS / 100);

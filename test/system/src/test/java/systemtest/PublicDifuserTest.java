@@ -13,7 +13,8 @@ class PublicDifuserTest {
 
     @Test
     void twoAgents_transmitAndAcknowledgeByRadio(@TempDir Path folder) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {
             Host.of(emulator, "bus").as("ROMA", Map.of()).close();
             Host.of(emulator, "police").as("SUPO", Map.of()).close();
             try (AgentProcess receiver = AgentProcess.start("receiver", folder)) {
@@ -32,7 +33,7 @@ class PublicDifuserTest {
     @Test
     void sketchWithTheOlderLibrary_isGivenTheMessageAsAnAction(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario().board("lamp", "OlderBoard",
-            Map.of("watch", List.of(Map.of("pin", 13, "name", "led"))));
+                Map.of("watch", List.of(Map.of("pin", 13, "name", "led"))));
         try (Emulator emulator = scenario.start(folder); AgentProcess agent = AgentProcess.start("difuser", folder)) {
             agent.await("the sketch was given 1 0.5");
             emulator.await("the LED", event -> event.is("pin", "lamp") && event.number("level") == 1);

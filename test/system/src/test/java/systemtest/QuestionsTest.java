@@ -20,8 +20,10 @@ class QuestionsTest {
 
     @Test
     void agentsAskEachOther_answersResumeWhoAskedAndNothingIsReadable(@TempDir Path folder) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {
-            provision(emulator, "bus", "ROMA", Map.of("SUPO", TestKeys.PAIR, "SUHO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
+        try (Emulator emulator =
+                new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder)) {
+            provision(emulator, "bus", "ROMA",
+                    Map.of("SUPO", TestKeys.PAIR, "SUHO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
             provision(emulator, "police", "SUPO", Map.of("ROMA", TestKeys.PAIR, "//SU", TestKeys.GROUP));
             try (AgentProcess police = AgentProcess.start("answerer", folder)) {
                 police.await("listens");
@@ -37,7 +39,8 @@ class QuestionsTest {
             }
             assertFalse(sent(emulator).isEmpty());
             for (String text : List.of("speed", "near", "greet", "song")) {
-                assertEquals(List.of(), sent(emulator).stream().filter(payload -> payload.contains(hex(text))).toList(), text);
+                assertEquals(List.of(), sent(emulator).stream().filter(payload -> payload.contains(hex(text))).toList(),
+                        text);
             }
         }
     }
@@ -48,7 +51,7 @@ class QuestionsTest {
 
     private static List<String> sent(Emulator emulator) {
         return Stream.of("bus", "police").flatMap(board -> emulator.sentBy(board).stream())
-            .map(event -> event.text("payload")).toList();
+                .map(event -> event.text("payload")).toList();
     }
 
     private static String hex(String text) {

@@ -31,8 +31,8 @@ class RadioExchangeTest {
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario()
-            .board("police", "Vehicle").board("support", "Station").board("bus", "Vehicle")
-            .start(folder);
+                .board("police", "Vehicle").board("support", "Station").board("bus", "Vehicle")
+                .start(folder);
         police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR, "//SU", TestKeys.GROUP));
         bus = Host.of(emulator, "bus").as("ROMA", Map.of());
@@ -76,7 +76,8 @@ class RadioExchangeTest {
 
         List<TraceEvent> sent = emulator.sentBy("police");
         assertEquals(2, sent.size());
-        assertFalse(sent.get(0).text("payload").substring(20 + 12).equals(sent.get(1).text("payload").substring(20 + 12)));
+        assertFalse(
+                sent.get(0).text("payload").substring(20 + 12).equals(sent.get(1).text("payload").substring(20 + 12)));
     }
 
     private static void assertMessage(ReceivedMessage message, String from, String to, String content) {

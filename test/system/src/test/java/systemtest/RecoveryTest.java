@@ -17,7 +17,7 @@ class RecoveryTest {
     /** Long after the slowest Java virtual machine has started an agent. */
     private static final double FAULT_SECONDS = 20;
     private static final Map<String, Object> SENSORS =
-        Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
+            Map.of("sensors", List.of(Map.of("type", "ldr", "pin", "A0", "light", List.of(List.of(0, 300)))));
 
     @Test
     void resetBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
@@ -26,13 +26,14 @@ class RecoveryTest {
 
     @Test
     void unpluggedBoard_isSeenAndTheAgentGoesOn(@TempDir Path folder) throws Exception {
-        comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "unplug").fault(FAULT_SECONDS + 2, "lamp", "plug"));
+        comesBack(folder, new Emulator.Scenario().fault(FAULT_SECONDS, "lamp", "unplug").fault(FAULT_SECONDS + 2,
+                "lamp", "plug"));
     }
 
     private static void comesBack(Path folder, Emulator.Scenario scenario) throws Exception {
         try (Emulator emulator = scenario.board("lamp", "Vehicle", SENSORS).board("other", "Transmitter").start(folder);
-             Transmitter other = Transmitter.of(emulator, "other");
-             AgentProcess agent = AgentProcess.start("watcher", folder)) {
+                Transmitter other = Transmitter.of(emulator, "other");
+                AgentProcess agent = AgentProcess.start("watcher", folder)) {
             agent.await("answered");
             agent.await("light 300");
 
@@ -43,7 +44,7 @@ class RecoveryTest {
             agent.await("message 1 from CAFF");
 
             List<String> ports = agent.lines().stream().filter(line -> line.contains("port o"))
-                .map(line -> line.substring(line.indexOf("port"))).toList();
+                    .map(line -> line.substring(line.indexOf("port"))).toList();
             assertEquals(List.of("port on", "port off", "port on"), ports);
         }
     }

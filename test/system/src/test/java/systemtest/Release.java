@@ -22,7 +22,8 @@ final class Release {
      */
     static Path file(String start, String end) throws IOException {
         try (Stream<Path> all = Files.list(FOLDER)) {
-            List<Path> found = all.filter(file -> file.getFileName().toString().matches(start + "[0-9.]+" + end)).toList();
+            List<Path> found =
+                    all.filter(file -> file.getFileName().toString().matches(start + "[0-9.]+" + end)).toList();
             if (found.size() != 1) {
                 throw new IOException(FOLDER + " has " + found + ", not one " + start + "…" + end);
             }

@@ -19,11 +19,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** An attacker between two devices that do not hear each other: what it lets through, changes or repeats is its choice. */
+/**
+ * An attacker between two devices that do not hear each other: what it lets through, changes or repeats is its choice.
+ */
 class SealedFrameTest {
 
     private static final Set<Counter> DROPPED = EnumSet.of(Counter.RADIO_BAD_FRAMES, Counter.RADIO_RESERVED,
-        Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG);
+            Counter.RADIO_NOT_FOR_US, Counter.RADIO_OWN, Counter.RADIO_NO_KEY, Counter.RADIO_BAD_TAG);
 
     private Emulator emulator;
     private Transmitter attacker;
@@ -33,16 +35,17 @@ class SealedFrameTest {
     @BeforeEach
     void recordSealedFrame(@TempDir Path folder) throws Exception {
         emulator = new Emulator.Scenario().speed("max")
-            .board("police", "Station", Map.of("position", List.of(0, 0)))
-            .board("attacker", "Transmitter", Map.of("position", List.of(90, 0)))
-            .board("support", "Station", Map.of("position", List.of(180, 0)))
-            .start(folder);
+                .board("police", "Station", Map.of("position", List.of(0, 0)))
+                .board("attacker", "Transmitter", Map.of("position", List.of(90, 0)))
+                .board("support", "Station", Map.of("position", List.of(180, 0)))
+                .start(folder);
         attacker = Transmitter.of(emulator, "attacker");
         support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
         try (Host police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR))) {
             police.send("SUPP", "tell;x");
         }
-        frame = HexFormat.of().parseHex(emulator.await("the sealed frame", event -> event.is("rf-tx", "police")).text("payload"));
+        frame = HexFormat.of()
+                .parseHex(emulator.await("the sealed frame", event -> event.is("rf-tx", "police")).text("payload"));
     }
 
     @AfterEach

@@ -28,9 +28,11 @@ class SerialDamageTest {
 
     @Test
     void requests_completeOrFailClearlyAndNoneIsPerformedTwice(@TempDir Path folder) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().board("counter", "Counter", Map.of("resetOnOpen", false)).start(folder)) {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("counter", "Counter", Map.of("resetOnOpen", false)).start(folder)) {
             List<String> failures = new ArrayList<>();
-            try (Host host = Host.over(DamagedLink.opener(SerialLink.opener(emulator.port("counter")), 4711, DAMAGED_BYTES))) {
+            try (Host host =
+                    Host.over(DamagedLink.opener(SerialLink.opener(emulator.port("counter")), 4711, DAMAGED_BYTES))) {
                 host.board.percepts(true);
                 for (int number = 1; number <= ACTIONS; number++) {
                     note(host, number, failures);

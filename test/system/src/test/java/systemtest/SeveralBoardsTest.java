@@ -21,15 +21,18 @@ class SeveralBoardsTest {
     @Test
     void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario()
-            .board("scout", "Vehicle", light(List.of(List.of(0, 100))))
-            .board("base", "Vehicle", light(List.of(List.of(0, 900), List.of(3, 900), List.of(3.1, 950))))
-            .fault(Map.of("t", 1, "board", "scout", "do", "unplug", "after", HEADLIGHTS));
+                .board("scout", "Vehicle", light(List.of(List.of(0, 100))))
+                .board("base", "Vehicle", light(List.of(List.of(0, 900), List.of(3, 900), List.of(3.1, 950))))
+                .fault(Map.of("t", 1, "board", "scout", "do", "unplug", "after", HEADLIGHTS));
         try (Emulator emulator = scenario.start(folder)) {
             Host.of(emulator, "scout").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).close();
             Host.of(emulator, "base").as("SUPO", Map.of("ROMA", TestKeys.PAIR)).close();
             try (AgentProcess agents = AgentProcess.start("pair", List.of("scout", "base"), folder)) {
-                for (String line : List.of("[base] dark by radio from ROMA", "[scout] delivered", "[scout] understood, says base",
-                    "[scout] thanks by radio from SUPO", "[scout] port off", "[base] light 950")) agents.await(line);
+                for (String line : List.of("[base] dark by radio from ROMA", "[scout] delivered",
+                        "[scout] understood, says base",
+                        "[scout] thanks by radio from SUPO", "[scout] port off", "[base] light 950")) {
+                    agents.await(line);
+                }
                 assertEquals(List.of("[scout] light 100"), said(agents, "[scout] light"));
                 assertEquals("[base] light 900", said(agents, "[base] light").get(0));
                 assertEquals(List.of("[base] port on"), said(agents, "[base] port"));
@@ -48,13 +51,16 @@ class SeveralBoardsTest {
         return agents.lines().stream().filter(line -> line.startsWith(beginning)).toList();
     }
 
-    /** A board was given one message, the one for the other; and all that it sent of it, maybe more than once, is sealed. */
+    /**
+     * A board was given one message, the one for the other; and all that it sent of it, maybe more than once, is
+     * sealed.
+     */
     private static void assertOnAir(Emulator emulator, String board, String destination) {
         assertEquals(List.of(destination), emulator.trace().stream().filter(event -> event.is("host-transmit", board))
-            .map(event -> event.text("destination")).toList());
+                .map(event -> event.text("destination")).toList());
         List<TraceEvent> messages = emulator.sentBy(board).stream()
-            .filter(event -> !event.text("kind").equals("acknowledgement")).toList();
+                .filter(event -> !event.text("kind").equals("acknowledgement")).toList();
         assertTrue(messages.stream().allMatch(event -> event.text("destination").equals(destination)
-            && event.fields().get("sealed").getAsBoolean()), messages::toString);
+                && event.fields().get("sealed").getAsBoolean()), messages::toString);
     }
 }

@@ -15,7 +15,7 @@ class SonarTest {
 
     private static final int RESETS = 25;
     private static final Map<String, Object> WALL_AT_300_CM = Map.of("resetOnOpen", true, "sensors", List.of(
-        Map.of("type", "hc-sr04", "trigger", 22, "echo", 2, "distance", List.of(List.of(0, 300)))));
+            Map.of("type", "hc-sr04", "trigger", 22, "echo", 2, "distance", List.of(List.of(0, 300)))));
 
     @Test
     void resetInTheMiddleOfAnEcho_makesNoObstacle(@TempDir Path folder) throws Exception {

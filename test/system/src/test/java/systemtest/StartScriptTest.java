@@ -27,7 +27,8 @@ class StartScriptTest {
         Path home = Files.createDirectories(folder.resolve("a Java/bin")).getParent();
         Path starts = folder.resolve("starts");
         Path counting = home.resolve("bin/java");
-        Files.writeString(counting, "#!/bin/sh\necho start >> '" + starts + "'\nexec '" + java.resolve("bin/java") + "' \"$@\"\n");
+        Files.writeString(counting,
+                "#!/bin/sh\necho start >> '" + starts + "'\nexec '" + java.resolve("bin/java") + "' \"$@\"\n");
         counting.toFile().setExecutable(true);
         Path link = Files.createSymbolicLink(folder.resolve("javino"), SCRIPT);
         Path errors = folder.resolve("errors");
@@ -39,13 +40,13 @@ class StartScriptTest {
         assertEquals(List.of(), Files.readAllLines(errors));
         assertEquals(List.of("start"), Files.readAllLines(starts));
         assertEquals(end(new ProcessBuilder(java.resolve("bin/java").toString(), "-cp",
-            System.getProperty("java.class.path"), "javino.cli.Main", "ports")), printed);
+                System.getProperty("java.class.path"), "javino.cli.Main", "ports")), printed);
     }
 
     @Test
     void version_isThatOfTheBuild() throws Exception {
         String version = Files.readAllLines(Path.of(System.getProperty("javino.root"), "gradle.properties")).stream()
-            .filter(line -> line.startsWith("version=")).findFirst().orElseThrow().substring("version=".length());
+                .filter(line -> line.startsWith("version=")).findFirst().orElseThrow().substring("version=".length());
         assertEquals(List.of("javino " + version), end(new ProcessBuilder(SCRIPT.toString(), "--version")));
     }
 

@@ -43,16 +43,19 @@ class TimersTest {
     @Test
     void onTimer3OfAMega_itTalks(@TempDir Path folder) throws Exception {
         try (Emulator emulator = scenario().board("one", "Timer3Station").board("other", "Station").start(folder);
-             Host one = Host.of(emulator, "one"); Host other = Host.of(emulator, "other")) {
+                Host one = Host.of(emulator, "one");
+                Host other = Host.of(emulator, "other")) {
             exchange(one, other);
         }
     }
 
     private static void talksBesideServoAndTone(Path folder, String model) throws Exception {
         Map<String, Object> watched = Map.of("model", model,
-            "watch", List.of(Map.of("pin", 9, "name", "servo"), Map.of("pin", 8, "name", "buzzer")));
-        try (Emulator emulator = scenario().board("arm", "ServoAndTone", watched).board("other", "Station").start(folder);
-             Host arm = Host.of(emulator, "arm"); Host other = Host.of(emulator, "other")) {
+                "watch", List.of(Map.of("pin", 9, "name", "servo"), Map.of("pin", 8, "name", "buzzer")));
+        try (Emulator emulator =
+                scenario().board("arm", "ServoAndTone", watched).board("other", "Station").start(folder);
+                Host arm = Host.of(emulator, "arm");
+                Host other = Host.of(emulator, "other")) {
             get(arm.board.act("turn(" + SERVO_MICROS + ")"));
             get(arm.board.act("beep(" + TONE_HERTZ + ")"));
             double begin = now(emulator) + SERVO_PERIOD_SECONDS;
@@ -77,13 +80,13 @@ class TimersTest {
 
     private static List<TraceEvent> edges(Emulator emulator, String pin, double begin, double end) {
         return emulator.trace().stream().filter(event -> event.is("pin", "arm") && event.text("name").equals(pin))
-            .filter(event -> event.seconds() >= begin && event.seconds() <= end).toList();
+                .filter(event -> event.seconds() >= begin && event.seconds() <= end).toList();
     }
 
     /** How long the pin stays at a level: each time but for what interrupts take, and on the whole as it should. */
     private static void assertGaps(List<TraceEvent> edges, int level, double seconds) {
         List<Double> gaps = IntStream.range(0, edges.size() - 1).filter(i -> edges.get(i).number("level") == level)
-            .mapToObj(i -> edges.get(i + 1).seconds() - edges.get(i).seconds()).toList();
+                .mapToObj(i -> edges.get(i + 1).seconds() - edges.get(i).seconds()).toList();
         gaps.forEach(gap -> assertEquals(seconds, gap, LATENESS_SECONDS, "level " + level));
         double mean = gaps.stream().mapToDouble(Double::doubleValue).average().orElseThrow();
         assertEquals(seconds, mean, seconds / 100, "level " + level);

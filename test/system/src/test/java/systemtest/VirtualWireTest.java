@@ -24,7 +24,7 @@ class VirtualWireTest {
     void broadcast_isVirtualWireOnAir(@TempDir Path folder) throws Exception {
         Map<String, Object> watched = Map.of("watch", List.of(Map.of("pin", 12, "name", "transmitter")));
         try (Emulator emulator = new Emulator.Scenario().board("bus", "Vehicle", watched).start(folder);
-             Host bus = Host.of(emulator, "bus").as("ROMA", Map.of())) {
+                Host bus = Host.of(emulator, "bus").as("ROMA", Map.of())) {
             bus.send("////", "tell;help");
 
             List<TraceEvent> edges = emulator.trace().stream().filter(event -> event.is("pin", "bus")).toList();
@@ -35,9 +35,10 @@ class VirtualWireTest {
 
     @Test
     void handMadePacket_isHeard(@TempDir Path folder) throws Exception {
-        try (Emulator emulator = new Emulator.Scenario().board("other", "Transmitter").board("police", "Station").start(folder);
-             Transmitter other = Transmitter.of(emulator, "other");
-             Host police = Host.of(emulator, "police").as("SUPO", Map.of())) {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("other", "Transmitter").board("police", "Station").start(folder);
+                Transmitter other = Transmitter.of(emulator, "other");
+                Host police = Host.of(emulator, "police").as("SUPO", Map.of())) {
             other.send("////ROMABItell;help".getBytes(StandardCharsets.US_ASCII));
 
             ReceivedMessage message = police.message();

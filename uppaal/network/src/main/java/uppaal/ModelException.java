@@ -24,6 +24,7 @@ public final class ModelException extends RuntimeException {
     /** For a file that cannot be read. */
     public static ModelException unreadable(Path file, IOException problem) {
         return new ModelException(file.toString(),
-            problem instanceof NoSuchFileException ? "there is no such file" : "it cannot be read: " + problem.getMessage());
+                problem instanceof NoSuchFileException ? "there is no such file"
+                        : "it cannot be read: " + problem.getMessage());
     }
 }

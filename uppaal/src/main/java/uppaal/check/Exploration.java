@@ -127,7 +127,7 @@ public final class Exploration {
         for (int at = number; parents.get(at) != NOWHERE; at = parents.get(at)) {
             int[] target = states.get(at);
             moves.addFirst(successors.of(states.get(parents.get(at))).stream()
-                .filter(move -> Arrays.equals(move.target(), target)).findFirst().orElseThrow());
+                    .filter(move -> Arrays.equals(move.target(), target)).findFirst().orElseThrow());
         }
         return new Trace(network, List.copyOf(moves), states.get(number));
     }

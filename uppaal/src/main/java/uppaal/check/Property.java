@@ -15,6 +15,7 @@ import uppaal.language.Term;
  * @param text the property as UPPAAL writes it
  */
 public record Property(Quantifier quantifier, Term formula, String text) {
+
     private static final String ALWAYS = "A[]";
     private static final String POSSIBLY = "E<>";
 
@@ -64,6 +65,6 @@ public record Property(Quantifier quantifier, Term formula, String text) {
     /** The left and the right side of {@code A[] left imply right}. */
     public Optional<Term.Binary> implication() {
         return quantifier == Quantifier.ALWAYS && formula instanceof Term.Binary binary
-            && binary.operator() == Operator.IMPLY ? Optional.of(binary) : Optional.empty();
+                && binary.operator() == Operator.IMPLY ? Optional.of(binary) : Optional.empty();
     }
 }

@@ -14,7 +14,8 @@ import uppaal.ModelException;
  * Before each property we want a comment of our own form: {@code /* NAME holds|fails: what it says. *}{@code /}.
  */
 public final class QueryFile {
-    private static final Pattern COMMENT = Pattern.compile("/\\*\\s*(?<name>\\w+) (?<verdict>holds|fails): (?<sentence>.+?)\\s*\\*/");
+    private static final Pattern COMMENT =
+            Pattern.compile("/\\*\\s*(?<name>\\w+) (?<verdict>holds|fails): (?<sentence>.+?)\\s*\\*/");
 
     private final String file;
     private final List<Query> queries = new ArrayList<>();
@@ -68,7 +69,7 @@ public final class QueryFile {
             throw new ModelException(where, "a comment must stand before it: /* NAME holds|fails: what it says. */");
         }
         queries.add(new Query(comment.group("name"), comment.group("verdict").equals("holds"),
-            comment.group("sentence"), property.toString(), where));
+                comment.group("sentence"), property.toString(), where));
         comment = null;
         property = new StringBuilder();
     }

@@ -14,7 +14,9 @@ import uppaal.network.Slot;
  * @param last the state that they lead to
  */
 public record Trace(Network network, List<JointMove> moves, int[] last) {
-    /** One line a step, behind the time at which it happens, then the last state: all that is not as it was at first. */
+    /**
+     * One line a step, behind the time at which it happens, then the last state: all that is not as it was at first.
+     */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         int time = 0;
@@ -22,7 +24,8 @@ public record Trace(Network network, List<JointMove> moves, int[] last) {
             if (move.passesTime()) {
                 time++;
             } else {
-                lines.add(String.format("%3d  %s%s", lines.size() + 1, network.timed() ? String.format("%4d: ", time) : "", move));
+                lines.add(String.format("%3d  %s%s", lines.size() + 1,
+                        network.timed() ? String.format("%4d: ", time) : "", move));
             }
         }
         lines.add("  => " + String.join(", ", changed()));

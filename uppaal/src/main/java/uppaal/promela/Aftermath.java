@@ -48,7 +48,7 @@ final class Aftermath {
             return said(automaton, moved.get(automaton));
         }
         return IntStream.range(0, automaton.locations().size()).boxed().flatMap(location -> said(automaton, location)
-            .map(invariant -> new Term.Binary(Operator.IMPLY, new Term.At(automaton.slot(), location), invariant)));
+                .map(invariant -> new Term.Binary(Operator.IMPLY, new Term.At(automaton.slot(), location), invariant)));
     }
 
     private Stream<Term> said(Automaton automaton, int location) {

@@ -24,7 +24,7 @@ final class Commands {
      * @param guard a Promela expression
      * @param effect Promela statements, divided by semicolons
      */
-    record Command(String guard, String effect) { }
+    record Command(String guard, String effect) {}
 
     private final Network network;
     private final Terms terms;
@@ -82,18 +82,19 @@ final class Commands {
 
     private String active(int clock) {
         return network.owner(clock).map(owner -> owner.active(clock).stream()
-            .map(location -> terms.at(owner, location)).reduce((one, other) -> one + " || " + other).map(any -> "(" + any + ")")
-            .orElse("false")).orElse("true");
+                .map(location -> terms.at(owner, location)).reduce((one, other) -> one + " || " + other)
+                .map(any -> "(" + any + ")")
+                .orElse("false")).orElse("true");
     }
 
     private void synchronised(Part sender, Symbol.Channel channel) {
         List<Automaton> others = network.automata().stream()
-            .filter(other -> other != sender.automaton() && !receiving(other, channel).isEmpty()).toList();
+                .filter(other -> other != sender.automaton() && !receiving(other, channel).isEmpty()).toList();
         if (channel.broadcast()) {
             broadcast(List.of(sender), List.of(), others, channel);
         } else {
             others.forEach(other -> receiving(other, channel).forEach(
-                transition -> command(List.of(sender, new Part(other, transition)), List.of())));
+                    transition -> command(List.of(sender, new Part(other, transition)), List.of())));
         }
     }
 
@@ -109,7 +110,8 @@ final class Commands {
             broadcast(plus(hearing, new Part(other, transition)), deaf, rest, channel);
         }
         String cannot = receiving(other, channel).stream()
-            .map(transition -> "!(" + enabled(new Part(other, transition)) + ")").collect(Collectors.joining(" && "));
+                .map(transition -> "!(" + enabled(new Part(other, transition)) + ")")
+                .collect(Collectors.joining(" && "));
         broadcast(hearing, plus(deaf, cannot), rest, channel);
     }
 
@@ -121,7 +123,8 @@ final class Commands {
         StringJoiner guard = new StringJoiner(" && ");
         parts.forEach(part -> guard.add(enabled(part)));
         conditions.forEach(guard::add);
-        if (parts.stream().noneMatch(part -> part.automaton().locations().get(part.transition().source()).committed())) {
+        if (parts.stream()
+                .noneMatch(part -> part.automaton().locations().get(part.transition().source()).committed())) {
             guard.add("!committed");
         }
         Aftermath after = new Aftermath(network);

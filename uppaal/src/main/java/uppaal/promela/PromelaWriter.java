@@ -47,7 +47,8 @@ public final class PromelaWriter {
         text.append("/* ").append(network.file()).append(", translated. */\n\n");
         for (int i = 0; i < network.slots().size(); i++) {
             Slot slot = network.slots().get(i);
-            text.append(type(slot)).append(' ').append(terms.variable(i)).append(" = ").append(slot.initial()).append(";\n");
+            text.append(type(slot)).append(' ').append(terms.variable(i)).append(" = ").append(slot.initial())
+                    .append(";\n");
         }
     }
 

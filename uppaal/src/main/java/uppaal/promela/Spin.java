@@ -73,7 +73,8 @@ public final class Spin {
         Tool.run(folder, "gcc", "-w", "-O0", "-DSAFETY", "-DNOREDUCE", "-o", "claims", "pan.c");
         List<Boolean> verdicts = new ArrayList<>();
         for (int i = 0; i < properties.size(); i++) {
-            String output = complete(Tool.run(folder, "./claims", "-N", PromelaWriter.claim(i), "-n", "-b", "-m100000", "-w18"));
+            String output = complete(
+                    Tool.run(folder, "./claims", "-N", PromelaWriter.claim(i), "-n", "-b", "-m100000", "-w18"));
             boolean settled = !find(ERRORS, output).equals("0");
             verdicts.add(settled == (properties.get(i).quantifier() == Property.Quantifier.POSSIBLY));
         }

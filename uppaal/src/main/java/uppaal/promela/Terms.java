@@ -43,7 +43,7 @@ final class Terms {
         String left = expression(binary.left());
         String right = expression(binary.right());
         return binary.operator() == Operator.IMPLY
-            ? "(!" + left + " || " + right + ")"
-            : "(" + left + " " + binary.operator().symbol() + " " + right + ")";
+                ? "(!" + left + " || " + right + ")"
+                : "(" + left + " " + binary.operator().symbol() + " " + right + ")";
     }
 }

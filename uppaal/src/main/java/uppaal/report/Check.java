@@ -24,7 +24,7 @@ import uppaal.promela.Spin;
  * @param verifyta UPPAAL's verdicts, where it is installed
  */
 record Check(Network network, List<Query> queries, Exploration own, Optional<Spin.Result> spin,
-             Optional<List<Boolean>> verifyta) {
+        Optional<List<Boolean>> verifyta) {
     /**
      * Checks a model.
      *
@@ -45,18 +45,19 @@ record Check(Network network, List<Query> queries, Exploration own, Optional<Spi
         }
         List<Property> properties = properties(network, queries);
         Optional<Spin.Result> spin = Spin.available()
-            ? Optional.of(Spin.check(network, properties, folder)) : Optional.empty();
+                ? Optional.of(Spin.check(network, properties, folder)) : Optional.empty();
         return new Check(network, queries, Exploration.of(network, properties), spin,
-            engine.map(found -> verdicts));
+                engine.map(found -> verdicts));
     }
 
     /**
-     * Checks a scene of delivery, by our checker alone: {@code verifyta} has no file for it, and SPIN would take minutes to
-     * compile its joint moves.
+     * Checks a scene of delivery, by our checker alone: {@code verifyta} has no file for it, and SPIN would take
+     * minutes to compile its joint moves.
      */
     static Check of(Document document, List<Query> queries) {
         Network network = NetworkBuilder.build(document);
-        return new Check(network, queries, Exploration.of(network, properties(network, queries)), Optional.empty(), Optional.empty());
+        return new Check(network, queries, Exploration.of(network, properties(network, queries)), Optional.empty(),
+                Optional.empty());
     }
 
     /** The queries' properties, parsed for a network. */
@@ -75,17 +76,17 @@ record Check(Network network, List<Query> queries, Exploration own, Optional<Spi
             verifyta.ifPresent(verdicts -> compare(lines, index, "verifyta", expected, verdicts.get(index)));
         }
         spin.filter(result -> result.states() != own.states()).ifPresent(result -> lines.add(
-            network.file() + ": our checker finds " + own.states() + " states, SPIN " + result.states()));
+                network.file() + ": our checker finds " + own.states() + " states, SPIN " + result.states()));
         spin.filter(result -> result.deadlock() != own.deadlocks() > 0).ifPresent(result -> lines.add(
-            network.file() + ": our checker finds " + own.deadlocks() + " deadlocks, SPIN "
-                + (result.deadlock() ? "some" : "none")));
+                network.file() + ": our checker finds " + own.deadlocks() + " deadlocks, SPIN "
+                        + (result.deadlock() ? "some" : "none")));
         return lines;
     }
 
     private void compare(List<String> lines, int query, String engine, boolean expected, boolean found) {
         if (found != expected) {
             lines.add(network.file() + ", " + queries.get(query).name() + ": expected that it " + word(expected)
-                + ", for " + engine + " it " + word(found));
+                    + ", for " + engine + " it " + word(found));
         }
     }
 

@@ -20,7 +20,7 @@ record Kill(Fault fault, List<String> paper, List<String> stronger, List<String>
         Document paper = fault.in(suite.paper());
         Document quiet = fault.in(suite.quiet());
         return new Kill(fault, noticed(paper, suite.paperQueries()), noticed(paper, suite.strongerQueries()),
-            noticed(quiet, suite.quietQueries()));
+                noticed(quiet, suite.quietQueries()));
     }
 
     /** Whether any query notices the fault. */

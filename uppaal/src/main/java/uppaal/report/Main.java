@@ -19,8 +19,9 @@ public final class Main {
      */
     public static void main(String[] arguments) {
         if (arguments.length != 3) {
-            System.err.println("usage: Main MODELS OUTPUT FIRMWARE (the folder of the models, one for generated files, and"
-                + " javino-firmware/src)");
+            System.err.println(
+                    "usage: Main MODELS OUTPUT FIRMWARE (the folder of the models, one for generated files, and"
+                            + " javino-firmware/src)");
             System.exit(2);
         }
         try {
@@ -79,7 +80,7 @@ public final class Main {
         List<String> wrong = new ArrayList<>(paper.disagreements());
         wrong.addAll(quiet.disagreements());
         kills.stream().filter(kill -> !kill.caught())
-            .forEach(kill -> wrong.add("no property notices the fault '" + kill.fault().name() + "'"));
+                .forEach(kill -> wrong.add("no property notices the fault '" + kill.fault().name() + "'"));
         return wrong;
     }
 }

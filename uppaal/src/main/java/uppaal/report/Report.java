@@ -21,14 +21,15 @@ final class Report {
             int index = i;
             Query query = check.queries().get(i);
             out.printf("%-6s%-10s%-10s%-10s%-10s%s%n", query.name(), Check.word(query.expected()),
-                Check.word(check.own().holds(i)),
-                check.spin().map(result -> Check.word(result.holds().get(index))).orElse("-"),
-                check.verifyta().map(verdicts -> Check.word(verdicts.get(index))).orElse("-"), query.sentence());
+                    Check.word(check.own().holds(i)),
+                    check.spin().map(result -> Check.word(result.holds().get(index))).orElse("-"),
+                    check.verifyta().map(verdicts -> Check.word(verdicts.get(index))).orElse("-"), query.sentence());
         }
         out.printf("%-6s%-10s%-10d%s%n", "states", "", check.own().states(),
-            check.spin().map(result -> String.valueOf(result.states())).orElse("-"));
-        check.spin().ifPresentOrElse(found -> { }, () -> out.println("SPIN is not on the path (spin and gcc are needed)."));
-        check.verifyta().ifPresentOrElse(found -> { }, () -> out.println("verifyta is not on the path."));
+                check.spin().map(result -> String.valueOf(result.states())).orElse("-"));
+        check.spin().ifPresentOrElse(found -> {},
+                () -> out.println("SPIN is not on the path (spin and gcc are needed)."));
+        check.verifyta().ifPresentOrElse(found -> {}, () -> out.println("verifyta is not on the path."));
     }
 
     /** A shortest way to a state that refutes each query that fails. */
@@ -47,7 +48,7 @@ final class Report {
         out.printf("%-6s%-18s%s%n", "", "left side", "right side alone");
         for (Substance implication : implications) {
             out.printf("%-6s%-18s%s%n", implication.query(), implication.reached() ? "is reached" : "is NEVER reached",
-                implication.needless() ? "holds always: the left side adds nothing" : "does not always hold");
+                    implication.needless() ? "holds always: the left side adds nothing" : "does not always hold");
         }
     }
 
@@ -57,11 +58,11 @@ final class Report {
         out.printf("%-24s%-12s%-34s%-8s%s%n", "", "paper's", "stronger", "quiet", "what is wrong");
         for (Kill kill : kills) {
             out.printf("%-24s%-12s%-34s%-8s%s%n", kill.fault().name(), names(kill.paper()), names(kill.stronger()),
-                names(kill.quiet()), kill.fault().sentence());
+                    names(kill.quiet()), kill.fault().sentence());
         }
         long missed = kills.stream().filter(kill -> kill.paper().isEmpty()).count();
         out.printf("%d faults; %d pass all eight properties of the paper; %d pass all.%n", kills.size(), missed,
-            kills.stream().filter(kill -> !kill.caught()).count());
+                kills.stream().filter(kill -> !kill.caught()).count());
     }
 
     /** What our checker says of a scene of delivery. */
@@ -70,8 +71,9 @@ final class Report {
         out.printf("%-6s%-10s%-10s%s%n", "", "expected", "checker", "says");
         for (int i = 0; i < check.queries().size(); i++) {
             Query query = check.queries().get(i);
-            out.printf("%-6s%-10s%-10s%s%n", query.name(), Check.word(query.expected()), Check.word(check.own().holds(i)),
-                query.sentence());
+            out.printf("%-6s%-10s%-10s%s%n", query.name(), Check.word(query.expected()),
+                    Check.word(check.own().holds(i)),
+                    query.sentence());
         }
         out.printf("%-16s%d states%n", "", check.own().states());
     }

@@ -21,14 +21,15 @@ import uppaal.document.DocumentReader;
  * @param constants that are other than in the file
  */
 record Scene(String name, String title, Map<String, Integer> constants) {
+
     /** All of them. Where a frame's time on the air matters, it is that of the shortest message, rounded up. */
     static final List<Scene> ALL = List.of(
-        new Scene("unicast", "Two unicasts, and an attacker", Map.of()),
-        new Scene("multicast", "Two multicasts, another group, and an attacker", Map.of()),
-        new Scene("crossing", "Two boards that send to each other at the same time (three attempts only)",
-            Map.of("MESSAGES", 1, "ATTEMPTS", 3)),
-        new Scene("bound", "How long a unicast may take",
-            Map.of("MESSAGES", 1, "PATIENCE", 3, "DATA_TIME", 4, "ACK_TIME", 3)));
+            new Scene("unicast", "Two unicasts, and an attacker", Map.of()),
+            new Scene("multicast", "Two multicasts, another group, and an attacker", Map.of()),
+            new Scene("crossing", "Two boards that send to each other at the same time (three attempts only)",
+                    Map.of("MESSAGES", 1, "ATTEMPTS", 3)),
+            new Scene("bound", "How long a unicast may take",
+                    Map.of("MESSAGES", 1, "PATIENCE", 3, "DATA_TIME", 4, "ACK_TIME", 3)));
 
     /** The document. */
     Document document(Path models) {
@@ -61,7 +62,8 @@ record Scene(String name, String title, Map<String, Integer> constants) {
         firmware.constants(number(document, "UNIT")).forEach((constant, wanted) -> {
             int found = number(document, constant);
             if (found != wanted) {
-                lines.add(document.file() + ": " + constant + " is " + found + ", by the firmware's sources it must be " + wanted);
+                lines.add(document.file() + ": " + constant + " is " + found + ", by the firmware's sources it must be "
+                        + wanted);
             }
         });
         return lines;

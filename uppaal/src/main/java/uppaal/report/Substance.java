@@ -32,7 +32,8 @@ record Substance(String query, boolean reached, boolean needless) {
 
     private static Substance of(Network network, String name, Term.Binary implication) {
         Exploration exploration = Exploration.of(network, List.of(
-            Property.possibly(implication.left(), "left side"), Property.always(implication.right(), "right side")));
+                Property.possibly(implication.left(), "left side"),
+                Property.always(implication.right(), "right side")));
         return new Substance(name, exploration.holds(0), exploration.holds(1));
     }
 }

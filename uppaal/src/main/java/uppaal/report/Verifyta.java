@@ -32,11 +32,11 @@ final class Verifyta {
      */
     List<Boolean> check(Path model, Path queries, int count) throws IOException {
         String output = Tool.run(model.toAbsolutePath().getParent(), program,
-            model.toAbsolutePath().toString(), queries.toAbsolutePath().toString());
+                model.toAbsolutePath().toString(), queries.toAbsolutePath().toString());
         List<Boolean> verdicts = verdicts(output);
         if (verdicts.size() != count) {
             throw new IOException("verifyta gave " + verdicts.size() + " verdicts on the " + count + " properties of "
-                + queries.getFileName() + ": " + output.strip());
+                    + queries.getFileName() + ": " + output.strip());
         }
         return verdicts;
     }

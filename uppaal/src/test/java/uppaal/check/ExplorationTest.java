@@ -32,7 +32,7 @@ class ExplorationTest {
 
     private static Exploration explore(Network network, String... properties) {
         return Exploration.of(network,
-            Arrays.stream(properties).map(text -> Property.parse(text, network, "here")).toList());
+                Arrays.stream(properties).map(text -> Property.parse(text, network, "here")).toList());
     }
 
     @ParameterizedTest
@@ -59,7 +59,7 @@ class ExplorationTest {
         assertEquals(PAPER.system(), quiet.system());
         assertEquals(withoutComments(PAPER.declarations()), withoutComments(quiet.declarations()));
         assertEquals(List.of("Connection"), PAPER.templates().stream()
-            .filter(template -> !quiet.templates().contains(template)).map(template -> template.name()).toList());
+                .filter(template -> !quiet.templates().contains(template)).map(template -> template.name()).toList());
         assertEquals(PAPER.templates().size(), quiet.templates().size());
     }
 
@@ -73,7 +73,8 @@ class ExplorationTest {
         for (JointMove move : trace.moves()) {
             int[] before = state;
             assertTrue(new Successors(network).of(before).stream()
-                .anyMatch(possible -> possible.parts().equals(move.parts()) && Arrays.equals(possible.target(), move.target())));
+                    .anyMatch(possible -> possible.parts().equals(move.parts())
+                            && Arrays.equals(possible.target(), move.target())));
             state = move.target();
         }
         assertArrayEquals(trace.last(), state);
@@ -84,9 +85,9 @@ class ExplorationTest {
     @Test
     void evidence_lines_canBeRead() {
         Network network = Sketch.of("chan c; int[0,9] x;").template("P", "a -> b; sync c!; set x = 7")
-            .template("Q", "a -> b; sync c?").network();
+                .template("Q", "a -> b; sync c?").network();
         assertEquals(List.of("  1  c                  P a -> b, Q a -> b", "  => P.b, Q.b, x = 7"),
-            explore(network, "E<> x == 7").evidence(0).orElseThrow().lines());
+                explore(network, "E<> x == 7").evidence(0).orElseThrow().lines());
         assertEquals(List.of("  => the first state"), explore(network, "A[] x == 7").evidence(0).orElseThrow().lines());
         assertTrue(explore(network, "E<> x == 8").evidence(0).isEmpty());
     }
@@ -95,20 +96,21 @@ class ExplorationTest {
     void explore_variableLeavesItsRange_isSaid() {
         Network network = Sketch.of("int[0,2] x;").template("P", "a -> a; set x++").network();
         assertEquals("sketch: P a -> a would make 'x' 3, outside its range [0,2]",
-            assertThrows(ModelException.class, () -> explore(network)).getMessage());
+                assertThrows(ModelException.class, () -> explore(network)).getMessage());
     }
 
     @Test
     void explore_overflow_isSaid() {
         Network network = Sketch.of("int x = 2;").template("P", "a -> b; guard x * 2147483647 > 0").network();
-        assertEquals("sketch: a value does not fit 32 bits", assertThrows(ModelException.class, () -> explore(network)).getMessage());
+        assertEquals("sketch: a value does not fit 32 bits",
+                assertThrows(ModelException.class, () -> explore(network)).getMessage());
     }
 
     @Test
     void paper_highwaysMessages_canComeInTheirOrder() {
         Network network = NetworkBuilder.build(PAPER);
         List<String> heard = List.of("sendBroadcast", "encryptUnicast", "sendUnicast",
-            "encryptMulticast", "sendMulticast", "sendBroadcast");
+                "encryptMulticast", "sendMulticast", "sendBroadcast");
         assertTrue(accepts(network, heard));
         assertTrue(!accepts(network, List.of("sendUnicast")), "nothing is sent that was not encrypted");
         assertTrue(!accepts(network, List.of("encryptUnicast", "sendBroadcast")), "nobody else sends in between");
@@ -121,7 +123,7 @@ class ExplorationTest {
             Set<List<Integer>> after = new LinkedHashSet<>();
             for (List<Integer> state : closure(network, states)) {
                 steps(network, state).stream().filter(move -> name(move).equals(message))
-                    .forEach(move -> after.add(boxed(move.target())));
+                        .forEach(move -> after.add(boxed(move.target())));
             }
             states = after;
         }

@@ -11,12 +11,14 @@ import uppaal.Sketch;
 import uppaal.network.Network;
 
 class PropertyTest {
-    private static final Network NETWORK = Sketch.of("int x; const int N = 3;").template("P", "a -> b; set x = N").network();
+    private static final Network NETWORK =
+            Sketch.of("int x; const int N = 3;").template("P", "a -> b; set x = N").network();
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "A[] P.a || P.b; true", "A[] x == 0; false", "E<> x == N; true", "E<> P.b && x == 0; false",
-        "A[] (P.b) imply x == 3; true", "E<> deadlock; true", "A[] not deadlock; false", "A[] deadlock imply P.b; true"})
+            "A[] P.a || P.b; true", "A[] x == 0; false", "E<> x == N; true", "E<> P.b && x == 0; false",
+            "A[] (P.b) imply x == 3; true", "E<> deadlock; true", "A[] not deadlock; false",
+            "A[] deadlock imply P.b; true"})
     void holds_property_isAsUppaalHasIt(String text, boolean expected) {
         Property property = Property.parse(text, NETWORK, "here");
         assertEquals(expected, Exploration.of(NETWORK, java.util.List.of(property)).holds(0));
@@ -24,13 +26,14 @@ class PropertyTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "A<> P.b; a query that begins neither with A[] nor with E<> is outside the subset that this checker reads",
-        "P.a --> P.b; a query that begins neither with A[] nor with E<> is outside the subset that this checker reads",
-        "A[] P.c; 'P.c' has no value here", "A[] Q.a; 'Q.a' has no value here", "A[] y; 'y' has no value here",
-        "A[] P.a P.b; expected the end, not 'P'", "E<>; expected a name, not the end"})
+            "A<> P.b; a query that begins neither with A[] nor with E<> is outside the subset that this checker reads",
+            "P.a --> P.b; a query that begins neither with A[] nor with E<> is outside the subset that this checker "
+                    + "reads",
+            "A[] P.c; 'P.c' has no value here", "A[] Q.a; 'Q.a' has no value here", "A[] y; 'y' has no value here",
+            "A[] P.a P.b; expected the end, not 'P'", "E<>; expected a name, not the end"})
     void parse_wrong_saysWhat(String text, String message) {
         assertEquals("here: " + message,
-            assertThrows(ModelException.class, () -> Property.parse(text, NETWORK, "here")).getMessage());
+                assertThrows(ModelException.class, () -> Property.parse(text, NETWORK, "here")).getMessage());
     }
 
     @Test

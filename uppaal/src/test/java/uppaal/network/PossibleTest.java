@@ -11,8 +11,9 @@ import uppaal.Sketch;
 class PossibleTest {
     private static Possible door() {
         return Possible.first(Sketch.of("broadcast chan open, close, ring;")
-            .template("Door", "Shut -> Locked", "Shut -> Ajar; sync open!", "Ajar -> Shut; sync close!", "Locked -> Locked; sync ring!")
-            .network());
+                .template("Door", "Shut -> Locked", "Shut -> Ajar; sync open!", "Ajar -> Shut; sync close!",
+                        "Locked -> Locked; sync ring!")
+                .network());
     }
 
     @Test
@@ -44,7 +45,7 @@ class PossibleTest {
     @Test
     void after_timedNetwork_timePassesUnseen() {
         Possible timed = Possible.first(Sketch.of("broadcast chan late; clock x;")
-            .template("Clock", "A{x<=3} -> B; guard x >= 2; sync late!").network());
+                .template("Clock", "A{x<=3} -> B; guard x >= 2; sync late!").network());
         assertTrue(timed.after("late").isPresent());
     }
 }

@@ -21,7 +21,8 @@ final class RandomNetworks {
             String[] edges = new String[4 + random.nextInt(5)];
             for (int i = 0; i < edges.length; i++) {
                 edges[i] = (i == 0 ? "a" : pick(LOCATIONS, random)) + " -> " + pick(LOCATIONS, random)
-                    + label("guard", GUARDS, random) + label("sync", SYNCHRONISATIONS, random) + label("set", ASSIGNMENTS, random);
+                        + label("guard", GUARDS, random) + label("sync", SYNCHRONISATIONS, random)
+                        + label("set", ASSIGNMENTS, random);
             }
             sketch.template(name, edges);
         }

@@ -54,13 +54,14 @@ class SpinTest {
     void check_randomNetwork_agreesWithOurChecker(long seed) throws IOException {
         Network network = RandomNetworks.network(seed);
         assertAgreed(network, List.of(Property.parse("A[] not deadlock", network, "here"),
-            Property.parse("E<> x == 0 && y == 2", network, "here"), Property.parse("A[] x + y < 4", network, "here")));
+                Property.parse("E<> x == 0 && y == 2", network, "here"),
+                Property.parse("A[] x + y < 4", network, "here")));
     }
 
     @Test
     void check_variableLeavesItsRange_isSaid() {
         Network network = Sketch.of("int[0,255] x = 250;").template("P", "a -> a; set x = x + 1").network();
         assertTrue(assertThrows(IOException.class, () -> Spin.check(network, List.of(), folder))
-            .getMessage().contains("a variable leaves its range"));
+                .getMessage().contains("a variable leaves its range"));
     }
 }

@@ -45,8 +45,10 @@ class DeliveryTest {
         for (Flaw flaw : Flaw.OF_RENEWAL) {
             assertTrue(printed.toString(StandardCharsets.UTF_8).contains(flaw.fault().sentence()), flaw.fault().name());
         }
-        int states = Exploration.of(NetworkBuilder.build(DocumentReader.read(MODELS.resolve("renewal.xml"))), List.of()).states();
-        assertTrue(Files.readString(Path.of("README.md")).contains("| `renewal.xml` | " + states + " |"), "README.md needs " + states);
+        int states = Exploration.of(NetworkBuilder.build(DocumentReader.read(MODELS.resolve("renewal.xml"))), List.of())
+                .states();
+        assertTrue(Files.readString(Path.of("README.md")).contains("| `renewal.xml` | " + states + " |"),
+                "README.md needs " + states);
     }
 
     @Test
@@ -54,8 +56,11 @@ class DeliveryTest {
         String readme = Files.readString(Path.of("README.md"));
         for (Scene scene : Scene.ALL) {
             int states = Exploration.of(NetworkBuilder.build(scene.document(MODELS)), List.of()).states();
-            assertTrue(readme.lines().anyMatch(line -> line.startsWith("| `" + scene.name() + "`:") && line.contains("| " + states + " |")),
-                () -> "README.md needs the scene " + scene.name() + " with " + states + " states");
+            assertTrue(
+                    readme.lines()
+                            .anyMatch(line -> line.startsWith("| `" + scene.name() + "`:")
+                                    && line.contains("| " + states + " |")),
+                    () -> "README.md needs the scene " + scene.name() + " with " + states + " states");
         }
         for (Flaw flaw : Stream.concat(Flaw.ALL.stream(), Flaw.OF_RENEWAL.stream()).toList()) {
             String row = "| " + flaw.fault().name() + ": " + flaw.fault().sentence() + " | " + flaw.query() + " |";
@@ -65,12 +70,14 @@ class DeliveryTest {
 
     @Test
     void delivery_asUppaalOpensIt_isTheUnicastScene() throws IOException {
-        assertEquals(Files.readString(MODELS.resolve("unicast.system")), DocumentReader.read(MODELS.resolve("delivery.xml")).system());
+        assertEquals(Files.readString(MODELS.resolve("unicast.system")),
+                DocumentReader.read(MODELS.resolve("delivery.xml")).system());
     }
 
     @Test
     void bound_oneUnitLess_isExceeded() {
-        Scene scene = Scene.ALL.stream().filter(candidate -> candidate.name().equals("bound")).findFirst().orElseThrow();
+        Scene scene =
+                Scene.ALL.stream().filter(candidate -> candidate.name().equals("bound")).findFirst().orElseThrow();
         Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 122));
         assertFalse(Exploration.of(network, Check.properties(network, scene.queries(MODELS))).holds(0));
     }
@@ -80,12 +87,12 @@ class DeliveryTest {
         for (String file : List.of("delivery/Courier.cpp", "delivery/Backoff.cpp", "radio/AskRadio.cpp", "Config.h")) {
             Files.createDirectories(folder.resolve(file).getParent());
             Files.writeString(folder.resolve(file), Files.readString(FIRMWARE.resolve(file))
-                .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 1", "LAST_DOUBLING = 2"));
+                    .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 1", "LAST_DOUBLING = 2"));
         }
         Document document = Scene.ALL.get(0).document(MODELS);
         assertEquals(List.of("delivery.xml: ATTEMPTS is 8, by the firmware's sources it must be 9",
-            "delivery.xml: LAST_SPAN is 4, by the firmware's sources it must be 8"),
-            Scene.differences(document, new Firmware(folder)));
+                "delivery.xml: LAST_SPAN is 4, by the firmware's sources it must be 8"),
+                Scene.differences(document, new Firmware(folder)));
         assertEquals(List.of(), Scene.differences(document, new Firmware(FIRMWARE)));
     }
 }

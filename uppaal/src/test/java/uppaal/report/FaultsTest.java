@@ -22,32 +22,38 @@ class FaultsTest {
 
     @Test
     void kills_everyFault_isNoticed() {
-        assertEquals(List.of(), KILLS.stream().filter(kill -> !kill.caught()).map(kill -> kill.fault().name()).toList());
+        assertEquals(List.of(),
+                KILLS.stream().filter(kill -> !kill.caught()).map(kill -> kill.fault().name()).toList());
     }
 
     @ParameterizedTest
     @CsvSource({
-        "wrong guard, '', 'S1 S2 S8', Q1", "no acknowledgement, '', 'S3 S13', Q1",
-        "binary channels, '', 'S2 S3 S12 S13 S15', Q1", "lost unicast, P5, 'S1 S4 S11', Q1", "channel kept, '', '', Q1",
-        "plain unicast, '', S14, ''"})
+            "wrong guard, '', 'S1 S2 S8', Q1", "no acknowledgement, '', 'S3 S13', Q1",
+            "binary channels, '', 'S2 S3 S12 S13 S15', Q1", "lost unicast, P5, 'S1 S4 S11', Q1",
+            "channel kept, '', '', Q1",
+            "plain unicast, '', S14, ''"})
     void kill_fault_isNoticedByTheseProperties(String fault, String paper, String stronger, String quiet) {
-        Kill kill = KILLS.stream().filter(candidate -> candidate.fault().name().equals(fault)).findFirst().orElseThrow();
+        Kill kill =
+                KILLS.stream().filter(candidate -> candidate.fault().name().equals(fault)).findFirst().orElseThrow();
         assertEquals(List.of(paper, stronger, quiet), List.of(String.join(" ", kill.paper()),
-            String.join(" ", kill.stronger()), String.join(" ", kill.quiet())));
+                String.join(" ", kill.stronger()), String.join(" ", kill.quiet())));
     }
 
     @Test
     void kills_everyStrongerProperty_noticesSomething() {
-        Set<String> useful = KILLS.stream().flatMap(kill -> kill.stronger().stream()).collect(Collectors.toCollection(TreeSet::new));
-        assertEquals(SUITE.strongerQueries().stream().map(Query::name).collect(Collectors.toCollection(TreeSet::new)), useful);
+        Set<String> useful =
+                KILLS.stream().flatMap(kill -> kill.stronger().stream()).collect(Collectors.toCollection(TreeSet::new));
+        assertEquals(SUITE.strongerQueries().stream().map(Query::name).collect(Collectors.toCollection(TreeSet::new)),
+                useful);
     }
 
     @Test
     void readme_faults_areThoseThatAreFound() throws IOException {
         String readme = Files.readString(Path.of("README.md"));
         for (Kill kill : KILLS) {
-            String row = "| " + kill.fault().name() + ": " + kill.fault().sentence() + " | " + Report.names(kill.paper())
-                + " | " + Report.names(kill.stronger()) + " | " + Report.names(kill.quiet()) + " |";
+            String row =
+                    "| " + kill.fault().name() + ": " + kill.fault().sentence() + " | " + Report.names(kill.paper())
+                            + " | " + Report.names(kill.stronger()) + " | " + Report.names(kill.quiet()) + " |";
             assertTrue(readme.contains(row), () -> "README.md needs the row " + row);
         }
     }
@@ -55,6 +61,7 @@ class FaultsTest {
     @Test
     void in_faultThatNoLongerApplies_isSaid() {
         Fault fault = new Fault("none", "nothing", Fault.removed("Channel", "Released -> Nowhere"));
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> fault.in(SUITE.paper())).getMessage().contains("changes nothing"));
+        assertTrue(assertThrows(IllegalArgumentException.class, () -> fault.in(SUITE.paper())).getMessage()
+                .contains("changes nothing"));
     }
 }

@@ -19,7 +19,8 @@ public final class JavinoCommand {
     /** What a command wrote, on either output, and at last its exit status. */
     public static List<String> run(String... words) {
         StringWriter written = new StringWriter();
-        CommandLine command = Main.commandLine(PortOption.factory(SerialLink::opener, BoardConfig.create(config -> config.setAttempts(ATTEMPTS))));
+        CommandLine command = Main.commandLine(
+                PortOption.factory(SerialLink::opener, BoardConfig.create(config -> config.setAttempts(ATTEMPTS))));
         command.setOut(new PrintWriter(written, true));
         command.setErr(new PrintWriter(written, true));
         int status = command.execute(words);

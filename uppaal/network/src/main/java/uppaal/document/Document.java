@@ -20,7 +20,7 @@ public record Document(String file, String declarations, List<Template> template
     /** @throws ModelException when there is no template of this name */
     public Template template(String name) {
         return templates.stream().filter(template -> template.name().equals(name)).findFirst()
-            .orElseThrow(() -> new ModelException(file, "there is no template '" + name + "'"));
+                .orElseThrow(() -> new ModelException(file, "there is no template '" + name + "'"));
     }
 
     /** This document with other global declarations. */
@@ -36,6 +36,6 @@ public record Document(String file, String declarations, List<Template> template
     /** This document with the template of the same name replaced. */
     public Document withTemplate(Template changed) {
         return new Document(file, declarations,
-            templates.stream().map(old -> old.name().equals(changed.name()) ? changed : old).toList(), system);
+                templates.stream().map(old -> old.name().equals(changed.name()) ? changed : old).toList(), system);
     }
 }

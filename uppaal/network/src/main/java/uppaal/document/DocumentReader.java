@@ -93,10 +93,10 @@ public final class DocumentReader {
         });
         unique(byId.values().stream().map(Location::name).toList(), where);
         String initial = Xml.child(element, "init").map(init -> end(init, byId, where).name())
-            .orElseThrow(() -> new ModelException(where, "it has no initial location"));
+                .orElseThrow(() -> new ModelException(where, "it has no initial location"));
         List<Edge> edges = Xml.children(element, "transition").map(edge -> edge(edge, byId, where)).toList();
         return new Template(name, Xml.text(element, "parameter"), Xml.text(element, "declaration"),
-            List.copyOf(byId.values()), initial, edges);
+                List.copyOf(byId.values()), initial, edges);
     }
 
     private static Location location(Element element, String template) {
@@ -115,7 +115,7 @@ public final class DocumentReader {
         Xml.allow(element, where, "source", "target", "label", "nail");
         Xml.allowLabels(element, where, "guard", "synchronisation", "assignment", "comments");
         return new Edge(source.name(), target.name(), Xml.label(element, "guard"),
-            Xml.label(element, "synchronisation"), Xml.label(element, "assignment"));
+                Xml.label(element, "synchronisation"), Xml.label(element, "assignment"));
     }
 
     private static void unique(List<String> names, String where) {
@@ -131,6 +131,6 @@ public final class DocumentReader {
     private static Location end(Element element, Map<String, Location> byId, String where) {
         String id = element.getAttribute("ref");
         return Optional.ofNullable(byId.get(id)).orElseThrow(() -> new ModelException(where,
-            "<" + element.getTagName() + "> points to '" + id + "', which is no location of this template"));
+                "<" + element.getTagName() + "> points to '" + id + "', which is no location of this template"));
     }
 }

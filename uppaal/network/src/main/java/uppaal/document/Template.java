@@ -10,7 +10,7 @@ import java.util.List;
  * @param initial the name of the initial location
  */
 public record Template(String name, String parameters, String declarations, List<Location> locations,
-                       String initial, List<Edge> edges) {
+        String initial, List<Edge> edges) {
     /** Copies the lists, so that a template never changes. */
     public Template {
         locations = List.copyOf(locations);

@@ -42,7 +42,7 @@ final class Xml {
 
     static String label(Element parent, String kind) {
         return children(parent, "label").filter(label -> label.getAttribute("kind").equals(kind)).findFirst()
-            .map(label -> label.getTextContent().strip()).orElse("");
+                .map(label -> label.getTextContent().strip()).orElse("");
     }
 
     /** @throws ModelException when the parent has a child of another tag, or two where only one can be meant */

@@ -5,8 +5,8 @@ import java.util.List;
 import uppaal.ModelException;
 
 /**
- * What conditions may say of clocks: {@code clock <= n}, {@code clock >= n} or {@code clock == n}, joined by {@code &&} to
- * each other and to what is said of variables. So every constraint is closed and free of diagonals, and what can be
+ * What conditions may say of clocks: {@code clock <= n}, {@code clock >= n} or {@code clock == n}, joined by {@code &&}
+ * to each other and to what is said of variables. So every constraint is closed and free of diagonals, and what can be
  * reached at any real times can be reached at integer ones.
  */
 public final class Clocks {
@@ -48,7 +48,8 @@ public final class Clocks {
             return new Bound(clock.slot(), binary.operator(), binary.right());
         }
         throw ModelException.outside(where,
-            "what is said of a clock here (only 'clock <= n', 'clock >= n' and 'clock == n', joined by '&&', are read)");
+                "what is said of a clock here (only 'clock <= n', 'clock >= n' and 'clock == n', joined by '&&', are "
+                        + "read)");
     }
 
     /** Whether any clock is in a term. */

@@ -144,7 +144,7 @@ public final class Declarations {
     private void check(String name, Range range, int value) {
         if (!range.holds(value)) {
             throw new ModelException(tokens.where(),
-                "'" + name + "' is " + value + ", outside its range [" + range.low + "," + range.high + "]");
+                    "'" + name + "' is " + value + ", outside its range [" + range.low + "," + range.high + "]");
         }
     }
 }

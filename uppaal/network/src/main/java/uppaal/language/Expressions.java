@@ -70,12 +70,12 @@ public final class Expressions {
         if (tokens.accept("!") || tokens.accept("not")) {
             Term operand = unary();
             return operand instanceof Term.Constant constant
-                ? new Term.Constant(constant.number() == 0 ? 1 : 0) : new Term.Not(operand);
+                    ? new Term.Constant(constant.number() == 0 ? 1 : 0) : new Term.Not(operand);
         }
         if (tokens.accept("-")) {
             Term operand = unary();
             return operand instanceof Term.Constant constant
-                ? new Term.Constant(Math.negateExact(constant.number())) : new Term.Negative(operand);
+                    ? new Term.Constant(Math.negateExact(constant.number())) : new Term.Negative(operand);
         }
         return primary();
     }
@@ -109,7 +109,7 @@ public final class Expressions {
     private Term named() {
         if (tokens.peek().is("deadlock")) {
             return names.term(tokens.next().text())
-                .orElseThrow(() -> new ModelException(tokens.where(), "'deadlock' has a meaning in queries only"));
+                    .orElseThrow(() -> new ModelException(tokens.where(), "'deadlock' has a meaning in queries only"));
         }
         String name = tokens.name();
         boolean member = tokens.accept(".");

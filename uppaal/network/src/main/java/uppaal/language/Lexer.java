@@ -10,8 +10,9 @@ import uppaal.ModelException;
 final class Lexer {
     private static final Pattern BLANK = Pattern.compile("(?:\\s|//[^\\n]*|/\\*(?s:.*?)\\*/)+");
     private static final Pattern TOKEN = Pattern.compile(
-        "(?<name>[A-Za-z_][A-Za-z0-9_]*)|(?<number>[0-9]+)"
-            + "|(?<symbol><=|>=|==|!=|&&|\\|\\||\\+\\+|--|:=|\\+=|-=|<<|>>|<>|->|[-+*/%<>=!?:;,.&|^~'(){}\\[\\]])");
+            "(?<name>[A-Za-z_][A-Za-z0-9_]*)|(?<number>[0-9]+)"
+                    + "|(?<symbol><=|>=|==|!=|&&|\\|\\||\\+\\+|--|:=|\\+=|-=|<<|>>|<>|->|"
+                    + "[-+*/%<>=!?:;,.&|^~'(){}\\[\\]])");
 
     private Lexer() {
     }

@@ -6,62 +6,74 @@ import java.util.Optional;
 /** The operators between two operands, with C's meaning; truth is 1 or 0. A higher level binds more tightly. */
 public enum Operator {
     IMPLY("imply", 0) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left == 0 || right != 0);
         }
     },
     OR("||", 0) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left != 0 || right != 0);
         }
     },
     AND("&&", 1) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left != 0 && right != 0);
         }
     },
     EQUAL("==", 2) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left == right);
         }
     },
     UNEQUAL("!=", 2) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left != right);
         }
     },
     LESS("<", 3) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left < right);
         }
     },
     AT_MOST("<=", 3) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left <= right);
         }
     },
     MORE(">", 3) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left > right);
         }
     },
     AT_LEAST(">=", 3) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return truth(left >= right);
         }
     },
     PLUS("+", 4) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return Math.addExact(left, right);
         }
     },
     MINUS("-", 4) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return Math.subtractExact(left, right);
         }
     },
     TIMES("*", 5) {
-        @Override public int apply(int left, int right) {
+        @Override
+        public int apply(int left, int right) {
             return Math.multiplyExact(left, right);
         }
     };

@@ -37,7 +37,8 @@ public final class Scope implements Names {
         return symbol != null || around == null ? Optional.ofNullable(symbol) : around.find(name);
     }
 
-    @Override public Optional<Term> term(String name) {
+    @Override
+    public Optional<Term> term(String name) {
         return find(name).flatMap(Scope::term);
     }
 
@@ -54,6 +55,6 @@ public final class Scope implements Names {
             return Optional.of(new Term.Clock(clock.slot()));
         }
         return symbol instanceof Symbol.Variable variable
-            ? Optional.of(new Term.Variable(variable.slot())) : Optional.empty();
+                ? Optional.of(new Term.Variable(variable.slot())) : Optional.empty();
     }
 }

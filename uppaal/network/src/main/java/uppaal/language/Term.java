@@ -15,49 +15,56 @@ public sealed interface Term {
 
     /** A number, a named constant or a parameter. */
     record Constant(int number) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return number;
         }
     }
 
     /** What a slot holds. */
     record Variable(int slot) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return state[slot];
         }
     }
 
     /** The time that a clock shows. */
     record Clock(int slot) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return state[slot];
         }
     }
 
     /** Whether the automaton whose location a slot holds is at one location. */
     record At(int slot, int location) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return state[slot] == location ? 1 : 0;
         }
     }
 
     /** {@code !operand} */
     record Not(Term operand) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return operand.value(state) == 0 ? 1 : 0;
         }
     }
 
     /** {@code -operand} */
     record Negative(Term operand) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return Math.negateExact(operand.value(state));
         }
     }
 
     /** {@code left operator right}; both sides are always evaluated, since no term has an effect. */
     record Binary(Operator operator, Term left, Term right) implements Term {
-        @Override public int value(int[] state) {
+        @Override
+        public int value(int[] state) {
             return operator.apply(left.value(state), right.value(state));
         }
     }

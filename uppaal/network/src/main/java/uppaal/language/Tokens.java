@@ -8,11 +8,14 @@ import uppaal.ModelException;
 final class Tokens {
     /** Words of UPPAAL that are no names; those that this checker reads are asked for before a name is. */
     private static final Set<String> KEYWORDS = Set.of(
-        "const", "int", "bool", "chan", "broadcast", "urgent", "clock", "typedef", "struct", "scalar", "meta", "double",
-        "void", "string", "true", "false", "not", "and", "or", "xor", "imply", "forall", "exists", "sum", "deadlock",
-        "system", "process", "priority", "before_update", "after_update", "progress", "gantt", "select", "if", "else",
-        "for", "while", "do", "switch", "return", "dynamic", "import", "hybrid", "spawn", "exit", "numOf",
-        "A", "E", "U", "W", "R", "M", "sup", "inf", "Pr", "control", "simulate", "strategy");
+            "const", "int", "bool", "chan", "broadcast", "urgent", "clock", "typedef", "struct", "scalar", "meta",
+            "double",
+            "void", "string", "true", "false", "not", "and", "or", "xor", "imply", "forall", "exists", "sum",
+            "deadlock",
+            "system", "process", "priority", "before_update", "after_update", "progress", "gantt", "select", "if",
+            "else",
+            "for", "while", "do", "switch", "return", "dynamic", "import", "hybrid", "spawn", "exit", "numOf",
+            "A", "E", "U", "W", "R", "M", "sup", "inf", "Pr", "control", "simulate", "strategy");
 
     private final List<Token> tokens;
     private final String where;
@@ -72,7 +75,7 @@ final class Tokens {
     ModelException unexpected(String wanted) {
         Token token = peek();
         return KEYWORDS.contains(token.text())
-            ? ModelException.outside(where, "'" + token.text() + "' here, where " + wanted + " is read,")
-            : new ModelException(where, "expected " + wanted + ", not " + token.described());
+                ? ModelException.outside(where, "'" + token.text() + "' here, where " + wanted + " is read,")
+                : new ModelException(where, "expected " + wanted + ", not " + token.described());
     }
 }

@@ -48,16 +48,16 @@ final class ActiveClocks {
         return transitions.stream().map(transition -> {
             List<Assignment> assignments = new ArrayList<>(transition.assignments());
             own.stream().filter(clock -> !active.get(transition.target()).contains(clock))
-                .forEach(clock -> assignments.add(new Assignment(clock, new Term.Constant(0))));
+                    .forEach(clock -> assignments.add(new Assignment(clock, new Term.Constant(0))));
             return new Transition(transition.source(), transition.target(), transition.guard(),
-                transition.synchronisation(), assignments);
+                    transition.synchronisation(), assignments);
         }).toList();
     }
 
     private Set<Integer> compared(int location) {
         Stream<Term> conditions = Stream.concat(Stream.of(invariants.get(location)), transitions.stream()
-            .filter(transition -> transition.source() == location).map(Transition::guard));
+                .filter(transition -> transition.source() == location).map(Transition::guard));
         return conditions.flatMap(condition -> Clocks.bounds(condition, "").stream()).map(Clocks.Bound::slot)
-            .filter(own::contains).collect(Collectors.toCollection(TreeSet::new));
+                .filter(own::contains).collect(Collectors.toCollection(TreeSet::new));
     }
 }

@@ -27,7 +27,7 @@ public final class Automaton {
      * @param scope what the names in the template stand for in this instance
      */
     Automaton(String name, int slot, List<Location> locations, List<Term> invariants, Set<Integer> clocks,
-              List<Transition> transitions, Scope scope) {
+            List<Transition> transitions, Scope scope) {
         this.name = name;
         this.slot = slot;
         this.locations = List.copyOf(locations);
@@ -81,7 +81,8 @@ public final class Automaton {
 
     /** The locations, by index, where the clock of this slot, one of its own, matters. */
     public List<Integer> active(int clock) {
-        return IntStream.range(0, active.size()).filter(location -> active.get(location).contains(clock)).boxed().toList();
+        return IntStream.range(0, active.size()).filter(location -> active.get(location).contains(clock)).boxed()
+                .toList();
     }
 
     /** What must be true as long as it is at the location of this index. */

@@ -24,19 +24,19 @@ final class ClockRanges {
     /** The slots, with the ranges that the clocks need in these automata. */
     List<Slot> of(List<Automaton> automata) {
         List<Clocks.Bound> bounds = automata.stream().flatMap(automaton -> conditions(automaton))
-            .flatMap(condition -> Clocks.bounds(condition, file).stream()).toList();
+                .flatMap(condition -> Clocks.bounds(condition, file).stream()).toList();
         return IntStream.range(0, slots.size()).mapToObj(i -> ranged(i, bounds)).toList();
     }
 
     private static Stream<Term> conditions(Automaton automaton) {
         return Stream.concat(automaton.transitions().stream().map(Transition::guard),
-            IntStream.range(0, automaton.locations().size()).mapToObj(automaton::invariant));
+                IntStream.range(0, automaton.locations().size()).mapToObj(automaton::invariant));
     }
 
     private Slot ranged(int index, List<Clocks.Bound> bounds) {
         Slot slot = slots.get(index);
         return slot.clock() ? Slot.clock(slot.name(), bounds.stream().filter(bound -> bound.slot() == index)
-            .mapToInt(bound -> greatest(bound.limit())).max().orElse(0)) : slot;
+                .mapToInt(bound -> greatest(bound.limit())).max().orElse(0)) : slot;
     }
 
     /** The greatest value that a term can have: of numbers, variables and their sums. */

@@ -16,9 +16,10 @@ import uppaal.language.Symbol;
 public record JointMove(List<Part> parts, int[] target) {
     /** One automaton's part in a step. */
     public record Part(Automaton automaton, Transition transition) {
-        @Override public String toString() {
+        @Override
+        public String toString() {
             return automaton.name() + " " + automaton.locations().get(transition.source()).name()
-                + " -> " + automaton.locations().get(transition.target()).name();
+                    + " -> " + automaton.locations().get(transition.target()).name();
         }
     }
 
@@ -29,10 +30,12 @@ public record JointMove(List<Part> parts, int[] target) {
 
     /** The channel that was used, if any. */
     public Optional<Symbol.Channel> channel() {
-        return passesTime() ? Optional.empty() : parts.get(0).transition().synchronisation().map(Labels.Synchronisation::channel);
+        return passesTime() ? Optional.empty()
+                : parts.get(0).transition().synchronisation().map(Labels.Synchronisation::channel);
     }
 
-    @Override public String toString() {
+    @Override
+    public String toString() {
         String label = channel().map(Symbol.Channel::name).orElse("(alone)");
         return String.format("%-18s ", label) + parts.stream().map(Part::toString).collect(Collectors.joining(", "));
     }

@@ -16,6 +16,7 @@ import uppaal.language.Term;
  * @param global what the global names stand for
  */
 public record Network(String file, List<Slot> slots, List<Automaton> automata, Scope global) implements Names {
+
     /** The name that UPPAAL's queries have for a state without a next one. */
     public static final String DEADLOCK = "deadlock";
 
@@ -55,13 +56,15 @@ public record Network(String file, List<Slot> slots, List<Automaton> automata, S
         return observed;
     }
 
-    @Override public Optional<Term> term(String name) {
+    @Override
+    public Optional<Term> term(String name) {
         return name.equals(DEADLOCK) ? Optional.of(new Term.Variable(deadlockSlot())) : global.term(name);
     }
 
-    @Override public Optional<Term> member(String automaton, String name) {
+    @Override
+    public Optional<Term> member(String automaton, String name) {
         return automata.stream().filter(candidate -> candidate.name().equals(automaton)).findFirst()
-            .flatMap(found -> location(found, name).or(() -> found.scope().local(name)));
+                .flatMap(found -> location(found, name).or(() -> found.scope().local(name)));
     }
 
     private static Optional<Term> location(Automaton automaton, String name) {

@@ -42,11 +42,13 @@ public final class NetworkBuilder {
 
     private Declarations.Memory memory(String prefix) {
         return new Declarations.Memory() {
-            @Override public int allocate(String name, int low, int high, int initial) {
+            @Override
+            public int allocate(String name, int low, int high, int initial) {
                 return NetworkBuilder.this.allocate(prefix + name, low, high, initial);
             }
 
-            @Override public int allocateClock(String name) {
+            @Override
+            public int allocateClock(String name) {
                 slots.add(Slot.clock(prefix + name, 0));
                 return slots.size() - 1;
             }
@@ -66,19 +68,20 @@ public final class NetworkBuilder {
         List<String> locations = template.locations().stream().map(Location::name).toList();
         int slot = allocate(instance.name(), 0, locations.size() - 1, locations.indexOf(template.initial()));
         Declarations.local(template.declarations(), scope, memory(instance.name() + "."), where + ", declaration");
-        List<Term> invariants = template.locations().stream().map(location ->
-            Labels.invariant(location.invariant(), scope, where + ", location " + location.name() + ", invariant")).toList();
+        List<Term> invariants = template.locations().stream().map(location -> Labels.invariant(location.invariant(),
+                scope, where + ", location " + location.name() + ", invariant")).toList();
         List<Transition> transitions = template.edges().stream()
-            .map(edge -> transition(edge, locations, scope, where + ", edge " + edge.path())).toList();
-        Set<Integer> clocks = IntStream.range(slot, slots.size()).filter(i -> slots.get(i).clock()).boxed().collect(Collectors.toSet());
+                .map(edge -> transition(edge, locations, scope, where + ", edge " + edge.path())).toList();
+        Set<Integer> clocks = IntStream.range(slot, slots.size()).filter(i -> slots.get(i).clock()).boxed()
+                .collect(Collectors.toSet());
         return new Automaton(instance.name(), slot, template.locations(), invariants, clocks, transitions, scope);
     }
 
     private static Transition transition(Edge edge, List<String> locations, Scope scope, String where) {
         return new Transition(index(edge.source(), locations, where), index(edge.target(), locations, where),
-            Labels.guard(edge.guard(), scope, where + ", guard"),
-            Labels.synchronisation(edge.synchronisation(), scope, where + ", synchronisation"),
-            Labels.assignments(edge.assignment(), scope, where + ", assignment"));
+                Labels.guard(edge.guard(), scope, where + ", guard"),
+                Labels.synchronisation(edge.synchronisation(), scope, where + ", synchronisation"),
+                Labels.assignments(edge.assignment(), scope, where + ", assignment"));
     }
 
     private static int index(String location, List<String> locations, String where) {

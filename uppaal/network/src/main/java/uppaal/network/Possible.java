@@ -13,8 +13,8 @@ import java.util.function.BiFunction;
 
 /**
  * What who watches a network knows of it: all states in which it may be after what was seen. Some moves are seen, by a
- * name; the others, and time, pass unseen. Each is found once and kept, so that a network that is watched often, by many,
- * soon costs a look-up for each thing that is seen.
+ * name; the others, and time, pass unseen. Each is found once and kept, so that a network that is watched often, by
+ * many, soon costs a look-up for each thing that is seen.
  */
 public final class Possible {
     private final Watch watch;
@@ -64,7 +64,8 @@ public final class Possible {
             if (visible == null) {
                 visible = new TreeSet<>();
                 for (IntBuffer state : states) {
-                    watch.steps.of(state.array()).forEach(move -> watch.name.apply(state.array(), move).ifPresent(visible::add));
+                    watch.steps.of(state.array())
+                            .forEach(move -> watch.name.apply(state.array(), move).ifPresent(visible::add));
                 }
             }
             return Set.copyOf(visible);

@@ -19,8 +19,8 @@ import uppaal.network.JointMove.Part;
  * <li>while an automaton is at a committed location, only steps that leave a committed location are possible,
  * and no time passes.</li>
  * </ul>
- * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with, waiting
- * changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.
+ * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with,
+ * waiting changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.
  */
 public final class Successors {
     private static final int ANY = -1;
@@ -41,7 +41,7 @@ public final class Successors {
     private Running running(int clock) {
         int high = network.slots().get(clock).high();
         return network.owner(clock).map(owner -> new Running(clock, high, owner.slot(), owner.active(clock)))
-            .orElse(new Running(clock, high, ANY, List.of()));
+                .orElse(new Running(clock, high, ANY, List.of()));
     }
 
     /**
@@ -109,8 +109,8 @@ public final class Successors {
 
     private static List<Part> listening(Automaton automaton, Symbol.Channel channel, int[] state) {
         return automaton.outgoing(state).stream()
-            .filter(transition -> transition.receives(channel) && transition.guard().holds(state))
-            .map(transition -> new Part(automaton, transition)).toList();
+                .filter(transition -> transition.receives(channel) && transition.guard().holds(state))
+                .map(transition -> new Part(automaton, transition)).toList();
     }
 
     private static List<List<Part>> oneOf(Part sender, List<List<Part>> listening) {
@@ -150,7 +150,7 @@ public final class Successors {
         int value = assignment.value().value(state);
         if (!slot.holds(value)) {
             throw new ModelException(network.file(), part + " would make '" + slot.name() + "' " + value
-                + ", outside its range [" + slot.low() + "," + slot.high() + "]");
+                    + ", outside its range [" + slot.low() + "," + slot.high() + "]");
         }
         state[assignment.slot()] = value;
     }

@@ -16,7 +16,7 @@ import uppaal.language.Term;
  * @param assignments what it changes, in this order
  */
 public record Transition(int source, int target, Term guard, Optional<Labels.Synchronisation> synchronisation,
-                         List<Labels.Assignment> assignments) {
+        List<Labels.Assignment> assignments) {
     /** Copies the list, so that a transition never changes. */
     public Transition {
         assignments = List.copyOf(assignments);
@@ -35,6 +35,6 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
     /** Whether it has {@code channel?}. */
     public boolean receives(Symbol.Channel channel) {
         return synchronisation.isPresent() && !synchronisation.get().sends()
-            && synchronisation.get().channel().equals(channel);
+                && synchronisation.get().channel().equals(channel);
     }
 }

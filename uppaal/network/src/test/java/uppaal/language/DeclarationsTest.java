@@ -16,12 +16,14 @@ class DeclarationsTest {
     private final Scope scope = Scope.global();
 
     private final Declarations.Memory memory = new Declarations.Memory() {
-        @Override public int allocate(String name, int low, int high, int initial) {
+        @Override
+        public int allocate(String name, int low, int high, int initial) {
             allocated.add(name + "[" + low + "," + high + "]=" + initial);
             return allocated.size() - 1;
         }
 
-        @Override public int allocateClock(String name) {
+        @Override
+        public int allocateClock(String name) {
             allocated.add("clock " + name);
             return allocated.size() - 1;
         }
@@ -34,9 +36,10 @@ class DeclarationsTest {
     @Test
     void global_eachKind_isDeclared() {
         declare("const int N = 2 + 1, SQUARE = N * N; const bool YES = true;"
-            + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;");
+                + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;");
 
-        assertEquals(List.of("a[0,3]=3", "b[0,3]=0", "c[-2,-1]=-1", "d[0,1]=0", "e[-32768,32767]=0", "clock x"), allocated);
+        assertEquals(List.of("a[0,3]=3", "b[0,3]=0", "c[-2,-1]=-1", "d[0,1]=0", "e[-32768,32767]=0", "clock x"),
+                allocated);
         assertEquals(Optional.of(new Symbol.Number(9)), scope.find("SQUARE"));
         assertEquals(Optional.of(new Symbol.Number(1)), scope.find("YES"));
         assertEquals(Optional.of(new Symbol.Variable(2)), scope.find("c"));
@@ -46,20 +49,24 @@ class DeclarationsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "clock x = 1;           | expected ';', not '='",
-        "urgent chan a;         | 'urgent' here, where a declaration is read, is outside the subset that this checker reads",
-        "typedef int[0,1] t;    | 'typedef' here, where a declaration is read, is outside the subset that this checker reads",
-        "void f() { }           | 'void' here, where a declaration is read, is outside the subset that this checker reads",
-        "int a[3];              | expected ';', not '['",
-        "int a = b;             | 'b' has no value here",
-        "int b; int a = b;      | a constant is needed where a variable is used",
-        "int[0,1] a = 2;        | 'a' is 2, outside its range [0,1]",
-        "int[1,2] a;            | 'a' is 0, outside its range [1,2]",
-        "int[2,1] a;            | the range [2,1] is empty",
-        "int a; bool a;         | 'a' is declared twice",
-        "const int a;           | expected '=', not ';'",
-        "int imply;             | 'imply' here, where a name is read, is outside the subset that this checker reads",
-        "int a                  | expected ';', not the end"})
+            "clock x = 1;           | expected ';', not '='",
+            "urgent chan a;         | 'urgent' here, where a declaration is read, is outside the subset that this "
+                    + "checker reads",
+            "typedef int[0,1] t;    | 'typedef' here, where a declaration is read, is outside the subset that this "
+                    + "checker reads",
+            "void f() { }           | 'void' here, where a declaration is read, is outside the subset that this "
+                    + "checker reads",
+            "int a[3];              | expected ';', not '['",
+            "int a = b;             | 'b' has no value here",
+            "int b; int a = b;      | a constant is needed where a variable is used",
+            "int[0,1] a = 2;        | 'a' is 2, outside its range [0,1]",
+            "int[1,2] a;            | 'a' is 0, outside its range [1,2]",
+            "int[2,1] a;            | the range [2,1] is empty",
+            "int a; bool a;         | 'a' is declared twice",
+            "const int a;           | expected '=', not ';'",
+            "int imply;             | 'imply' here, where a name is read, is outside the subset that this checker "
+                    + "reads",
+            "int a                  | expected ';', not the end"})
     void global_outsideTheSubset_saysWhat(String text, String message) {
         assertEquals("here: " + message, assertThrows(ModelException.class, () -> declare(text)).getMessage());
     }
@@ -67,9 +74,9 @@ class DeclarationsTest {
     @Test
     void local_channel_isRefused() {
         ModelException refused = assertThrows(ModelException.class,
-            () -> Declarations.local("chan a;", scope, memory, "here"));
+                () -> Declarations.local("chan a;", scope, memory, "here"));
         assertEquals("here: 'chan' here, where a declaration is read, is outside the subset that this checker reads",
-            refused.getMessage());
+                refused.getMessage());
     }
 
     @Test
@@ -82,13 +89,14 @@ class DeclarationsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "const int[1,4] n             | 'n' is 5, outside its range [1,4]",
-        "int n                        | 'int' here, where 'const' is read, is outside the subset that this checker reads",
-        "const int n, const int m     | there is no argument for the parameter 'm'",
-        "''                           | 1 arguments are given for 0 parameters"})
+            "const int[1,4] n             | 'n' is 5, outside its range [1,4]",
+            "int n                        | 'int' here, where 'const' is read, is outside the subset that this "
+                    + "checker reads",
+            "const int n, const int m     | there is no argument for the parameter 'm'",
+            "''                           | 1 arguments are given for 0 parameters"})
     void parameters_wrong_saysWhat(String text, String message) {
         ModelException refused = assertThrows(ModelException.class,
-            () -> Declarations.parameters(text, new int[] {5}, scope, "here"));
+                () -> Declarations.parameters(text, new int[] {5}, scope, "here"));
         assertEquals("here: " + message, refused.getMessage());
     }
 }

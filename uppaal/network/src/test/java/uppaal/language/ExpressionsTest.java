@@ -23,31 +23,33 @@ class ExpressionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "1 + 2 * 3; 7", "(1 + 2) * 3; 9", "10 - 3 - 2; 5", "-x + 10; 3", "- - 3; 3",
-        "x == 7 && y == 0; 1", "x == 7 and !(y == 1); 1", "not y; 1", "!y == 1; 1", "not y == 0; 0",
-        "1 || 0 && 0; 1", "(1 || 0) && 0; 0", "0 or 1; 1", "x > 6; 1", "x >= 8; 0", "x < 7; 0", "x <= 7; 1", "x != 7; 0",
-        "1 < 2 == 1; 1", "0 imply 0; 1", "1 imply y; 0", "x == 7 imply y == 0; 1", "true; 1", "false; 0",
-        "x /* seven */ + 1 // eight; 8", "(((x))); 7"})
+            "1 + 2 * 3; 7", "(1 + 2) * 3; 9", "10 - 3 - 2; 5", "-x + 10; 3", "- - 3; 3",
+            "x == 7 && y == 0; 1", "x == 7 and !(y == 1); 1", "not y; 1", "!y == 1; 1", "not y == 0; 0",
+            "1 || 0 && 0; 1", "(1 || 0) && 0; 0", "0 or 1; 1", "x > 6; 1", "x >= 8; 0", "x < 7; 0", "x <= 7; 1",
+            "x != 7; 0",
+            "1 < 2 == 1; 1", "0 imply 0; 1", "1 imply y; 0", "x == 7 imply y == 0; 1", "true; 1", "false; 0",
+            "x /* seven */ + 1 // eight; 8", "(((x))); 7"})
     void value_expression_isAsUppaalHasIt(String text, int expected) {
         assertEquals(expected, Expressions.parse(text, NAMES, "here").value(STATE));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "x / 2; here: expected the end, not '/'",
-        "x ? 1 : 2; here: expected the end, not '?'",
-        "forall (i : int[0,1]) x; here: 'forall' here, where a name is read, is outside the subset that this checker reads",
-        "x' == 0; here: expected the end, not '''",
-        "z; here: 'z' has no value here",
-        "P.l; here: 'P.l' has no value here",
-        "deadlock; here: 'deadlock' has a meaning in queries only",
-        "1 imply 0 imply 1; here: put parentheses where 'imply' meets 'imply' or 'or'",
-        "1 || 0 imply 1; here: put parentheses where 'imply' meets 'imply' or 'or'",
-        "(x; here: expected ')', not the end",
-        "x @ 1; here: the character '@' is outside the subset that this checker reads",
-        "x /* open; here: a comment is not closed",
-        "99999999999; here: 99999999999 does not fit 32 bits",
-        "2147483647 + 1; here: a constant does not fit 32 bits"})
+            "x / 2; here: expected the end, not '/'",
+            "x ? 1 : 2; here: expected the end, not '?'",
+            "forall (i : int[0,1]) x; here: 'forall' here, where a name is read, is outside the subset that this "
+                    + "checker reads",
+            "x' == 0; here: expected the end, not '''",
+            "z; here: 'z' has no value here",
+            "P.l; here: 'P.l' has no value here",
+            "deadlock; here: 'deadlock' has a meaning in queries only",
+            "1 imply 0 imply 1; here: put parentheses where 'imply' meets 'imply' or 'or'",
+            "1 || 0 imply 1; here: put parentheses where 'imply' meets 'imply' or 'or'",
+            "(x; here: expected ')', not the end",
+            "x @ 1; here: the character '@' is outside the subset that this checker reads",
+            "x /* open; here: a comment is not closed",
+            "99999999999; here: 99999999999 does not fit 32 bits",
+            "2147483647 + 1; here: a constant does not fit 32 bits"})
     void parse_outsideTheSubset_saysWhereAndWhat(String text, String message) {
         ModelException refused = assertThrows(ModelException.class, () -> Expressions.parse(text, NAMES, "here"));
         assertEquals(message, refused.getMessage());
@@ -59,14 +61,16 @@ class ExpressionsTest {
         Random random = new Random(seed);
         for (int i = 0; i < 500; i++) {
             Term tree = tree(random, 5);
-            assertEquals(tree.value(STATE), Expressions.parse(written(tree), NAMES, "here").value(STATE), () -> written(tree));
+            assertEquals(tree.value(STATE), Expressions.parse(written(tree), NAMES, "here").value(STATE),
+                    () -> written(tree));
         }
     }
 
     @Test
     void parse_randomTokens_isRefusedInOneLineOrRead() {
         Random random = new Random(4);
-        String[] pieces = {"x", "y", "(", ")", "imply", "||", "!", "-", "7", "==", "system", "/*", "*/", ".", "A", "[", "é", "//", " "};
+        String[] pieces = {"x", "y", "(", ")", "imply", "||", "!", "-", "7", "==", "system", "/*", "*/", ".", "A", "[",
+                "é", "//", " "};
         int refused = 0;
         for (int i = 0; i < 5000; i++) {
             StringBuilder text = new StringBuilder();
@@ -91,7 +95,7 @@ class ExpressionsTest {
             case 0 -> new Term.Not(tree(random, depth - 1));
             case 1 -> new Term.Negative(tree(random, depth - 1));
             default -> new Term.Binary(Operator.values()[random.nextInt(Operator.values().length)],
-                tree(random, depth - 1), tree(random, depth - 1));
+                    tree(random, depth - 1), tree(random, depth - 1));
         };
     }
 

@@ -33,11 +33,12 @@ class LabelsTest {
     void synchronisation_bothDirections_areTold() {
         assertTrue(Labels.synchronisation("send!", scope, "here").orElseThrow().sends());
         assertEquals(new Labels.Synchronisation(new Symbol.Channel("send", false), false),
-            Labels.synchronisation("send ?", scope, "here").orElseThrow());
+                Labels.synchronisation("send ?", scope, "here").orElseThrow());
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = ';', value = {"x = N; 3", "x := x * 2; 10", "x++; 6", "x--; 4", "x = 1, x++; 2", "x++, x = x + x; 12"})
+    @CsvSource(delimiter = ';',
+            value = {"x = N; 3", "x := x * 2; 10", "x++; 6", "x--; 4", "x = 1, x++; 2", "x++, x = x + x; 12"})
     void assignments_performed_giveTheValue(String text, int expected) {
         int[] state = {5};
         Labels.assignments(text, scope, "here").forEach(one -> state[one.slot()] = one.value().value(state));
@@ -46,19 +47,20 @@ class LabelsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "x += 1; expected ':=', not '+='", "N = 1; 'N' is no variable", "y = 1; 'y' is no variable",
-        "x = 1,; expected a name, not the end", "x = 1 x = 2; expected the end, not 'x'", "send = 1; 'send' is no variable"})
+            "x += 1; expected ':=', not '+='", "N = 1; 'N' is no variable", "y = 1; 'y' is no variable",
+            "x = 1,; expected a name, not the end", "x = 1 x = 2; expected the end, not 'x'",
+            "send = 1; 'send' is no variable"})
     void assignments_wrong_saysWhat(String text, String message) {
         assertEquals("here: " + message,
-            assertThrows(ModelException.class, () -> Labels.assignments(text, scope, "here")).getMessage());
+                assertThrows(ModelException.class, () -> Labels.assignments(text, scope, "here")).getMessage());
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "send; expected '?', not the end", "x!; 'x' is no channel", "lost?; 'lost' is no channel",
-        "send[1]!; expected '?', not '['", "send!!; expected the end, not '!'"})
+            "send; expected '?', not the end", "x!; 'x' is no channel", "lost?; 'lost' is no channel",
+            "send[1]!; expected '?', not '['", "send!!; expected the end, not '!'"})
     void synchronisation_wrong_saysWhat(String text, String message) {
         assertEquals("here: " + message,
-            assertThrows(ModelException.class, () -> Labels.synchronisation(text, scope, "here")).getMessage());
+                assertThrows(ModelException.class, () -> Labels.synchronisation(text, scope, "here")).getMessage());
     }
 }

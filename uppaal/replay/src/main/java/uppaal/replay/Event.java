@@ -22,7 +22,8 @@ record Event(int index, double seconds, String board, String name, JsonObject fi
             return new Event(index, fields.get("t").getAsDouble(), board, fields.get("event").getAsString(), fields);
         } catch (JsonSyntaxException wrong) {
             throw new JsonParseException("no JSON object", wrong);
-        } catch (IllegalStateException | NullPointerException | UnsupportedOperationException | NumberFormatException wrong) {
+        } catch (IllegalStateException | NullPointerException | UnsupportedOperationException
+                | NumberFormatException wrong) {
             throw new JsonParseException("no event", wrong);
         }
     }
@@ -49,7 +50,9 @@ record Event(int index, double seconds, String board, String name, JsonObject fi
         }
     }
 
-    @Override public String toString() {
-        return "event " + index + " (" + String.format(Locale.ROOT, "%.6f s", seconds) + (board.isEmpty() ? "" : ", " + board) + ", " + name + ")";
+    @Override
+    public String toString() {
+        return "event " + index + " (" + String.format(Locale.ROOT, "%.6f s", seconds)
+                + (board.isEmpty() ? "" : ", " + board) + ", " + name + ")";
     }
 }

@@ -113,8 +113,8 @@ final class Message {
     }
 
     /**
-     * Of what reaches a board, what that is for the model: {@code inquire}, {@code arrive}, both or nothing. Pieces may come
-     * in any order, and be put together with what came before.
+     * Of what reaches a board, what that is for the model: {@code inquire}, {@code arrive}, both or nothing. Pieces may
+     * come in any order, and be put together with what came before.
      */
     List<String> arrivals(Station board, Payload payload) {
         List<String> steps = new ArrayList<>();
@@ -139,20 +139,23 @@ final class Message {
     /** Why the model refuses something at a board. */
     RefusedException refusal(Station board, String step) {
         return concerns(board) ? refusal(step, board.name(), at(board), board.name())
-            : refusal(step, board.name(), scenes.get(ADDRESSEE), destination);
+                : refusal(step, board.name(), scenes.get(ADDRESSEE), destination);
     }
 
     private RefusedException refusal(String step, String who, Possible possible, String receiver) {
-        return new RefusedException(Steps.words(step, origin, who) + " (" + this + "), but " + expected(possible, receiver));
+        return new RefusedException(
+                Steps.words(step, origin, who) + " (" + this + "), but " + expected(possible, receiver));
     }
 
     private String expected(Possible possible, String receiver) {
-        String steps = possible.next().stream().filter(Steps::isBoards).map(step -> Steps.words(step, origin, receiver)).sorted()
-            .collect(Collectors.joining("; "));
+        String steps = possible.next().stream().filter(Steps::isBoards).map(step -> Steps.words(step, origin, receiver))
+                .sorted()
+                .collect(Collectors.joining("; "));
         return steps.isEmpty() ? "of this message nothing more is expected" : "expected was one of: " + steps;
     }
 
-    @Override public String toString() {
+    @Override
+    public String toString() {
         return origin + " to " + destination + (nonce.isEmpty() ? "" : ", nonce " + nonce);
     }
 }

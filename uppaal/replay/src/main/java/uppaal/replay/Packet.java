@@ -12,9 +12,11 @@ import java.util.Set;
  * @param answer what the acknowledgement says, as the model has it
  * @param reached the boards that it has reached
  */
-record Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered, String answer,
-              Set<String> reached) {
-    Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered, String answer) {
+record Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered,
+        String answer,
+        Set<String> reached) {
+    Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered,
+            String answer) {
         this(board, payload, start, end, message, answered, answer, new HashSet<>());
     }
 }

@@ -12,6 +12,7 @@ import java.util.HexFormat;
  * @param message what follows the header, of a frame; else all
  */
 record Payload(String hex, String kind, String destination, String origin, byte[] message) {
+
     private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     private static final int HEADER = 10;
     private static final int NONCE = 6;
@@ -35,7 +36,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
     private static Payload of(String hex, String kind, byte[] bytes) {
         boolean frame = !kind.equals("no frame") && bytes.length >= HEADER;
         return new Payload(hex, frame ? kind : "no frame", frame ? text(bytes, 0) : "", frame ? text(bytes, 4) : "",
-            frame ? Arrays.copyOfRange(bytes, HEADER, bytes.length) : bytes);
+                frame ? Arrays.copyOfRange(bytes, HEADER, bytes.length) : bytes);
     }
 
     private static String text(byte[] bytes, int at) {
@@ -115,6 +116,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** Whether devices with this address are meant. */
     static boolean concerns(String destination, String id) {
-        return destination.equals("////") || destination.equals(id) || destination.startsWith("//") && id.startsWith(destination.substring(2));
+        return destination.equals("////") || destination.equals(id)
+                || destination.startsWith("//") && id.startsWith(destination.substring(2));
     }
 }

@@ -60,10 +60,12 @@ final class RadioCell {
         Payload payload = Payload.of(event);
         double start = event.number("start");
         if (start < board.lastEnd() - DISORDER) {
-            throw new RefusedException(board.name() + " begins to send, but expected was that it ends what it is sending");
+            throw new RefusedException(
+                    board.name() + " begins to send, but expected was that it ends what it is sending");
         }
         if (board.isNamed() && !board.hasBeen(payload.origin())) {
-            throw new RefusedException(board.name() + " sends as '" + payload.origin() + "', but expected was its own id");
+            throw new RefusedException(
+                    board.name() + " sends as '" + payload.origin() + "', but expected was its own id");
         }
         Packet packet = new Packet(board.name(), payload, start, event.number("end"), null, List.of(), "");
         if (payload.isData()) {
@@ -71,10 +73,12 @@ final class RadioCell {
             packet = new Packet(board.name(), payload, start, event.number("end"), message, List.of(), "");
         } else if (payload.isAcknowledgement()) {
             String answer = ANSWERS.getOrDefault(payload.message().length, "");
-            List<Message> answered = board.isNamed() ? acknowledge(board, payload, answer) : answers.getOrDefault(payload.hex(), List.of());
+            List<Message> answered = board.isNamed() ? acknowledge(board, payload, answer)
+                    : answers.getOrDefault(payload.hex(), List.of());
             packet = new Packet(board.name(), payload, start, event.number("end"), null, answered, answer);
         } else if (board.isNamed()) {
-            throw new RefusedException(board.name() + " sends what no board sends, but expected was a message or an acknowledgement");
+            throw new RefusedException(
+                    board.name() + " sends what no board sends, but expected was a message or an acknowledgement");
         }
         board.send(packet);
     }
@@ -86,7 +90,8 @@ final class RadioCell {
             message = begun(board, payload);
         }
         if (!message.isSame(payload)) {
-            throw new RefusedException(board.name() + " sends other bytes under the nonce of an earlier message, but expected was: " + message);
+            throw new RefusedException(board.name()
+                    + " sends other bytes under the nonce of an earlier message, but expected was: " + message);
         }
         byPayload.put(payload.identity(), message);
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
@@ -102,10 +107,11 @@ final class RadioCell {
             if (!whole.kind().equals("broadcast")) {
                 return messages.get(key(whole));
             }
-            return current.filter(message -> payload.isPiece() && message == byPayload.get(payload.identity())).orElse(null);
+            return current.filter(message -> payload.isPiece() && message == byPayload.get(payload.identity()))
+                    .orElse(null);
         }
         return current.orElseThrow(() -> new RefusedException(board.name()
-            + " sends a piece of what it has not begun to send, but expected was a first piece"));
+                + " sends a piece of what it has not begun to send, but expected was a first piece"));
     }
 
     private static String key(Payload whole) {
@@ -119,7 +125,8 @@ final class RadioCell {
         messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
         for (Station board : boards.values()) {
             String highest = board.highest.get(message.origin + message.destination);
-            if (!message.isBroadcast() && message.concerns(board) && highest != null && highest.compareTo(message.nonce) > 0) {
+            if (!message.isBroadcast() && message.concerns(board) && highest != null
+                    && highest.compareTo(message.nonce) > 0) {
                 message.perhaps(board, "newer");
             }
         }
@@ -130,7 +137,7 @@ final class RadioCell {
         Payload whole = payload.whole();
         Transmission current = board.current().orElse(null);
         boolean anew = current != null && current.message != null && current.before == null && current.outcome.isEmpty()
-            && current.destination.equals(whole.destination()) && current.message.mayDo("reseal");
+                && current.destination.equals(whole.destination()) && current.message.mayDo("reseal");
         if (anew) {
             current.message.perhaps("reseal");
             current.before = current.message;
@@ -138,8 +145,9 @@ final class RadioCell {
             if (current != null && current.message != null) {
                 current.message.sender("next");
             }
-            current = board.takeUp(whole.destination()).orElseThrow(() -> new RefusedException(board.name() + " sends a message to "
-                + whole.destination() + ", but expected was that its host has it send one"));
+            current = board.takeUp(whole.destination())
+                    .orElseThrow(() -> new RefusedException(board.name() + " sends a message to "
+                            + whole.destination() + ", but expected was that its host has it send one"));
         }
         current.message = entered(payload, "");
         return current.message;
@@ -178,15 +186,20 @@ final class RadioCell {
         return last != null && last.isSame(payload) ? last : null;
     }
 
-    /** A board of ours answers. Twelve bits of a nonce may be those of several messages: then any of them may be meant. */
+    /**
+     * A board of ours answers. Twelve bits of a nonce may be those of several messages: then any of them may be meant.
+     */
     private List<Message> acknowledge(Station board, Payload payload, String answer) throws RefusedException {
-        List<Message> meant = answers.getOrDefault(payload.hex(), messages.values().stream().filter(message -> isAnswered(message, board, payload, answer)).toList());
-        List<Message> able = answer.isEmpty() ? List.of() : meant.stream().filter(message -> message.mayDo(board, answer)).toList();
+        List<Message> meant = answers.getOrDefault(payload.hex(),
+                messages.values().stream().filter(message -> isAnswered(message, board, payload, answer)).toList());
+        List<Message> able =
+                answer.isEmpty() ? List.of() : meant.stream().filter(message -> message.mayDo(board, answer)).toList();
         if (able.isEmpty()) {
             if (!meant.isEmpty() && !answer.isEmpty()) {
                 throw meant.get(meant.size() - 1).refusal(board, answer);
             }
-            throw new RefusedException(board.name() + " acknowledges, but expected was that a message for it is on its way with this nonce");
+            throw new RefusedException(board.name()
+                    + " acknowledges, but expected was that a message for it is on its way with this nonce");
         }
         for (Message message : able) {
             if (able.size() == 1) {
@@ -201,19 +214,22 @@ final class RadioCell {
 
     private static boolean isAnswered(Message message, Station board, Payload acknowledgement, String answer) {
         boolean kind = message.isUnicast() || message.kind.equals("multicast") && answer.equals("stale");
-        return kind && board.isConcernedBy(message.destination) && Payload.lastBits(message.nonce) == acknowledgement.answered();
+        return kind && board.isConcernedBy(message.destination)
+                && Payload.lastBits(message.nonce) == acknowledgement.answered();
     }
 
     /** A packet has come to a board undamaged; or so that it may have mended it. */
     void reach(Event event) throws RefusedException {
         Station board = board(event.board());
         Packet packet = source(event).orElseThrow(() -> new RefusedException(board.name()
-            + " hears a packet, but expected was that a board has sent it"));
+                + " hears a packet, but expected was that a board has sent it"));
         if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
-            throw new RefusedException(board.name() + " hears a packet again or from itself, but expected was that each comes once to each other board");
+            throw new RefusedException(board.name()
+                    + " hears a packet again or from itself, but expected was that each comes once to each other "
+                    + "board");
         }
         if (packet.message() != null && packet.message().concerns(board)) {
             for (String step : packet.message().arrivals(board, packet.payload())) {
@@ -245,9 +261,10 @@ final class RadioCell {
         List<Message> sent = messages.values().stream().filter(message -> isHanded(message, event)).toList();
         if (before != null || sent.isEmpty()) {
             throw new RefusedException(board.name() + " hands to its host what nobody has sent, but expected was: "
-                + (before == null ? "nothing" : before.toString()));
+                    + (before == null ? "nothing" : before.toString()));
         }
-        Message message = sent.stream().filter(each -> each.mayDo(board, "hand")).findFirst().orElse(sent.get(sent.size() - 1));
+        Message message =
+                sent.stream().filter(each -> each.mayDo(board, "hand")).findFirst().orElse(sent.get(sent.size() - 1));
         message.receiver(board, "hand");
         board.handed.put(number, message);
     }
@@ -260,7 +277,8 @@ final class RadioCell {
             String content = HexFormat.of().formatHex(event.textOrEmpty("content").getBytes(StandardCharsets.UTF_8));
             return message.content.isEmpty() || content.isEmpty() || content.equals(message.content);
         }
-        return event.text("id").equals(message.nonce.substring(EPOCH_AT, EPOCH_AT + 2) + message.nonce.substring(COUNTER_AT));
+        return event.text("id")
+                .equals(message.nonce.substring(EPOCH_AT, EPOCH_AT + 2) + message.nonce.substring(COUNTER_AT));
     }
 
     /** A host says that it has taken a message and those before it; or the board confirms that. */
@@ -294,7 +312,7 @@ final class RadioCell {
         board.highest.merge(taken.origin + taken.destination, taken.nonce, (a, b) -> a.compareTo(b) > 0 ? a : b);
         for (Message message : messages.values()) {
             boolean older = message.origin.equals(taken.origin) && message.destination.equals(taken.destination)
-                && message.nonce.compareTo(taken.nonce) < 0;
+                    && message.nonce.compareTo(taken.nonce) < 0;
             if (older && message.concerns(board)) {
                 message.receiver(board, "newer");
             }
@@ -305,35 +323,40 @@ final class RadioCell {
     void end(Event event) throws RefusedException {
         Station board = board(event.board());
         String outcome = event.text("outcome");
-        Transmission transmission = board.numbered((int) event.number("number")).orElseThrow(() -> new RefusedException(board.name()
-            + " reports " + outcome + " what its host has not had it send"));
+        Transmission transmission =
+                board.numbered((int) event.number("number")).orElseThrow(() -> new RefusedException(board.name()
+                        + " reports " + outcome + " what its host has not had it send"));
         if (!transmission.outcome.isEmpty()) {
             if (!transmission.outcome.equals(outcome)) {
-                throw new RefusedException(board.name() + " reports " + outcome + ", but expected was what it had reported: " + transmission.outcome);
+                throw new RefusedException(board.name() + " reports " + outcome
+                        + ", but expected was what it had reported: " + transmission.outcome);
             }
             return; // a host that comes is told again
         }
         transmission.outcome = outcome;
         if (transmission.message == null) {
             unsent(board, outcome);
-        } else if (transmission.before != null && !transmission.message.mayDo(outcome) && transmission.before.mayDo(outcome)) {
-            split(board, transmission, outcome);
-        } else {
-            transmission.message.sender(outcome);
-        }
+        } else if (transmission.before != null && !transmission.message.mayDo(outcome)
+                && transmission.before.mayDo(outcome)) {
+                    split(board, transmission, outcome);
+                } else {
+                    transmission.message.sender(outcome);
+                }
     }
 
     private static void unsent(Station board, String outcome) throws RefusedException {
         if (!outcome.equals("undelivered")) {
-            throw new RefusedException(board.name() + " reports " + outcome + " what was never on the air, but expected was: undelivered");
+            throw new RefusedException(
+                    board.name() + " reports " + outcome + " what was never on the air, but expected was: undelivered");
         }
     }
 
     /** What was taken for the same message under a new nonce was the next one to the same device. */
     private static void split(Station board, Transmission ended, String outcome) throws RefusedException {
         ended.before.sender(outcome);
-        Transmission next = board.takeUp(ended.destination).orElseThrow(() -> new RefusedException(board.name() + " reports " + outcome
-            + " while it sends the message anew"));
+        Transmission next = board.takeUp(ended.destination)
+                .orElseThrow(() -> new RefusedException(board.name() + " reports " + outcome
+                        + " while it sends the message anew"));
         next.message = ended.message;
     }
 
@@ -342,7 +365,8 @@ final class RadioCell {
         private static final long serialVersionUID = 1L;
         private static final int MOST = 1024;
 
-        @Override protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
             return size() > MOST;
         }
     }

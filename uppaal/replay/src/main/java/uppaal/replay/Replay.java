@@ -7,19 +7,21 @@ import java.util.Optional;
 import java.util.PriorityQueue;
 
 /**
- * Replays a trace of emulated boards in {@code observed.xml}: what was on the air and what passed between boards and hosts
- * must be what the model allows. Takes the lines as they come; what it remembers does not grow with the trace.
+ * Replays a trace of emulated boards in {@code observed.xml}: what was on the air and what passed between boards and
+ * hosts must be what the model allows. Takes the lines as they come; what it remembers does not grow with the trace.
  */
 public final class Replay {
-    /** A packet's line comes when it has ended, but it counts when it began: at 100 bit/s this much earlier, in seconds. */
+    /**
+     * A packet's line comes when it has ended, but it counts when it began: at 100 bit/s this much earlier, in seconds.
+     */
     private static final double LATEST = 12;
     /** How far lines may be out of order: two bits of the slowest air, in seconds. */
     private static final double DISORDER = 0.03;
 
-    private record Step(double seconds, Event event) { }
+    private record Step(double seconds, Event event) {}
 
     private final PriorityQueue<Step> steps =
-        new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index()));
+            new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index()));
     private final RadioCell cell = new RadioCell();
     private int lines;
     private int events;
@@ -39,7 +41,8 @@ public final class Replay {
         try {
             Event event = Event.parse(lines, line);
             if (event.seconds() < now - DISORDER) {
-                refuse(event, "time runs backwards, expected was a time of " + String.format(Locale.ROOT, "%.6f s", now) + " or later");
+                refuse(event, "time runs backwards, expected was a time of " + String.format(Locale.ROOT, "%.6f s", now)
+                        + " or later");
                 return;
             }
             now = Math.max(now, event.seconds());
@@ -77,9 +80,10 @@ public final class Replay {
         switch (event.name()) {
             case "rf-tx" -> steps.add(new Step(event.number("start"), event));
             case "host-transmit" -> steps.add(new Step(event.number("asked"), event));
-            case "rf-rx", "rf-damaged", "reset", "host-id", "host-handed", "host-taking", "host-taken", "host-outcome" ->
+            case "rf-rx", "rf-damaged", "reset", "host-id", "host-handed", "host-taking", "host-taken",
+                    "host-outcome" ->
                 steps.add(new Step(event.seconds(), event));
-            default -> { } // nothing that the model speaks of
+            default -> {} // nothing that the model speaks of
         }
     }
 

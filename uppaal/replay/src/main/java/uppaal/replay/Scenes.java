@@ -40,8 +40,9 @@ final class Scenes {
     private static String system(String kind, boolean addressed) {
         boolean unicast = kind.equals("unicast");
         String most = unicast ? "ATTEMPTS" : kind.equals("multicast") ? "SENDS" : "1";
-        return "Origin = Sender(" + unicast + ", " + most + "); Other = Receiver(" + addressed + ", " + !kind.equals("broadcast") + ", "
-            + unicast + "); system Air, Origin, Other;";
+        return "Origin = Sender(" + unicast + ", " + most + "); Other = Receiver(" + addressed + ", "
+                + !kind.equals("broadcast") + ", "
+                + unicast + "); system Air, Origin, Other;";
     }
 
     /** The model. */

@@ -27,7 +27,8 @@ class MainTest {
 
     @Test
     void run_refusedTrace_endsWithOne() throws IOException {
-        assertEquals(1, run(Files.readString(TRACES.resolve("highway.jsonl")).replaceFirst("\"event\":\"host-transmit\"", "\"event\":\"x\"")));
+        assertEquals(1, run(Files.readString(TRACES.resolve("highway.jsonl"))
+                .replaceFirst("\"event\":\"host-transmit\"", "\"event\":\"x\"")));
     }
 
     @Test

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Genuine traces and spoilt ones. {@code highway.jsonl} is what {@code gradle highway} has left in its build folder,
- * {@code pieces.jsonl} what two boards of the campaign {@code delivery} did that sent 200 bytes at a bit error rate of 1e-3;
- * both without the events that the model does not speak of.
+ * {@code pieces.jsonl} what two boards of the campaign {@code delivery} did that sent 200 bytes at a bit error rate of
+ * 1e-3; both without the events that the model does not speak of.
  */
 class ReplayTest {
     private static final String UNICAST = "535550505355504f4449000001000000";
@@ -31,11 +31,15 @@ class ReplayTest {
 
     /** The line with which the support's unicast to the hospital is handed over there. */
     private static int handedToHospital(Lines lines) {
-        return lines.where(line -> lines.is(line, "hospital", "host-handed") && lines.text(line, "origin").equals("SUPP")).get(0);
+        return lines
+                .where(line -> lines.is(line, "hospital", "host-handed") && lines.text(line, "origin").equals("SUPP"))
+                .get(0);
     }
 
     private static int acknowledgedByHospital(Lines lines) {
-        return lines.where(line -> lines.is(line, "hospital", "rf-tx") && lines.text(line, "kind").equals("acknowledgement")).get(0);
+        return lines.where(
+                line -> lines.is(line, "hospital", "rf-tx") && lines.text(line, "kind").equals("acknowledgement"))
+                .get(0);
     }
 
     @ParameterizedTest
@@ -45,7 +49,8 @@ class ReplayTest {
         assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());
         for (int end = 1; end <= lines.all.size(); end++) {
             int last = end;
-            assertTrue(lines.without(line -> line > last).replay().refusal().isEmpty(), () -> "of the first " + last + " lines");
+            assertTrue(lines.without(line -> line > last).replay().refusal().isEmpty(),
+                    () -> "of the first " + last + " lines");
         }
     }
 
@@ -54,13 +59,16 @@ class ReplayTest {
         Lines lines = Lines.of("highway");
         int handed = handedToHospital(lines);
         lines.get(handed).addProperty("board", "ambulance");
-        assertRefused(lines, handed, "ambulance hands it to its host (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO answers that it is stale; SUHO hands it to its host; ");
+        assertRefused(lines, handed,
+                "ambulance hands it to its host (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO "
+                        + "answers that it is stale; SUHO hands it to its host; ");
     }
 
     @Test
     void replay_multicastHandedOutsideItsGroup_isRefusedThere() {
         Lines lines = Lines.of("highway");
-        int handed = lines.where(line -> lines.is(line, "host-handed") && lines.text(line, "destination").equals("//SU")).get(0);
+        int handed = lines
+                .where(line -> lines.is(line, "host-handed") && lines.text(line, "destination").equals("//SU")).get(0);
         lines.get(handed).addProperty("board", "bus");
         assertRefused(lines, handed, "bus hands it to its host");
     }
@@ -70,7 +78,9 @@ class ReplayTest {
         Lines lines = Lines.of("highway");
         String acknowledgement = lines.text(acknowledgedByHospital(lines), "payload");
         Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(acknowledgement));
-        assertRefused(spoilt, spoilt.next(0, "support", "host-outcome"), "SUPP reports it delivered (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO acknowledges it as delivered; ");
+        assertRefused(spoilt, spoilt.next(0, "support", "host-outcome"),
+                "SUPP reports it delivered (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO "
+                        + "acknowledges it as delivered; ");
     }
 
     @Test
@@ -96,8 +106,9 @@ class ReplayTest {
     void replay_acknowledgedBeforeItIsTaken_isRefusedThere() {
         Lines lines = Lines.of("highway");
         int number = lines.get(handedToHospital(lines)).get("number").getAsInt();
-        Lines spoilt = lines.without(line -> lines.text(line, "board").equals("hospital") && lines.text(line, "event").startsWith("host-tak")
-            && lines.text(line, "number").equals("" + number));
+        Lines spoilt = lines.without(
+                line -> lines.text(line, "board").equals("hospital") && lines.text(line, "event").startsWith("host-tak")
+                        && lines.text(line, "number").equals("" + number));
         assertRefused(spoilt, acknowledgedByHospital(spoilt), "hospital acknowledges it as delivered (SUPP to SUHO, ");
     }
 
@@ -108,14 +119,16 @@ class ReplayTest {
         JsonObject changed = lines.get(acknowledged);
         changed.addProperty("board", "ambulance");
         changed.addProperty("payload", changed.get("payload").getAsString().replace("5355484f", "5355414d"));
-        assertRefused(lines, acknowledged, "ambulance acknowledges, but expected was that a message for it is on its way");
+        assertRefused(lines, acknowledged,
+                "ambulance acknowledges, but expected was that a message for it is on its way");
     }
 
     @Test
     void replay_handedWithoutHavingBeenHeard_isRefusedThere() {
         Lines lines = Lines.of("highway");
         int handed = handedToHospital(lines);
-        Lines spoilt = lines.without(line -> line < handed && lines.is(line, "hospital", "rf-rx") && lines.text(line, "from").equals("support"));
+        Lines spoilt = lines.without(line -> line < handed && lines.is(line, "hospital", "rf-rx")
+                && lines.text(line, "from").equals("support"));
         assertRefused(spoilt, handedToHospital(spoilt), "hospital hands it to its host (SUPP to SUHO, ");
     }
 
@@ -149,7 +162,8 @@ class ReplayTest {
         Lines lines = Lines.of("highway");
         int ended = lines.next(0, "support", "host-outcome");
         lines.get(ended).addProperty("outcome", "undelivered");
-        assertRefused(lines, ended, "SUPP reports it undelivered (SUPP to SUHO, nonce 000006000000), but expected was one of: ");
+        assertRefused(lines, ended,
+                "SUPP reports it undelivered (SUPP to SUHO, nonce 000006000000), but expected was one of: ");
     }
 
     @Test
@@ -166,7 +180,8 @@ class ReplayTest {
     @Test
     void replay_sameNonceForOtherBytes_isRefusedThere() {
         Lines lines = Lines.of("highway");
-        List<Integer> sent = lines.where(line -> lines.is(line, "police", "rf-tx") && lines.text(line, "kind").equals("multicast"));
+        List<Integer> sent =
+                lines.where(line -> lines.is(line, "police", "rf-tx") && lines.text(line, "kind").equals("multicast"));
         String payload = lines.text(sent.get(1), "payload");
         lines.get(sent.get(1)).addProperty("payload", payload.substring(0, payload.length() - 2) + "00");
         assertRefused(lines, sent.get(1), "sends other bytes under the nonce of an earlier message");
@@ -184,20 +199,25 @@ class ReplayTest {
         Lines lines = Lines.of("pieces");
         int first = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "kind").equals("piece")).get(0);
         String payload = lines.text(first, "payload");
-        Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(payload) || lines.is(line, "rf-damaged"));
-        assertRefused(spoilt, spoilt.where(line -> spoilt.is(line, "rf-tx")).get(0), "sends a piece of what it has not begun to send");
+        Lines spoilt =
+                lines.without(line -> lines.text(line, "payload").equals(payload) || lines.is(line, "rf-damaged"));
+        assertRefused(spoilt, spoilt.where(line -> spoilt.is(line, "rf-tx")).get(0),
+                "sends a piece of what it has not begun to send");
     }
 
     @Test
     void replay_unicastThatNobodyAnswers_endsAfterEightAttempts() {
         for (int attempts : List.of(7, 8, 9)) {
-            Lines lines = greeted("police", "SUPO").add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            Lines lines = greeted("police", "SUPO").add(1.1, "police", "host-transmit",
+                    Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
             for (int attempt = 0; attempt < attempts; attempt++) {
                 send(lines, 2 + attempt, "police", UNICAST + "00".repeat(10), "unicast");
             }
             lines.add(20, "police", "host-outcome", Map.of("number", 0, "outcome", "undelivered"));
             switch (attempts) {
-                case 7 -> assertRefused(lines, lines.all.size(), "SUPO reports it undelivered (SUPO to SUPP, nonce 000001000000), but expected was one of: SUPO sends a piece of it; SUPO sends it");
+                case 7 -> assertRefused(lines, lines.all.size(),
+                        "SUPO reports it undelivered (SUPO to SUPP, nonce 000001000000), but expected was one of: "
+                                + "SUPO sends a piece of it; SUPO sends it");
                 case 8 -> assertTrue(lines.replay().refusal().isEmpty());
                 default -> assertRefused(lines, lines.all.size() - 1, "SUPO sends it (SUPO to SUPP, ");
             }
@@ -216,7 +236,8 @@ class ReplayTest {
 
     @Test
     void replay_replayOfAnAttacker_mayBeHandedOverOnce() {
-        Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+        Lines lines = twoBoards().add(1.1, "police", "host-transmit",
+                Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
         String payload = UNICAST + "00".repeat(10);
         send(lines, 2, "police", payload, "unicast");
         for (int play = 3; play < 5; play++) {
@@ -232,7 +253,8 @@ class ReplayTest {
     @Test
     void replay_forgedPiece_isAnsweredAndTakesNoNonceAway() {
         Lines lines = twoBoards();
-        String forged = "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
+        String forged =
+                "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
         String answer = "2b4b4141" + "53555050" + "4249" + "01" + "00".repeat(8);
         reach(lines, 2, "thief", forged, "piece");
         send(lines, 3, "support", answer, "acknowledgement");
@@ -248,14 +270,16 @@ class ReplayTest {
         Lines lines = twoBoards();
         String payload = UNICAST.replace("5355504f", "43414645") + "00".repeat(10);
         reach(lines, 2, "thief", payload, "unicast");
-        lines.add(4, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "CAFE", "id", "010000"));
+        lines.add(4, "support", "host-handed",
+                Map.of("number", 0, "destination", "SUPP", "origin", "CAFE", "id", "010000"));
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 
     @Test
     void replay_handedAgainAfterAReset_onlyIfItWasNotTaken() {
         for (boolean taken : List.of(false, true)) {
-            Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            Lines lines = twoBoards().add(1.1, "police", "host-transmit",
+                    Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
             String payload = UNICAST + "00".repeat(10);
             reach(lines, 2, "police", payload, "unicast");
             hand(lines, 3, 0, "010000");
@@ -273,10 +297,12 @@ class ReplayTest {
     /** Only the whole tells by its tag that it is refused: until then a board asks for the rest of it. */
     @Test
     void replay_firstPieceOfWhatABoardWillRefuse_isAnswered() {
-        String first = "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
+        String first =
+                "2b464149" + "5355504f" + "4959" + "53555050" + "5355504f" + "4e77" + "000001000000" + "77".repeat(51);
         String rest = "2b46414a" + "5355504f" + "4959" + "77".repeat(7);
         for (boolean stale : List.of(true, false)) {
-            Lines lines = twoBoards().add(1.1, "police", "host-transmit", Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            Lines lines = twoBoards().add(1.1, "police", "host-transmit",
+                    Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
             reach(lines, 2, "police", first, "piece");
             reach(lines, 3, "police", rest, "piece");
             hand(lines, 4, 0, "010000");
@@ -312,7 +338,8 @@ class ReplayTest {
                 Replay replay = damage.in(lines, place, random).replay();
                 assertFalse(replay.refusal().isEmpty(), what);
                 int at = Integer.parseInt(replay.refusal().orElseThrow().split(" ")[1]);
-                assertTrue(damage == Damage.LOSS ? at >= place : at == place || at == place + 1, () -> what + " refused: " + replay.verdict());
+                assertTrue(damage == Damage.LOSS ? at >= place : at == place || at == place + 1,
+                        () -> what + " refused: " + replay.verdict());
             }
         }
     }
@@ -321,21 +348,25 @@ class ReplayTest {
     private enum Damage {
         /** A packet that was sent, and heard at once. */
         LOSS {
-            @Override boolean fits(Lines lines, int line) {
+            @Override
+            boolean fits(Lines lines, int line) {
                 return lines.is(line, "rf-tx") && line < lines.all.size() && lines.is(line + 1, "rf-rx");
             }
 
-            @Override Lines in(Lines lines, int line, Random random) {
+            @Override
+            Lines in(Lines lines, int line, Random random) {
                 return lines.without(each -> each == line);
             }
         },
         /** Handed over or sent twice. */
         DUPLICATE {
-            @Override boolean fits(Lines lines, int line) {
+            @Override
+            boolean fits(Lines lines, int line) {
                 return lines.is(line, "rf-tx") || lines.is(line, "rf-rx") || lines.is(line, "host-handed");
             }
 
-            @Override Lines in(Lines lines, int line, Random random) {
+            @Override
+            Lines in(Lines lines, int line, Random random) {
                 JsonObject copy = lines.copy(line);
                 if (copy.has("number")) {
                     copy.addProperty("number", 100 + random.nextInt(100));
@@ -346,13 +377,16 @@ class ReplayTest {
         },
         /** Handed over by another board. */
         SWAP {
-            @Override boolean fits(Lines lines, int line) {
+            @Override
+            boolean fits(Lines lines, int line) {
                 return lines.is(line, "host-handed") && !lines.text(line, "destination").startsWith("//");
             }
 
-            @Override Lines in(Lines lines, int line, Random random) {
-                List<String> others = lines.where(each -> lines.is(each, "host-id")).stream().map(each -> lines.text(each, "board")).distinct()
-                    .filter(board -> !board.equals(lines.text(line, "board"))).toList();
+            @Override
+            Lines in(Lines lines, int line, Random random) {
+                List<String> others = lines.where(each -> lines.is(each, "host-id")).stream()
+                        .map(each -> lines.text(each, "board")).distinct()
+                        .filter(board -> !board.equals(lines.text(line, "board"))).toList();
                 lines.get(line).addProperty("board", others.get(random.nextInt(others.size())));
                 return lines;
             }
@@ -373,7 +407,7 @@ class ReplayTest {
         }
         replay.line("{\"t\":2,\"board\":\"a\",\"event\":\"host-handed\"}");
         assertEquals("line 7 is no line of a trace: an event 'host-handed' without 'number'",
-            assertThrows(IllegalArgumentException.class, replay::finish).getMessage());
+                assertThrows(IllegalArgumentException.class, replay::finish).getMessage());
     }
 
     private static Lines greeted(String board, String id) {
@@ -385,7 +419,8 @@ class ReplayTest {
     }
 
     private static void send(Lines lines, double start, String board, String payload, String kind) {
-        lines.add(start + 0.3, board, "rf-tx", Map.of("payload", payload, "kind", kind, "start", start, "end", start + 0.3));
+        lines.add(start + 0.3, board, "rf-tx",
+                Map.of("payload", payload, "kind", kind, "start", start, "end", start + 0.3));
     }
 
     /** A packet to the support's board that is sent and heard. */
@@ -395,15 +430,18 @@ class ReplayTest {
     }
 
     private static void hand(Lines lines, double seconds, int number, String id) {
-        lines.add(seconds, "support", "host-handed", Map.of("number", number, "destination", "SUPP", "origin", "SUPO", "id", id));
+        lines.add(seconds, "support", "host-handed",
+                Map.of("number", number, "destination", "SUPP", "origin", "SUPO", "id", id));
     }
 
     private static void take(Lines lines, double seconds, int number) {
-        lines.add(seconds, "support", "host-taking", Map.of("number", number)).add(seconds + 0.1, "support", "host-taken", Map.of("number", number));
+        lines.add(seconds, "support", "host-taking", Map.of("number", number)).add(seconds + 0.1, "support",
+                "host-taken", Map.of("number", number));
     }
 
     private static void hear(Lines lines, double start, String board, String from, String payload, String kind) {
-        Map<String, Object> fields = new HashMap<>(Map.of("payload", payload, "kind", kind, "start", start + 0.0001, "end", start + 0.3001));
+        Map<String, Object> fields =
+                new HashMap<>(Map.of("payload", payload, "kind", kind, "start", start + 0.0001, "end", start + 0.3001));
         fields.put("from", from);
         lines.add(start + 0.3001, board, "rf-rx", fields);
     }

@@ -37,12 +37,15 @@ import uppaal.network.Successors;
 class ScenesTest {
     private static final Path MODELS = Path.of("../models");
     /** What both models speak of; the rest is about pieces, resets and losses of power. */
-    private static final Set<String> SHARED = Set.of("send", "ack", "arrive", "ack_arrives", "hand", "delivered", "undelivered");
+    private static final Set<String> SHARED =
+            Set.of("send", "ack", "arrive", "ack_arrives", "hand", "delivered", "undelivered");
 
     /** What delivery.xml shows in one step, as observed.xml has it. */
-    private static final Map<String, List<String>> WORDS = Map.of("send", List.of("send"), "arrive", List.of("arrive"), "ack", List.of("ack"),
-        "hand+taking+taken", List.of("hand", "taking", "taken"), "ack_arrives+delivered", List.of("ack_arrives", "delivered"),
-        "undelivered", List.of("undelivered"));
+    private static final Map<String, List<String>> WORDS =
+            Map.of("send", List.of("send"), "arrive", List.of("arrive"), "ack", List.of("ack"),
+                    "hand+taking+taken", List.of("hand", "taking", "taken"), "ack_arrives+delivered",
+                    List.of("ack_arrives", "delivered"),
+                    "undelivered", List.of("undelivered"));
     private static final Pattern CLOCK = Pattern.compile("\\b(x|quiet|started|age) (==|<=|>=) \\w+");
 
     private static Document delivery() {
@@ -50,7 +53,8 @@ class ScenesTest {
     }
 
     private static Document with(Document document, String constant, int number) {
-        return document.withDeclarations(document.declarations().replaceFirst("(const int " + constant + " = )\\d+", "$1" + number));
+        return document.withDeclarations(
+                document.declarations().replaceFirst("(const int " + constant + " = )\\d+", "$1" + number));
     }
 
     /** What a step of delivery shows of the message with a nonce, in the order in which it would be seen. */
@@ -81,7 +85,8 @@ class ScenesTest {
         }
 
         private boolean begins(JointMove move, String automaton) {
-            return isChannel(move, "begin") && move.parts().get(0).automaton().name().equals(automaton) && value(move.target(), "nonce") == nonce;
+            return isChannel(move, "begin") && move.parts().get(0).automaton().name().equals(automaton)
+                    && value(move.target(), "nonce") == nonce;
         }
 
         private static boolean isChannel(JointMove move, String channel) {
@@ -103,7 +108,8 @@ class ScenesTest {
             if (rises(from, move, "Support.given" + nonce)) {
                 seen.addAll(List.of("hand", "taking", "taken"));
             }
-            if (nonce == 1 && isChannel(move, "begin") && isPart(move, "Police") && value(move.target(), "nonce") == 2) {
+            if (nonce == 1 && isChannel(move, "begin") && isPart(move, "Police")
+                    && value(move.target(), "nonce") == 2) {
                 seen.add("next");
             }
             if (nonce == 1 && rises(from, move, "Support.given2")) {
@@ -130,7 +136,7 @@ class ScenesTest {
         return next;
     }
 
-    private record Pair(List<Integer> state, Possible possible) { }
+    private record Pair(List<Integer> state, Possible possible) {}
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
@@ -167,14 +173,20 @@ class ScenesTest {
         return with(Scenes.document(), "ATTEMPTS", 3);
     }
 
-    /** Delivery where any time may pass before each step, as between boards whose air is busy with others, and where the attacker never tires. */
+    /**
+     * Delivery where any time may pass before each step, as between boards whose air is busy with others, and where the
+     * attacker never tires.
+     */
     private static Document untimed(Document document) {
         Document changed = document;
         for (Template template : document.templates()) {
             changed = changed.withTemplate(new Template(template.name(), template.parameters(), template.declarations(),
-                template.locations().stream().map(location -> new Location(location.name(), location.committed(), "")).toList(), template.initial(),
-                template.edges().stream().map(edge -> edge.withGuard(CLOCK.matcher(edge.guard()).replaceAll("true").replace("shots < SHOTS", "true"))
-                    .withAssignment(edge.assignment().replace("shots++, ", ""))).toList()));
+                    template.locations().stream()
+                            .map(location -> new Location(location.name(), location.committed(), "")).toList(),
+                    template.initial(),
+                    template.edges().stream().map(edge -> edge
+                            .withGuard(CLOCK.matcher(edge.guard()).replaceAll("true").replace("shots < SHOTS", "true"))
+                            .withAssignment(edge.assignment().replace("shots++, ", ""))).toList()));
         }
         return changed;
     }
@@ -185,9 +197,9 @@ class ScenesTest {
         Document one = untimed(with(with(delivery(), "MESSAGES", 1), "ATTEMPTS", 2));
         Network network = NetworkBuilder.build(one);
         Shown shown = new Shown(network, 1);
-        record Both(Possible observed, Possible delivery) { }
+        record Both(Possible observed, Possible delivery) {}
         Possible first = Possible.first(network, (state, move) -> Optional.of(String.join("+", shown.of(state, move)))
-            .filter(name -> !name.isEmpty() && !name.equals("ack_arrives") && !name.equals("arrive")));
+                .filter(name -> !name.isEmpty() && !name.equals("ack_arrives") && !name.equals("arrive")));
         Both start = new Both(Scenes.first(with(Scenes.document(), "ATTEMPTS", 2), "unicast", true), first);
         Map<Both, List<String>> seen = new HashMap<>(Map.of(start, List.of()));
         Deque<Both> open = new ArrayDeque<>(List.of(start));
@@ -196,8 +208,10 @@ class ScenesTest {
             List<String> path = seen.get(both);
             WORDS.forEach((word, steps) -> after(both.observed, steps).ifPresent(observed -> {
                 // What arrives, and is perhaps not heard, delivery.xml shows by what comes of it.
-                Optional<Possible> delivery = word.equals("arrive") ? Optional.of(both.delivery) : both.delivery.after(word);
-                assertTrue(delivery.isPresent(), () -> "after " + path + " delivery.xml does not " + word + ", but " + both.delivery.next());
+                Optional<Possible> delivery =
+                        word.equals("arrive") ? Optional.of(both.delivery) : both.delivery.after(word);
+                assertTrue(delivery.isPresent(),
+                        () -> "after " + path + " delivery.xml does not " + word + ", but " + both.delivery.next());
                 Both next = new Both(observed, delivery.orElseThrow());
                 if (seen.putIfAbsent(next, Stream.concat(path.stream(), Stream.of(word)).toList()) == null) {
                     open.add(next);
@@ -211,7 +225,8 @@ class ScenesTest {
     void observed_ofItself_isAsItsQueriesSay() {
         Network network = NetworkBuilder.build(Scenes.document());
         List<Query> queries = QueryFile.read(MODELS.resolve("observed.q"));
-        List<Property> properties = queries.stream().map(query -> Property.parse(query.text(), network, query.where())).toList();
+        List<Property> properties =
+                queries.stream().map(query -> Property.parse(query.text(), network, query.where())).toList();
         Exploration exploration = Exploration.of(network, properties);
         for (int i = 0; i < queries.size(); i++) {
             assertEquals(queries.get(i).expected(), exploration.holds(i), queries.get(i).name());
