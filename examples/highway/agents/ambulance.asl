@@ -1,4 +1,4 @@
-// The ambulance (SUAM) drives off with its siren on, and says so to whoever sent it.
+// The ambulance (SUAM) drives off with its siren on, and tells the sender of the call.
 
 !start.
 

@@ -1,4 +1,4 @@
-// The bus (ROMA) drives until something is less than 20 cm ahead; then it asks everyone in range for help.
+// The bus (ROMA) drives until an obstacle is less than 20 cm ahead; then it asks all in range for help.
 
 !start.
 

@@ -1,4 +1,4 @@
-// What all five devices have in common: they tell when their board goes and comes, and what could not be done.
+// Plans that all five devices share: they print when their board is lost or found, and which goals failed.
 
 +port(Port, off) <- .print("My board at ", Port, " is off").
 +port(Port, on)  <- .print("My board at ", Port, " is on").

@@ -1,4 +1,4 @@
-// The police car (SUPO) hears of the accident and calls its group; later it tells whoever asked that help is coming.
+// The police car (SUPO) hears of the accident and calls its group; later it tells the vehicles that asked for help that it is coming.
 
 !start.
 

@@ -1,4 +1,4 @@
-// Lets an agent switch a lamp and see whether it is lit: the smallest board with something to do.
+// Lets an agent switch a lamp, and perceive whether it is lit. This is the smallest useful sketch.
 //
 // Wiring: none; the lamp is the one on the board (pin 13). USB to the computer that runs the agent.
 //

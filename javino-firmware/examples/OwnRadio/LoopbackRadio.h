@@ -3,13 +3,13 @@
 #include <Javino.h>
 #include <string.h>
 
-/// A driver for another radio than the ASK pair, to begin one's own with. Its air is the board's memory: two of these hear
-/// each other. Its packets are those of a small module: 32 bytes, 8 of them a millisecond.
+/// An example of a driver for another radio than the ASK pair. Its air is the board's memory: two joined drivers receive
+/// each other's packets. These are like those of a small module: 32 bytes, 8 of them a millisecond.
 class LoopbackRadio : public javino::Radio {
  public:
   static const uint8_t LONGEST = 32;
 
-  /// Makes two of them hear each other.
+  /// Joins two drivers, so that each receives the other's packets.
   void join(LoopbackRadio &other) {
     other_ = &other;
     other.other_ = this;

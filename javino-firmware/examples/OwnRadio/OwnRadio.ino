@@ -1,5 +1,5 @@
-// A radio of one's own: LoopbackRadio.h is a driver to begin it with. Here two of them are joined on one board, so that it
-// needs no wiring: ALFA greets each second, and what BETA hears is printed at the serial monitor (115200 baud).
+// Shows how to write a driver for another radio: begin with LoopbackRadio.h. Here two such drivers are joined on one board,
+// without wiring: ALFA sends a greeting each second, and BETA prints it at the serial monitor (115200 baud).
 
 #include <Javino.h>
 

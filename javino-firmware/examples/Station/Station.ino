@@ -1,4 +1,4 @@
-// Gives an agent that stays in one place a radio: it hears and talks, and has nothing to sense or to move.
+// Gives an agent a radio, for a station without sensors and motors.
 //
 // Wiring: 433 MHz receiver's data to pin 11, transmitter's data to pin 12. USB to the computer that runs the agent.
 //

@@ -1,4 +1,4 @@
-// Tells an agent how warm it is.
+// Gives an agent the temperature.
 //
 // Wiring: analog temperature sensor TMP36: supply to 5 V (3.3 V on a board of 3.3 V), ground to GND, output to A0.
 // USB to the computer that runs the agent.
@@ -14,10 +14,10 @@ const uint8_t SENSOR_PIN = A0;
 const int ZERO_CELSIUS = 50;
 const int MILLIVOLTS_A_DEGREE = 10;
 
-// What the converter takes for 1024: a Pro Mini with a clock of 8 MHz is one of 3.3 V.
+// The voltage that the converter reads as 1024: a Pro Mini with a clock of 8 MHz has 3.3 V.
 const long SUPPLY_MILLIVOLTS = F_CPU < 16000000 ? 3300 : 5000;
 
-// One reading is of half a degree and never rests; as many as these take 2 ms.
+// One reading has steps of half a degree and changes all the time; this many readings take 2 ms.
 const uint8_t READINGS = 16;
 
 javino::Javino board(Serial, "thermometer 1.0");

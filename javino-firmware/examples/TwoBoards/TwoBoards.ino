@@ -1,10 +1,10 @@
-// Two boards that chat by radio, without any agent: a line that is typed at the serial monitor of one (115200 baud, any
-// line ending) is printed by the other, and by each further board in reach.
+// Two boards chat by radio, without any agent: type a line at the serial monitor of one (115200 baud, any line ending),
+// and the other prints it, and each further board in range too.
 //
-// Wiring, both boards alike: 433 MHz receiver's data to pin 11, transmitter's data to pin 12.
-// On one of the two pin 2 to GND, so that each has an address of its own: ALFA, and with pin 2 to GND BETA.
+// Wiring of both boards: 433 MHz receiver's data to pin 11, transmitter's data to pin 12.
+// On one of them connect pin 2 to GND: that board has the address BETA, the other one ALFA.
 //
-// Anybody can hear and forge what is said here. Agents in reach understand what has their form: tell;hello
+// Anybody can read and forge these messages. Agents in range understand lines in their form: tell;hello
 
 #include <Javino.h>
 
@@ -15,7 +15,7 @@ javino::AskRadio radio;
 javino::Broadcaster broadcaster(radio);
 
 char line[MAX_TEXT + 1];
-uint8_t length = 0;  // MAX_TEXT + 1 where more came
+uint8_t length = 0;  // MAX_TEXT + 1 if more came
 bool complete = false;
 
 void print(const char *from, const char *text) {

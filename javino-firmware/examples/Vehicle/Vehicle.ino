@@ -1,4 +1,4 @@
-// A vehicle: drives, sees what is ahead, lights its way, and can sound an alarm or a siren.
+// A vehicle: it drives, measures the distance ahead, has headlights, and can sound an alarm or a siren.
 //
 // Wiring:
 //   HC-SR04 ultrasonic sensor    trigger to 22, echo to 2 (no other pin: see Sonar.cpp)
@@ -8,10 +8,10 @@
 //   headlights                   30
 //   siren lamps                  31 and 32
 //   433 MHz receiver and transmitter  data to 11 and 12
-//   lamp on the board            lit where the radio or the EEPROM fails
+//   lamp on the board            lit if the radio or the EEPROM fails
 //
 // Actions:  drive, stop, accidentAlert, alertOff, sirenOn, sirenOff, headlightsOn, headlightsOff
-// Percepts: proximity(Cm)   distance to what is ahead, 2…400 cm; absent while nothing is in that range
+// Percepts: proximity(Cm)   distance to an obstacle ahead, 2…400 cm; absent while none is in that range
 //           light(L)        0 (dark) … 1023 (bright)
 //           moving          while the motors run
 

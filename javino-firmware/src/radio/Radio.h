@@ -4,8 +4,8 @@
 
 namespace javino {
 
-/// The most bytes of payload that one radio packet carries (SPEC 6). The buffers have room for so many: the driver of a
-/// module that could carry more says this.
+/// The most bytes of payload in one radio packet (SPEC 6). The buffers have room for so many, so the driver of a module
+/// that can carry more gives this number.
 static const uint8_t MAX_RADIO_PAYLOAD = 77;
 
 /// The fewest bytes that a radio must be able to carry: an acknowledgement (SPEC 7.3), or the header of a piece before that of
@@ -14,58 +14,58 @@ static const uint8_t MIN_RADIO_PAYLOAD = 26;
 
 /// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17, 28).
 struct RadioCounters {
-  uint32_t received;  ///< packets with a right CRC, mended ones among them
+  uint32_t received;  ///< packets with a right CRC, corrected ones too
   uint32_t damaged;   ///< packets with a wrong symbol, count or CRC
   uint32_t missed;    ///< packets that came while no buffer was free
   uint32_t sent;      ///< packets that have been on the air whole
-  uint32_t mended;    ///< packets of which one symbol was mended
+  uint32_t mended;    ///< packets of which one symbol was corrected
 };
 
-/// A half-duplex packet radio: payloads as they came from or go to the air. What carries them, and how fast, only the
-/// driver knows. No function blocks.
+/// A half-duplex packet radio: it sends and receives payloads. Only the driver knows how, and how fast. No function
+/// blocks.
 ///
-/// The seam between the board's protocol side and the modem. It is virtual so that a sketch can bring a driver of its own,
-/// and the host tests a mock; the price, one table of pointers and an indirect call a packet, is small beside a packet's
-/// tens of milliseconds of air.
+/// This is the interface between the board's protocol and the modem. It is virtual so that a sketch can have its own
+/// driver, and the host tests a mock. The price, one table of pointers and an indirect call a packet, is small beside
+/// the tens of milliseconds of a packet.
 class Radio {
  public:
-  /// Starts the hardware. From now on it receives whenever it is not sending.
-  /// @return false where that cannot be had, such as its pins.
+  /// Starts the hardware. From then on it receives whenever it is not sending.
+  /// @return false if the hardware cannot be used, for example its pins.
   virtual bool begin() = 0;
 
   /// Starts to send a payload, which is copied.
   /// @param length 1…longestPayload()
-  /// @return false, and nothing is sent, while another packet is on the air, where the length is out of range, or while
-  /// so many received packets wait that there is no room for it.
+  /// @return false, and nothing is sent, if another packet is on the air, if the length is out of range, or if so many
+  /// received packets wait that there is no room for this one.
   virtual bool send(const uint8_t *payload, uint8_t length) = 0;
 
-  /// @return whether a packet is on the air: false again after its last bit.
+  /// @return whether this board has a packet on the air; false again after its last bit.
   virtual bool sending() const = 0;
 
   /// @return whether another board's carrier is heard now (SPEC 6, 7.4); false while sending.
   /// Safe to call with interrupts off.
   virtual bool carrier() const = 0;
 
-  /// @return the most bytes of a payload, MIN_RADIO_PAYLOAD…MAX_RADIO_PAYLOAD. The same on all boards in reach, as it is
-  /// the length of pieces (SPEC 7.1).
+  /// @return the most bytes of a payload, MIN_RADIO_PAYLOAD…MAX_RADIO_PAYLOAD. It must be the same on all boards in
+  /// range, as it sets the length of pieces (SPEC 7.1).
   virtual uint8_t longestPayload() const = 0;
 
-  /// @return how long a packet with so many bytes of payload is on the air, in ms.
+  /// @return the time of a packet with this many bytes of payload on the air, in ms.
   virtual uint16_t airtimeMillis(uint8_t length) const = 0;
 
-  /// @return the slot of channel access (SPEC 7.4), 1…255 ms: by then a carrier that has begun is heard.
+  /// @return the slot of channel access (SPEC 7.4), 1…255 ms: after this time a carrier that has begun is heard.
   virtual uint8_t slotMillis() const = 0;
 
-  /// The oldest received payload, which is not damaged, in place: the caller's own until release(). It is called often,
-  /// whenever the CPU has woken up: the place for what a driver does outside of interrupts.
+  /// The oldest undamaged payload received, in place: it belongs to the caller until release(). This is called often,
+  /// whenever the CPU has woken up, so a driver can do its work outside of interrupts here.
   /// @param length set to its length, 1…longestPayload()
-  /// @return null where none is waiting.
+  /// @return null if none is waiting.
   virtual uint8_t *receive(uint8_t &length) = 0;
 
-  /// Forgets the payload that receive() gave.
+  /// Drops the payload that receive() returned.
   virtual void release() = 0;
 
-  /// Copies the counters, each of them undivided by interrupts.
+  /// Copies the counters; no interrupt changes one during its copy.
   virtual void counters(RadioCounters &into) const = 0;
 
   /// @return whether receive() has nothing to do: the CPU may sleep until the next interrupt.

@@ -1,4 +1,4 @@
-// A lamp, and an eye for the light around: what the agent perceives, and what it can do.
+// A board with a lamp and a light sensor.
 //
 // Wiring: light dependent resistor from A0 to 5 V, 10 kΩ from A0 to ground; the lamp is the one on the board (pin 13).
 //         A radio, if there is one: 433 MHz receiver's data to pin 11, transmitter's to pin 12.

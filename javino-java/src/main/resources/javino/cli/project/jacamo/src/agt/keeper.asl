@@ -1,4 +1,4 @@
-// Reads the diary, and tells the night once the robot has written dusk and dawn into it. It needs no board.
+// Reads the diary, and prints the night when the robot has written dusk and dawn into it. It needs no board.
 
 +entry(Number, Text) <- .print("the diary says ", Number, ": ", Text).
 

@@ -1,4 +1,4 @@
-// Greets with its lamp, and lights it when it gets dark; writes that into the diary, as its role in the house asks.
+// Flashes its lamp at the start, and lights it when it gets dark; writes dusk and dawn into the diary, as its role asks.
 
 !start.
 

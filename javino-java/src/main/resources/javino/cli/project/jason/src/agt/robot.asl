@@ -1,4 +1,4 @@
-// Greets with its lamp, and lights it when it gets dark.
+// Flashes its lamp at the start, and lights it when it gets dark.
 
 !start.
 

@@ -3,7 +3,7 @@ package house;
 import cartago.Artifact;
 import cartago.OPERATION;
 
-/** An artifact: who focuses on it believes its entries, and who can reach it may write one. */
+/** An artifact: agents that focus on it believe its entries, and any agent of the workspace may write one. */
 public class Diary extends Artifact {
 
     private int entries;
