@@ -144,14 +144,14 @@ final class Message {
 
     private RefusedException refusal(String step, String who, Possible possible, String receiver) {
         return new RefusedException(
-                Steps.words(step, origin, who) + " (" + this + "), but " + expected(possible, receiver));
+                Steps.words(step, origin, who) + " (" + this + "); " + expected(possible, receiver));
     }
 
     private String expected(Possible possible, String receiver) {
         String steps = possible.next().stream().filter(Steps::isBoards).map(step -> Steps.words(step, origin, receiver))
                 .sorted()
                 .collect(Collectors.joining("; "));
-        return steps.isEmpty() ? "of this message nothing more is expected" : "expected was one of: " + steps;
+        return steps.isEmpty() ? "nothing more is expected of this message" : "expected one of: " + steps;
     }
 
     @Override

@@ -61,11 +61,11 @@ final class RadioCell {
         double start = event.number("start");
         if (start < board.lastEnd() - DISORDER) {
             throw new RefusedException(
-                    board.name() + " begins to send, but expected was that it ends what it is sending");
+                    board.name() + " begins to send; expected that its last packet ends first");
         }
         if (board.isNamed() && !board.hasBeen(payload.origin())) {
             throw new RefusedException(
-                    board.name() + " sends as '" + payload.origin() + "', but expected was its own id");
+                    board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
         Packet packet = new Packet(board.name(), payload, start, event.number("end"), null, List.of(), "");
         if (payload.isData()) {
@@ -78,7 +78,7 @@ final class RadioCell {
             packet = new Packet(board.name(), payload, start, event.number("end"), null, answered, answer);
         } else if (board.isNamed()) {
             throw new RefusedException(
-                    board.name() + " sends what no board sends, but expected was a message or an acknowledgement");
+                    board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
         }
         board.send(packet);
     }
@@ -91,7 +91,7 @@ final class RadioCell {
         }
         if (!message.isSame(payload)) {
             throw new RefusedException(board.name()
-                    + " sends other bytes under the nonce of an earlier message, but expected was: " + message);
+                    + " sends other bytes under the nonce of an earlier message; expected: " + message);
         }
         byPayload.put(payload.identity(), message);
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
@@ -111,7 +111,7 @@ final class RadioCell {
                     .orElse(null);
         }
         return current.orElseThrow(() -> new RefusedException(board.name()
-                + " sends a piece of what it has not begun to send, but expected was a first piece"));
+                + " sends a piece of a message that it has not begun; expected a first piece"));
     }
 
     private static String key(Payload whole) {
@@ -147,7 +147,7 @@ final class RadioCell {
             }
             current = board.takeUp(whole.destination())
                     .orElseThrow(() -> new RefusedException(board.name() + " sends a message to "
-                            + whole.destination() + ", but expected was that its host has it send one"));
+                            + whole.destination() + "; expected that its host asks for it first"));
         }
         current.message = entered(payload, "");
         return current.message;
@@ -199,7 +199,7 @@ final class RadioCell {
                 throw meant.get(meant.size() - 1).refusal(board, answer);
             }
             throw new RefusedException(board.name()
-                    + " acknowledges, but expected was that a message for it is on its way with this nonce");
+                    + " acknowledges; expected that a message for it is on its way with this nonce");
         }
         for (Message message : able) {
             if (able.size() == 1) {
@@ -222,14 +222,13 @@ final class RadioCell {
     void reach(Event event) throws RefusedException {
         Station board = board(event.board());
         Packet packet = source(event).orElseThrow(() -> new RefusedException(board.name()
-                + " hears a packet, but expected was that a board has sent it"));
+                + " hears a packet; expected that a board has sent it"));
         if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
             throw new RefusedException(board.name()
-                    + " hears a packet again or from itself, but expected was that each comes once to each other "
-                    + "board");
+                    + " hears a packet again or from itself; expected that each comes once to each other board");
         }
         if (packet.message() != null && packet.message().concerns(board)) {
             for (String step : packet.message().arrivals(board, packet.payload())) {
@@ -260,7 +259,7 @@ final class RadioCell {
         }
         List<Message> sent = messages.values().stream().filter(message -> isHanded(message, event)).toList();
         if (before != null || sent.isEmpty()) {
-            throw new RefusedException(board.name() + " hands to its host what nobody has sent, but expected was: "
+            throw new RefusedException(board.name() + " hands its host a message that nobody has sent; expected: "
                     + (before == null ? "nothing" : before.toString()));
         }
         Message message =
@@ -325,11 +324,11 @@ final class RadioCell {
         String outcome = event.text("outcome");
         Transmission transmission =
                 board.numbered((int) event.number("number")).orElseThrow(() -> new RefusedException(board.name()
-                        + " reports " + outcome + " what its host has not had it send"));
+                        + " reports " + outcome + " for a message that its host has not given it"));
         if (!transmission.outcome.isEmpty()) {
             if (!transmission.outcome.equals(outcome)) {
                 throw new RefusedException(board.name() + " reports " + outcome
-                        + ", but expected was what it had reported: " + transmission.outcome);
+                        + "; expected what it had reported: " + transmission.outcome);
             }
             return; // a host that comes is told again
         }
@@ -347,7 +346,8 @@ final class RadioCell {
     private static void unsent(Station board, String outcome) throws RefusedException {
         if (!outcome.equals("undelivered")) {
             throw new RefusedException(
-                    board.name() + " reports " + outcome + " what was never on the air, but expected was: undelivered");
+                    board.name() + " reports " + outcome
+                            + " for a message that was never on the air; expected: undelivered");
         }
     }
 

@@ -41,7 +41,7 @@ public final class Replay {
         try {
             Event event = Event.parse(lines, line);
             if (event.seconds() < now - DISORDER) {
-                refuse(event, "time runs backwards, expected was a time of " + String.format(Locale.ROOT, "%.6f s", now)
+                refuse(event, "time runs backwards; expected a time of " + String.format(Locale.ROOT, "%.6f s", now)
                         + " or later");
                 return;
             }

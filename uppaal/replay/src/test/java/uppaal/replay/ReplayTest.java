@@ -60,7 +60,7 @@ class ReplayTest {
         int handed = handedToHospital(lines);
         lines.get(handed).addProperty("board", "ambulance");
         assertRefused(lines, handed,
-                "ambulance hands it to its host (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO "
+                "ambulance hands it to its host (SUPP to SUHO, nonce 000006000000); expected one of: SUHO "
                         + "answers that it is stale; SUHO hands it to its host; ");
     }
 
@@ -79,7 +79,7 @@ class ReplayTest {
         String acknowledgement = lines.text(acknowledgedByHospital(lines), "payload");
         Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(acknowledgement));
         assertRefused(spoilt, spoilt.next(0, "support", "host-outcome"),
-                "SUPP reports it delivered (SUPP to SUHO, nonce 000006000000), but expected was one of: SUHO "
+                "SUPP reports it delivered (SUPP to SUHO, nonce 000006000000); expected one of: SUHO "
                         + "acknowledges it as delivered; ");
     }
 
@@ -88,7 +88,7 @@ class ReplayTest {
         Lines lines = Lines.of("highway");
         int handed = handedToHospital(lines);
         lines.get(handed).addProperty("id", "063333");
-        assertRefused(lines, handed, "hospital hands to its host what nobody has sent");
+        assertRefused(lines, handed, "hospital hands its host a message that nobody has sent");
     }
 
     @Test
@@ -120,7 +120,7 @@ class ReplayTest {
         changed.addProperty("board", "ambulance");
         changed.addProperty("payload", changed.get("payload").getAsString().replace("5355484f", "5355414d"));
         assertRefused(lines, acknowledged,
-                "ambulance acknowledges, but expected was that a message for it is on its way");
+                "ambulance acknowledges; expected that a message for it is on its way");
     }
 
     @Test
@@ -138,7 +138,7 @@ class ReplayTest {
         int sent = lines.next(0, "support", "rf-tx");
         Lines spoilt = lines.without(line -> line == sent);
         assertEquals("rf-rx", spoilt.text(sent, "event"));
-        assertRefused(spoilt, sent, "hears a packet, but expected was that a board has sent it");
+        assertRefused(spoilt, sent, "hears a packet; expected that a board has sent it");
     }
 
     @Test
@@ -154,7 +154,7 @@ class ReplayTest {
         Lines lines = Lines.of("highway");
         int asked = lines.next(0, "support", "host-transmit");
         Lines spoilt = lines.without(line -> line == asked);
-        assertRefused(spoilt, spoilt.next(0, "support", "rf-tx"), "expected was that its host has it send one");
+        assertRefused(spoilt, spoilt.next(0, "support", "rf-tx"), "expected that its host asks for it first");
     }
 
     @Test
@@ -163,7 +163,7 @@ class ReplayTest {
         int ended = lines.next(0, "support", "host-outcome");
         lines.get(ended).addProperty("outcome", "undelivered");
         assertRefused(lines, ended,
-                "SUPP reports it undelivered (SUPP to SUHO, nonce 000006000000), but expected was one of: ");
+                "SUPP reports it undelivered (SUPP to SUHO, nonce 000006000000); expected one of: ");
     }
 
     @Test
@@ -174,7 +174,7 @@ class ReplayTest {
         lines.all.add(ended, again);
         assertTrue(lines.replay().refusal().isEmpty(), "the same may be told twice");
         again.addProperty("outcome", "undelivered");
-        assertRefused(lines, ended + 1, "expected was what it had reported: delivered");
+        assertRefused(lines, ended + 1, "expected what it had reported: delivered");
     }
 
     @Test
@@ -202,7 +202,7 @@ class ReplayTest {
         Lines spoilt =
                 lines.without(line -> lines.text(line, "payload").equals(payload) || lines.is(line, "rf-damaged"));
         assertRefused(spoilt, spoilt.where(line -> spoilt.is(line, "rf-tx")).get(0),
-                "sends a piece of what it has not begun to send");
+                "sends a piece of a message that it has not begun");
     }
 
     @Test
@@ -216,7 +216,7 @@ class ReplayTest {
             lines.add(20, "police", "host-outcome", Map.of("number", 0, "outcome", "undelivered"));
             switch (attempts) {
                 case 7 -> assertRefused(lines, lines.all.size(),
-                        "SUPO reports it undelivered (SUPO to SUPP, nonce 000001000000), but expected was one of: "
+                        "SUPO reports it undelivered (SUPO to SUPP, nonce 000001000000); expected one of: "
                                 + "SUPO sends a piece of it; SUPO sends it");
                 case 8 -> assertTrue(lines.replay().refusal().isEmpty());
                 default -> assertRefused(lines, lines.all.size() - 1, "SUPO sends it (SUPO to SUPP, ");
@@ -231,7 +231,7 @@ class ReplayTest {
         send(lines, 3, "thief", "2b4b41415355504f4241" + "00".repeat(8), "acknowledgement");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
         hand(lines, 4, 0, "010000");
-        assertRefused(lines, lines.all.size(), "support hands to its host what nobody has sent");
+        assertRefused(lines, lines.all.size(), "support hands its host a message that nobody has sent");
     }
 
     @Test
