@@ -12,7 +12,8 @@ import java.util.concurrent.TimeUnit;
 final class AgentProcess implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
-    private static final long PATIENCE_SECONDS = 60;
+    /** Long enough for a sketch to be built on a busy machine. */
+    private static final long PATIENCE_SECONDS = 240;
 
     private final Process process;
     private final List<String> lines = new ArrayList<>();

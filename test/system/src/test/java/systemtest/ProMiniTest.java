@@ -14,10 +14,12 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A Pro Mini, at half the clock of the Mega beside it. */
+@Tag("verify")
 class ProMiniTest {
 
     private static final double BIT_SECONDS = 1 / 2000.0;
@@ -51,7 +53,8 @@ class ProMiniTest {
                 .dropWhile(edge -> edge.number("level") == 0).toList();
         assertEquals(LineCode.bits("////LAMPBItell;help"), LineCode.bits(edges, BIT_SECONDS));
         double seconds = edges.get(edges.size() - 1).seconds() - edges.get(0).seconds();
-        assertEquals(0, Math.IEEEremainder(seconds, BIT_SECONDS), BIT_SECONDS / 100);
+        // Where the interrupt of millis() is at work, an edge is some 15 µs late.
+        assertEquals(0, Math.IEEEremainder(seconds, BIT_SECONDS), BIT_SECONDS / 20);
     }
 
     @Test
