@@ -22,6 +22,8 @@ libgtest-dev             GoogleTest
 libgmock-dev             GoogleMock
 clang                    fuzzes the firmware's code on the PC
 libclang-rt-dev          its fuzzer and sanitizers
+git                      a test asks it which files it ignores
+procps                   ends what Gradle has started, at Ctrl-C
 clang-format             holds the style of C and C++
 spin                     checks the model beside our checker
 "
