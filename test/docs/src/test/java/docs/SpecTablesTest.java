@@ -1,0 +1,73 @@
+package docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javino.protocol.Counter;
+import javino.protocol.Force;
+import org.junit.jupiter.api.Test;
+
+/** The tables of SPEC.md that Java, the firmware and the vectors repeat: each repeats them whole and in order. */
+class SpecTablesTest {
+
+    private static Stream<String> found(String pattern, String text) {
+        return Pattern.compile(pattern, Pattern.MULTILINE).matcher(text).results().map(MatchResult::group);
+    }
+
+    private static String section(String title) {
+        return Repository.text("SPEC.md").split("(?m)^#+ " + Pattern.quote(title) + "$")[1].split("(?m)^#")[0];
+    }
+
+    private static List<String> counters() {
+        return found("(?<=^\\| \\d{1,3} \\| `)\\w+", section("4.5 Counters")).toList();
+    }
+
+    /** {@code radioNotForUs} is {@code RADIO_NOT_FOR_US} in the languages. */
+    private static String constant(String name) {
+        return name.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT);
+    }
+
+    @Test
+    void counters_haveTheirNumbersInOrder() {
+        List<String> numbers = found("(?<=^\\| )\\d+(?= \\| `)", section("4.5 Counters")).toList();
+        assertEquals(Stream.iterate(1, number -> number + 1).limit(counters().size()).map(String::valueOf).toList(),
+                numbers);
+    }
+
+    @Test
+    void counters_inJava_areThoseOfTheTable() {
+        assertEquals(counters(), Arrays.stream(Counter.values()).map(Counter::toString).toList());
+        assertEquals(counters().stream().map(SpecTablesTest::constant).toList(),
+                Arrays.stream(Counter.values()).map(Enum::name).toList());
+    }
+
+    @Test
+    void counters_inTheFirmware_areThoseOfTheTable() {
+        String declaration = Repository.text("javino-firmware/src/support/Counters.h").split("enum class Counter")[1]
+                .split("\\bEND\\b")[0];
+        assertEquals(counters().stream().map(SpecTablesTest::constant).toList(),
+                found("[A-Z][A-Z_]+(?=[ ,])", declaration).toList());
+    }
+
+    @Test
+    void counters_inTheVectors_areThoseOfTheTable() {
+        String vectors = Repository.text("test/vectors/commands.json");
+        for (String counter : counters()) {
+            assertTrue(vectors.contains("\"" + counter + "\""),
+                    counter + " is not in the vectors: write it in CommandVectors and call gradle :javino-java:vectors");
+        }
+    }
+
+    @Test
+    void forces_inJava_areThoseOfTheTable() {
+        List<String> rows = found("^\\| `.*?` \\|", section("3 Content")).toList();
+        assertEquals(rows.stream().flatMap(row -> found("\\w+", row)).sorted().toList(),
+                Arrays.stream(Force.values()).map(Force::toString).sorted().toList());
+    }
+}
