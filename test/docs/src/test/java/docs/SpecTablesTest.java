@@ -60,7 +60,8 @@ class SpecTablesTest {
         String vectors = Repository.text("test/vectors/commands.json");
         for (String counter : counters()) {
             assertTrue(vectors.contains("\"" + counter + "\""),
-                    counter + " is not in the vectors: write it in CommandVectors and call gradle :javino-java:vectors");
+                    counter + " is not in the vectors: write it in CommandVectors,"
+                            + " and call gradle :javino-java:vectors");
         }
     }
 
