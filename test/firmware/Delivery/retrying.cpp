@@ -134,6 +134,31 @@ TEST_F(Retrying, it_is_undelivered_where_the_receiver_may_have_had_it_before_it_
   EXPECT_EQ(5u, board.radio.sent.size());
 }
 
+TEST_F(Retrying, it_is_sealed_anew_only_where_the_receiver_is_up_for_longer_whichever_byte_of_its_uptime_tells) {
+  board.radio.heard = true;
+  board.pass(30000);
+  board.receive(answer(8, floor(31, 0x100)));  // 25.6 s
+  EXPECT_EQ(std::vector<std::string>{UNDELIVERED}, outcomes());
+  board.transmit("SUHO", "SUPP", "tell;x");
+  board.radio.heard = false;
+  const Bytes second = board.sendNext();
+  nonce = Bytes(second.begin() + 10, second.begin() + 16);
+  board.radio.heard = true;
+  board.pass(30000);
+  board.receive(answer(8, floor(31, 0x200)));  // 51.2 s
+  EXPECT_TRUE(outcomes().empty());
+}
+
+TEST_F(Retrying, a_key_that_is_deleted_meanwhile_and_set_again_no_longer_acknowledges_it) {
+  board.request('D', bytesOf("SUHO"));
+  board.setKey("SUHO", KEY);
+  board.receive(answer(6));
+  EXPECT_TRUE(outcomes().empty());
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_NOT_FOR_US));
+  board.passSending(5000);
+  EXPECT_EQ(std::vector<std::string>{UNDELIVERED}, outcomes());
+}
+
 TEST_F(Retrying, floors_of_other_epochs_or_far_above_are_counted_and_ignored) {
   Bytes other = floor(0, 9999);
   other[2]++;

@@ -118,6 +118,17 @@ TEST(AskRadio, hearsNoCarrierInNoise) {
   }
 }
 
+TEST(AskRadio, hearsACarrierInPulsesUpToEightBitsApartAndNoFurther) {
+  for (int apart = 3; apart <= 9; apart++) {
+    Modem modem;
+    CarrierLog log(modem);
+    AirLine line;
+    for (int i = 0; i < 20; i++) line.silence((apart - 2) * Modem::BIT).hold(true, 2 * Modem::BIT);
+    modem.hardware.play(line);
+    EXPECT_EQ(apart <= 8, !log.spans().empty()) << apart << " bits";
+  }
+}
+
 TEST(AskRadio, hearsNoCarrierInQuietAirOrWhereTheLineStaysHigh) {
   Modem modem;
   CarrierLog log(modem);
