@@ -24,6 +24,13 @@ SOURCES = 'javino-firmware/src'
 FOLDERS = ['delivery', 'radio', 'secure', 'storage']
 SUITES = {'radio': ['radio/radio-tests', 'firmware-tests', 'small-tests', 'arduino-tests']}
 OTHER_SUITES = ['firmware-tests', 'small-tests', 'arduino-tests', 'radio/radio-tests']
+# Why a mistake does no harm that a test could see, by the line with it.
+HARMLESS = {
+    'symbol_ = symbolAt((0 + 1));': 'the same: the first six symbols are all training',
+    'for (uint8_t i = 0; i <= READINGS; i++) storeSeals(crc, rightSeals(crc));': 'one reading more than needed',
+    'if (order >= 0) waiting = LATER;': 'the same: the line before returns where it is 0',
+    'random_.seed(address_.value(), (0 + 1));': 'any number does: the addresses tell boards apart',
+}
 LONGEST_SECONDS = 600  # of one suite: a mistake that never ends is caught too
 
 SWAPS = [('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'), ('&&', '||'), ('||', '&&'),
@@ -132,8 +139,9 @@ def write(total, seed, tried, survivors):
             ' %d that compile without a warning were planted, one at a time, and test:firmware\'s suites run without sanitizers: %d caught.'
             % (total, ', '.join('`src/%s`' % folder for folder in FOLDERS), len(tried), caught), ''] + rows
     if survivors:
-        text += ['', 'Not caught:', '', '| place | mistake | line with it |', '| --- | --- | --- |']
-        text += ['| %s:%d | %s | `%s` |' % (m[1], m[2] + 1, m[3].replace('|', '\\|'), m[4].strip().replace('|', '\\|'))
+        text += ['', 'Not caught:', '', '| place | mistake | line with it | harmless, since |', '| --- | --- | --- | --- |']
+        text += ['| %s:%d | %s | `%s` | %s |' % (m[1], m[2] + 1, m[3].replace('|', '\\|'), m[4].strip().replace('|', '\\|'),
+                                              HARMLESS.get(m[4].strip(), ''))
                  for m in sorted(survivors)]
     with open(DOCUMENT) as document:
         parts = document.read().rstrip('\n').split('\n## ')
