@@ -162,6 +162,39 @@ TEST_F(InPieces, a_forged_piece_of_one_byte_fixes_no_length) {
   }
 }
 
+TEST_F(InPieces, a_forged_first_piece_of_another_length_shuts_out_no_piece_and_lets_none_of_that_length_in_later) {
+  const std::vector<Bytes> pieces = cut(longFrame(), 9);
+  board.receive(pieces[0]);
+  board.receive(cut(sealed(OTHER_KEY, "SUHO", "SUPP", NONCE, std::string(200, 'y')), 9)[0]);
+  for (size_t i = 1; i < pieces.size(); i++) board.receive(pieces[i]);
+  ASSERT_EQ(1u, board.messages().size());
+  EXPECT_EQ(content, board.messages()[0].content);
+  board.pollTaking(0);
+  board.receive(cut(sealed(KEY, "SUHO", "SUPP", {0, 0, 5, 0, 1, 3}, std::string(200, 'z')), 10)[0]);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_PIECES_DROPPED));
+  board.receive(cut(longFrame(), 10)[7]);
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_PIECES_DROPPED));
+}
+
+TEST_F(InPieces, the_piece_that_came_last_is_asked_for_again_where_the_whole_is_not_genuine) {
+  for (uint8_t last = 1; last < 8; last++) {
+    const std::vector<Bytes> pieces = cut(longFrame(last), last);
+    for (size_t i = 0; i < pieces.size(); i++) {
+      if (i != last) board.receive(pieces[i]);
+    }
+    Bytes wrong = pieces[last];
+    wrong.back() = static_cast<uint8_t>(wrong.back() ^ 1);
+    answers();
+    board.receive(wantingAnswer(wrong));
+    const Bytes nonce(pieces[0].begin() + 20, pieces[0].begin() + 26);
+    const uint8_t others = static_cast<uint8_t>(~(1 << last));
+    EXPECT_EQ(std::vector<Bytes>{acknowledgement(KEY, "SUPP", "SUHO", nonce, 7, {others})}, answers()) << int(last);
+    board.receive(pieces[last]);
+    EXPECT_EQ(1u, board.messages().size()) << int(last);
+    board.pollTaking(static_cast<uint8_t>(last - 1));
+  }
+}
+
 TEST_F(InPieces, a_forged_first_piece_to_others_or_of_what_was_taken_ends_no_message) {
   const std::vector<Bytes> before = cut(longFrame(1), 8);
   for (const Bytes &piece : before) board.receive(piece);
