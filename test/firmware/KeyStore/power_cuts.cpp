@@ -29,9 +29,10 @@ bool is(const KeyStore &store, const Keys &keys) {
          is(store, store.other(SUPO), keys.next.empty() ? keys.previous : keys.next);
 }
 
-void begin(KeyStore &store, const Keys &keys) {
+// @param freesFirst whether the next key goes to the first place, else behind the others
+void begin(KeyStore &store, const Keys &keys, bool freesFirst) {
   store.begin();
-  store.set(SUPP, THIRD_KEY.data());
+  store.set(SUPP, freesFirst ? FOURTH_KEY.data() : THIRD_KEY.data());
   if (!keys.previous.empty()) {
     store.set(SUPO, keys.previous.data());
     store.renew(SUPO, keys.current.data());
@@ -40,17 +41,19 @@ void begin(KeyStore &store, const Keys &keys) {
     store.set(SUPO, keys.current.data());
   }
   if (!keys.next.empty()) store.renew(SUPO, keys.next.data());
+  store.set(SUPP, THIRD_KEY.data());
 }
 
 // Cuts the power at each write of a change, with several kinds of garbage, and once more in the boot that mends it.
-void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)> &change, const Keys &after) {
+void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)> &change, const Keys &after,
+                        bool freesFirst) {
   for (int cut = 0, cuts = 1; cuts > 0; cut++) {
     cuts = 0;
     for (uint8_t garbage : {0x00, 0x5A, 0xFF}) {
       for (int cutOfBoot : {0, 1, 20, 50}) {
         SimulatedEeprom eeprom;
         KeyStore store;
-        begin(store, before);
+        begin(store, before, freesFirst);
         eeprom.cutPowerAfter(cut, garbage);
         try {
           change(store);
@@ -73,6 +76,10 @@ void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)
       }
     }
   }
+}
+
+void expectAllOrNothing(const Keys &before, const std::function<void(KeyStore &)> &change, const Keys &after) {
+  for (bool freesFirst : {false, true}) expectAllOrNothing(before, change, after, freesFirst);
 }
 
 }  // namespace
