@@ -223,6 +223,16 @@ TEST_F(InPieces, a_half_received_message_is_forgotten_5_s_after_its_last_new_pie
   EXPECT_EQ(1u, board.counter(Counter::RADIO_EXPIRED)) << "a piece that is here already is no new one";
 }
 
+TEST_F(InPieces, pieces_of_a_broadcast_that_is_here_take_no_memory_when_they_come_again) {
+  const std::vector<Bytes> pieces = cut(plain("////", "SUPP", content), 3);
+  for (const Bytes &piece : pieces) board.receive(piece);
+  EXPECT_EQ(1u, board.messages().size());
+  board.receive(pieces[0]);
+  board.receive(pieces[1]);
+  board.pass(10000);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED));
+}
+
 TEST_F(InPieces, pieces_of_others_messages_take_no_memory_once_the_first_has_shown_it) {
   const std::vector<Bytes> others = cut(sealed(KEY, "SUAM", "SUPO", NONCE, content), 3);
   board.receive(others[1]);

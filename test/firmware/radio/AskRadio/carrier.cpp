@@ -36,6 +36,13 @@ AirLine bothOf(const Bits &first, const Bits &second, double shift) {
   return both.silence(30 * Modem::BIT);
 }
 
+// Twenty pulses of two bits that begin so many bits apart.
+AirLine pulses(int apart) {
+  AirLine line;
+  for (int i = 0; i < 20; i++) line.silence((apart - 2) * Modem::BIT).hold(true, 2 * Modem::BIT);
+  return line;
+}
+
 }  // namespace
 
 TEST(AskRadio, hearsACarrierFromTheTwelfthBitToTheEndOfThePacket) {
@@ -118,15 +125,28 @@ TEST(AskRadio, hearsNoCarrierInNoise) {
   }
 }
 
+// Seven pulses more than the first edge are thirteen periods.
 TEST(AskRadio, hearsACarrierInPulsesUpToEightBitsApartAndNoFurther) {
   for (int apart = 3; apart <= 9; apart++) {
     Modem modem;
     CarrierLog log(modem);
-    AirLine line;
-    for (int i = 0; i < 20; i++) line.silence((apart - 2) * Modem::BIT).hold(true, 2 * Modem::BIT);
-    modem.hardware.play(line);
-    EXPECT_EQ(apart <= 8, !log.spans().empty()) << apart << " bits";
+    modem.hardware.play(pulses(apart));
+    ASSERT_EQ(apart <= 8, !log.spans().empty()) << apart << " bits";
+    if (apart <= 8) {
+      EXPECT_NEAR(log.spans()[0].begin, 7 * apart + apart - 2, 0.1) << apart << " bits";
+    }
   }
+}
+
+// The clock of 16 bits has then come round, so that the edge seems to be three bits behind the last but one.
+TEST(AskRadio, hearsNoCarrierInOneEdgeAfterSilence) {
+  Modem modem;
+  modem.hardware.play(pulses(3));
+  EXPECT_TRUE(modem.radio.carrier());
+  modem.hardware.play(AirLine().silence(0x10000 + Modem::BIT));
+  EXPECT_FALSE(modem.radio.carrier());
+  modem.hardware.play(AirLine().hold(true, Modem::BIT));
+  EXPECT_FALSE(modem.radio.carrier());
 }
 
 TEST(AskRadio, hearsNoCarrierInQuietAirOrWhereTheLineStaysHigh) {
