@@ -93,7 +93,8 @@ def prepare():
     ignore = shutil.ignore_patterns('build')
     shutil.rmtree(TREE, ignore_errors=True)
     for folder in ['javino-firmware/src', 'javino-firmware/examples', 'test/firmware', 'test/arduino-mock', 'test/vectors']:
-        shutil.copytree(os.path.join(ROOT, folder), os.path.join(TREE, folder), ignore=ignore)
+        shutil.copytree(os.path.join(ROOT, folder), os.path.join(TREE, folder), ignore=ignore,
+                        copy_function=shutil.copy)  # all newer than what an earlier run has built of a mistake
     if not run(['cmake', '-S', os.path.join(TREE, 'test/firmware'), '-B', OUT, '-DSANITIZE=OFF']) or not build():
         raise SystemExit('the firmware does not build without a mistake: run gradle :test:firmware:test')
     seconds = {}
