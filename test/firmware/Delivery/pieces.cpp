@@ -142,6 +142,17 @@ TEST_F(InPieces, a_forged_piece_at_any_time_does_not_shut_out_the_one_that_it_st
   }
 }
 
+TEST_F(InPieces, a_forged_last_piece_does_not_shut_out_the_one_that_came_before_all_others) {
+  const std::vector<Bytes> pieces = cut(longFrame(), 9);
+  Bytes forged = pieces[7];
+  forged.back() = static_cast<uint8_t>(forged.back() ^ 1);
+  board.receive(pieces[7]);
+  board.receive(forged);
+  for (size_t i = 0; i < 7; i++) board.receive(pieces[i]);
+  ASSERT_EQ(1u, board.messages().size());
+  EXPECT_EQ(content, board.messages()[0].content);
+}
+
 TEST_F(InPieces, a_forged_piece_of_one_byte_fixes_no_length) {
   uint8_t counter = 0;
   for (size_t index = 1; index < 8; index++) {
@@ -221,6 +232,15 @@ TEST_F(InPieces, a_half_received_message_is_forgotten_5_s_after_its_last_new_pie
   EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED));
   board.pass(200);
   EXPECT_EQ(1u, board.counter(Counter::RADIO_EXPIRED)) << "a piece that is here already is no new one";
+}
+
+TEST_F(InPieces, pieces_of_four_of_others_messages_take_no_memory) {
+  for (size_t index : {0, 1}) {
+    for (uint8_t id = 0; id < 4; id++)
+      board.receive(cut(sealed(KEY, "SUAM", "SUPO", {0, 0, 5, 0, 1, id}, content), id)[index]);
+  }
+  board.pass(10000);
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_EXPIRED));
 }
 
 TEST_F(InPieces, pieces_of_a_broadcast_that_is_here_take_no_memory_when_they_come_again) {
