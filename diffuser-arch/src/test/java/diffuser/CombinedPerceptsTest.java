@@ -1,6 +1,8 @@
 package diffuser;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -37,6 +39,22 @@ class CombinedPerceptsTest {
         assertFalse(belief.isDone());
         cycle();
         assertTrue(belief.isDone());
+    }
+
+    @Test
+    void perceive_changedOnOneSide_isAllOfBothAndNullIfNothingHasChanged() {
+        Literal dark = Literal.parseLiteral("dark");
+        Literal time = Literal.parseLiteral("time(3)");
+        Literal open = Literal.parseLiteral("port(open,open)");
+        Literal blocked = Literal.parseLiteral("port(open,blocked)");
+        CombinedPercepts.Now first = new CombinedPercepts.Now(List.of(dark), open);
+        assertEquals(List.of(time, dark, open), percepts.perceive(List.of(time), first));
+        assertNull(percepts.perceive(null, first));
+        CombinedPercepts.Now second = new CombinedPercepts.Now(List.of(), open);
+        assertEquals(List.of(time, open), percepts.perceive(null, second));
+        assertEquals(List.of(time, blocked),
+                percepts.perceive(null, new CombinedPercepts.Now(second.board(), blocked)));
+        assertEquals(List.of(dark, open), percepts.perceive(List.of(), first));
     }
 
     @Test

@@ -22,7 +22,7 @@ class NamesTest {
     }
 
     @ParameterizedTest
-    @CsvSource(quoteCharacter = '\0', value = {"_", "5", "p(1)", "[a]", "\"\""}, delimiter = '|')
+    @CsvSource(quoteCharacter = '\0', value = {"_", "_X", "''", "5", "p(1)", "[a]", "\"\""}, delimiter = '|')
     void of_noName_isEmpty(String text) throws Exception {
         assertEquals(Optional.empty(), Names.of(ASSyntax.parseTerm(text)));
     }

@@ -7,12 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Optional;
 import java.util.Random;
 
+import jason.JasonException;
+import jason.asSyntax.ASSyntax;
+
 import javino.protocol.Content;
 import javino.protocol.Conversation;
 import javino.protocol.Force;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,6 +38,44 @@ class TextsTest {
             "true", "ns::X"})
     void readPercept_anythingElse_isMalformed(String text) {
         assertThrows(MalformedTextException.class, () -> Texts.readPercept(text));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {"tell#AbC | 3", "tell#AbC | \"p\"",
+            "tell#AbC | [p,[1,\"x\"],q(-2)]", "tell | [p,q(X)]", "askOne#AbC | p(X)", "untellHow | [a,b]",
+            "sorry#AbC | \"no\""})
+    void readContent_whatGoesWithTheForce_readsBackAsItself(String head, String text) throws Exception {
+        assertEquals(text, Texts.readContent(Content.parse(head + ";" + text)).toString());
+    }
+
+    @Test
+    void content_term_isWrittenOrRefused() throws Exception {
+        assertEquals(Content.parse("tell;p(1)"),
+                Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("p(1)")));
+        assertRefused("bad_content", () -> Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("3")));
+        assertRefused("bad_content",
+                () -> Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("p(\"\u001b[2J\")")));
+        assertRefused("too_long",
+                () -> Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("p".repeat(490))));
+        assertRefused("bad_content", () -> Texts.said("p("));
+    }
+
+    @Test
+    void force_sorryOrNone_isRefused() throws Exception {
+        assertEquals(Force.ASK_ONE, Texts.force("askOne"));
+        assertRefused("wrong_arguments", () -> Texts.force("sorry"));
+        assertRefused("wrong_arguments", () -> Texts.force("shout"));
+    }
+
+    @Test
+    void action_literal_losesItsAnnotationsAndHasNoVariable() throws Exception {
+        assertEquals("turn(3)", Texts.action(ASSyntax.parseLiteral("turn(3)[slow]")));
+        assertRefused("wrong_arguments", () -> Texts.action(ASSyntax.parseLiteral("turn(X)")));
+    }
+
+    private static void assertRefused(String error, Executable saying) {
+        assertEquals("error(" + error + ")",
+                assertThrows(JasonException.class, saying).getErrorTerms().get(0).toString());
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -48,6 +49,22 @@ class AddressTest {
     void parse_badDigit_messageNamesIt() {
         Exception e = assertThrows(IllegalArgumentException.class, () -> Address.parse("SU\\\\"));
         assertTrue(e.getMessage().contains("'\\'"), e.getMessage());
+    }
+
+    @Test
+    void decode_addressAtTheEnd_isReadAndNothingShorter() throws ProtocolException {
+        assertEquals(Address.parse("ROMA"), Address.decode(Bytes.ofText("xROMA"), 1));
+        for (Bytes cut : List.of(Bytes.ofText("xROM"), Bytes.ofText("x"))) {
+            assertEquals(ProtocolError.TOO_SHORT,
+                    assertThrows(ProtocolException.class, () -> Address.decode(cut, 1)).error());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0x7F, 0x80, 0xFF})
+    void decode_noDigit_throws(int last) {
+        assertEquals(ProtocolError.BAD_DIGIT, assertThrows(ProtocolException.class,
+                () -> Address.decode(Bytes.of('R', 'O', 'M', last), 0)).error());
     }
 
     @Test

@@ -10,8 +10,11 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -200,6 +203,7 @@ class CommandTest {
         assertEquals(List.of("stop"), first.names());
         assertTrue(all.areAll());
         assertEquals(List.of("stop", "go"), all.names());
+        assertEquals(0xFFFF, first.and(new ActionNames(2, Bytes.ofText("x".repeat(0xFFFF - 6)))).told().length());
     }
 
     @Test
@@ -219,12 +223,40 @@ class CommandTest {
         assertThrows(IllegalArgumentException.class, () -> Request.act(""));
         assertThrows(IllegalArgumentException.class, () -> Request.act("\u00e9".repeat(256)));
         assertThrows(IllegalArgumentException.class, () -> Request.poll(false, 256));
+        assertThrows(IllegalArgumentException.class, () -> Request.act("x".repeat(511)));
         assertThrows(IllegalArgumentException.class, () -> Request.listActions(0x10000));
+        assertThrows(IllegalArgumentException.class, () -> Request.raiseEpoch(-1));
+        assertThrows(IllegalArgumentException.class, () -> Request.raiseEpoch(0xFFFFFF));
         assertThrows(IllegalArgumentException.class, () -> Request.setRfId(Address.BROADCAST));
         assertThrows(IllegalArgumentException.class, () -> Request.setKey(Address.BROADCAST, key));
         assertThrows(IllegalArgumentException.class, () -> Request.renewKey(Address.SERIAL, key));
         assertThrows(IllegalArgumentException.class,
                 () -> Request.transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
+    }
+
+    @Test
+    void request_firstAndLastValues_areCarried() throws ProtocolException {
+        assertEquals("As", Request.act("s").frame().message().text());
+        assertEquals(Frame.MAX_MESSAGE_LENGTH, Request.act("x".repeat(510)).frame().message().length());
+        assertEquals(Bytes.of('C', 0, 0), Request.listActions(0).frame().message());
+        assertEquals(Bytes.of('C', 0xFF, 0xFF), Request.listActions(0xFFFF).frame().message());
+        assertEquals(Bytes.of('E', 0, 0, 0), Request.raiseEpoch(0).frame().message());
+        assertEquals(Bytes.of('E', 0xFF, 0xFF, 0xFE), Request.raiseEpoch(0xFFFFFE).frame().message());
+    }
+
+    @Test
+    void writesEeprom_command_isWhatChangesAnAddressAnEpochOrAKey() {
+        assertEquals(EnumSet.of(Request.Command.SET_RF_ID, Request.Command.RAISE_EPOCH, Request.Command.SET_KEY,
+                Request.Command.RENEW_KEY, Request.Command.USE_KEY, Request.Command.FINISH_RENEWAL,
+                Request.Command.DELETE_KEY),
+                Stream.of(Request.Command.values()).filter(Request.Command::writesEeprom).collect(Collectors.toSet()));
+    }
+
+    @Test
+    void of_numberOfACounter_isTheCounter() {
+        for (Counter counter : Counter.values()) {
+            assertEquals(Optional.of(counter), Counter.of(counter.number()));
+        }
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -69,6 +70,18 @@ class ContentTest {
         } else {
             assertEquals(Optional.empty(), new Content(force, "x").conversation());
         }
+    }
+
+    @Test
+    void requiresSeal_force_isWhatWantsAnAnswerGivesOneOrTouchesPlans() {
+        assertEquals(EnumSet.of(Force.ASK_ONE, Force.ASK_ALL, Force.ASK_HOW, Force.TELL_HOW, Force.UNTELL_HOW,
+                Force.SORRY), Stream.of(Force.values()).filter(Force::requiresSeal).collect(Collectors.toSet()));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"tell;x,false", "tell#AbC;x,true", "sorry#AbC;x,true", "askOne#AbC;x,false"})
+    void isAnswer_content_isAnAnswersForceWithAConversation(String content, boolean answer) {
+        assertEquals(answer, Content.parse(content).isAnswer());
     }
 
     @ParameterizedTest
