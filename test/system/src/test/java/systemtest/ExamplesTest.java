@@ -8,6 +8,7 @@ import harness.Monitor;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ExamplesTest {
 
     @Test
+    @Tag("verify")
     void thermometer_tellsDegreesOnBoardsOfEachSupply(@TempDir Path folder) throws Exception {
         try (Emulator emulator = new Emulator.Scenario()
                 .board("warm", "Thermometer", reading("mega", 153))     // 747 mV of 5 V

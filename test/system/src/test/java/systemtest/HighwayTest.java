@@ -140,8 +140,7 @@ class HighwayTest {
 
         assertTrue(run.lastButOne().matches(ALL), run::toString);
         assertTrue(run.last().matches(
-                "model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////, but expected "
-                        + "was .*"),
+                "model: trace refused at event \\d+ \\(.*, bus, rf-tx\\): bus sends a message to ////; expected .*"),
                 run::toString);
         assertEquals(1, run.status);
     }

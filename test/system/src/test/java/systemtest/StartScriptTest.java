@@ -7,12 +7,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The script by which users call {@code javino}, with the Java that runs this and with the newest one here. */
+@Tag("verify")
 class StartScriptTest {
 
     private static final Path SCRIPT = Path.of(System.getProperty("javino.root"), "build/javino/bin/javino");
