@@ -109,7 +109,7 @@ static int open_node(emulation *e, node *n) {
     return -1;
   }
   serial_sniffer_init(&n->line, e->out, n->config->name);
-  uart_init(&n->serial, n->arduino.avr, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
+  uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
   if (!n->sensors) return out_of_memory(e);
   for (size_t i = 0; i < n->config->sensor_count; i++) sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i]);
@@ -141,6 +141,7 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
     n->index = e->node_count;
     n->config = &config->boards[n->index];
     n->port.master = -1;
+    n->port.usb.latency = seconds_to_cycles(n->config->bridge_latency_ms / 1000);
     n->plugged = n->config->port != NULL;
     n->power_at = NEVER;
     prng_seed(&n->noise, seed, POWER_STREAM + n->index);
@@ -288,7 +289,7 @@ int emulation_run(emulation *e, cycles_t until) {
 void emulation_exchange(emulation *e) {
   for (size_t i = 0; i < e->node_count; i++) {
     node *n = &e->nodes[i];
-    pty_change change = pty_exchange(&n->port);
+    pty_change change = pty_exchange(&n->port, e->now);
     if (change != PTY_SAME) trace_port(n, change == PTY_OPENED ? "open" : "closed");
     if (change == PTY_OPENED && n->config->reset_on_open) reset_node(n, "port opened");
     uart_pump(&n->serial);
@@ -302,6 +303,12 @@ size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors) {
     if (descriptor >= 0) descriptors[count++] = (struct pollfd){descriptor, POLLIN, 0};
   }
   return count;
+}
+
+bool emulation_serial_busy(const emulation *e) {
+  for (size_t i = 0; i < e->node_count; i++)
+    if (e->nodes[i].port.open && e->now - e->nodes[i].serial.last_byte < 2 * CYCLES_PER_MS) return true;
+  return false;
 }
 
 static void trace_counters(const emulation *e, const node *n) {

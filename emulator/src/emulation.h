@@ -73,6 +73,9 @@ void emulation_exchange(emulation *e);
 // Returns how many there are.
 size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors);
 
+// Whether a byte has passed a port within the last 2 ms.
+bool emulation_serial_busy(const emulation *e);
+
 // Writes the counters, saves the EEPROM files and takes the ports away.
 // Returns 0, or -1 with one line in `error`.
 int emulation_close(emulation *e);

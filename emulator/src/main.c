@@ -57,7 +57,7 @@ static int run(emulation *e, const options *o, const trace *out) {
     emulation_exchange(e);
     if (out->failed) return complain(EXIT_RUN, "the trace cannot be written any more");
     report_debt(&clock, &debt_reported);
-    if (ahead) pacing_wait(descriptors, emulation_descriptors(e, descriptors));
+    if (ahead) pacing_wait(descriptors, emulation_descriptors(e, descriptors), emulation_serial_busy(e));
   }
   return EXIT_OK;
 }

@@ -26,7 +26,7 @@ cycles_t pacing_due(pacing *p, cycles_t now) {
   return due < now + PACING_SLICE ? due : now + PACING_SLICE;
 }
 
-void pacing_wait(struct pollfd *descriptors, size_t count) {
-  struct timespec tick = {0, PACING_TICK_NS};
+void pacing_wait(struct pollfd *descriptors, size_t count, bool serial_busy) {
+  struct timespec tick = {0, serial_busy ? PACING_SERIAL_TICK_NS : PACING_TICK_NS};
   ppoll(descriptors, count, &tick, NULL);
 }

@@ -12,8 +12,10 @@
 
 // Emulated time runs at most so far between two exchanges with the hosts.
 #define PACING_SLICE CYCLES_PER_MS
-// How long the process sleeps when it is ahead.
+// How long the process sleeps when it is ahead, and how long while bytes are on their way to a host or from it: these
+// are that late at most.
 #define PACING_TICK_NS 1000000
+#define PACING_SERIAL_TICK_NS 200000
 // A debt greater than this is given up.
 #define PACING_MAX_DEBT_NS 100000000
 
@@ -29,7 +31,7 @@ void pacing_start(pacing *p, double speed);
 // How far to run now: between `now`, when it is too early for more, and `now` + PACING_SLICE.
 cycles_t pacing_due(pacing *p, cycles_t now);
 
-// Sleeps until the next tick or until one of the descriptors can be read.
-void pacing_wait(struct pollfd *descriptors, size_t count);
+// Sleeps for a tick, which is short while a serial line is busy, or until one of the descriptors can be read.
+void pacing_wait(struct pollfd *descriptors, size_t count, bool serial_busy);
 
 #endif

@@ -89,9 +89,10 @@ void pty_unplug(pty *p) {
   p->in_start = p->in_end = p->out_length = 0;
 }
 
-static void write_out(pty *p) {
-  if (p->out_length == 0) return;
-  ssize_t written = write(p->master, p->out, p->out_length);
+static void write_out(pty *p, cycles_t now) {
+  size_t ready = p->out_length - bridge_held(&p->usb, now);
+  if (ready == 0) return;
+  ssize_t written = write(p->master, p->out, ready);
   if (written <= 0) return;  // the host does not read now; what does not fit the buffer is counted by pty_put
   p->sent += (uint64_t)written;
   p->out_length -= (size_t)written;
@@ -114,7 +115,7 @@ static void host_gone(pty *p) {
   flush_slave(p);
 }
 
-pty_change pty_exchange(pty *p) {
+pty_change pty_exchange(pty *p, cycles_t now) {
   if (p->master < 0) return PTY_SAME;
   struct pollfd state = {p->master, POLLIN, 0};
   poll(&state, 1, 0);
@@ -125,8 +126,9 @@ pty_change pty_exchange(pty *p) {
     return PTY_CLOSED;
   }
   p->open = open;
+  if (open && !was_open) bridge_start(&p->usb, now);
   if (open && (state.revents & POLLIN)) read_in(p);
-  if (open) write_out(p);
+  if (open) write_out(p, now);
   return open && !was_open ? PTY_OPENED : PTY_SAME;
 }
 
@@ -136,12 +138,13 @@ bool pty_take(pty *p, uint8_t *byte) {
   return true;
 }
 
-void pty_put(pty *p, uint8_t byte) {
+void pty_put(pty *p, uint8_t byte, cycles_t now) {
   if (!p->open || p->out_length == PTY_BUFFER) {
     p->dropped++;
     return;
   }
   p->out[p->out_length++] = byte;
+  bridge_put(&p->usb, now);
 }
 
 int pty_poll_descriptor(const pty *p) { return p->open && p->in_end < PTY_BUFFER ? p->master : -1; }

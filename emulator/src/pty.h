@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A pseudo-terminal whose path is stable: a symlink that the scenario names.
+// A pseudo-terminal whose path is stable: a symlink that the scenario names. Bytes from the board pass a USB bridge.
 #ifndef JAVINO_PTY_H
 #define JAVINO_PTY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+#include "bridge.h"
+#include "clock.h"
 
 #define PTY_BUFFER 4096
 
@@ -18,6 +21,7 @@ typedef struct {
   size_t in_start, in_end;
   uint8_t out[PTY_BUFFER];  // for the host, not yet written
   size_t out_length;
+  bridge usb;               // holds the last bytes of `out` back
   uint64_t received, sent;  // bytes
   uint64_t dropped;         // bytes from the board that no host read
 } pty;
@@ -33,13 +37,13 @@ void pty_unplug(pty *p);
 
 // Moves bytes both ways without waiting, and tells whether a host has opened or closed the pty.
 // A close and an open between two calls are not seen.
-pty_change pty_exchange(pty *p);
+pty_change pty_exchange(pty *p, cycles_t now);
 
 // The next byte from the host; false when there is none.
 bool pty_take(pty *p, uint8_t *byte);
 
 // A byte for the host; dropped and counted when the host is gone or does not read.
-void pty_put(pty *p, uint8_t byte);
+void pty_put(pty *p, uint8_t byte, cycles_t now);
 
 // What to wait on for input, or -1 when there is nothing that could be taken.
 int pty_poll_descriptor(const pty *p);

@@ -42,6 +42,7 @@ typedef struct {
   char *eeprom;       // path of the EEPROM file, NULL: forgotten at exit
   double x_m, y_m;
   bool reset_on_open;
+  double bridge_latency_ms;  // 0…255, 0: bytes are not held back
   int tx_pin, rx_pin;
   sensor_config *sensors;
   size_t sensor_count;

@@ -12,6 +12,7 @@
 #define MAX_COORDINATE_M 1e6
 #define MAX_DISTANCE_CM 10000
 #define MAX_ADC_READING 1023
+#define MAX_BRIDGE_LATENCY_MS 255
 
 // A pin, or `otherwise` where the value is absent; -1 as `otherwise` makes it necessary.
 static int read_pin(const json_node *node, const model *m, int otherwise) {
@@ -184,12 +185,21 @@ static char *optional_text(const json_node *board, const char *key) {
   return json_text(&node);
 }
 
+static void read_bridge(board_config *board, const json_node *node) {
+  static const char *const KEYS[] = {"latency", NULL};
+  if (!json_given(node) || !json_check_object(node, KEYS)) return;
+  json_node latency = json_member(node, "latency");
+  board->bridge_latency_ms = json_number(&latency, 0, MAX_BRIDGE_LATENCY_MS, 0);
+}
+
 static void read_wiring(board_config *board, const json_node *node) {
   json_node reset_on_open = json_member(node, "resetOnOpen");
+  json_node bridge = json_member(node, "bridge");
   json_node tx = json_member(node, "txPin");
   json_node rx = json_member(node, "rxPin");
   json_node position = json_member(node, "position");
   board->reset_on_open = json_flag(&reset_on_open, true);
+  read_bridge(board, &bridge);
   board->tx_pin = read_pin(&tx, board->model, DEFAULT_TX_PIN);
   board->rx_pin = read_pin(&rx, board->model, DEFAULT_RX_PIN);
   if (board->rx_pin == board->tx_pin) json_expected(&rx, "another pin than txPin");
@@ -198,8 +208,8 @@ static void read_wiring(board_config *board, const json_node *node) {
 
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
                        const char *directory) {
-  static const char *const KEYS[] = {"name",        "model", "firmware", "bootLoader", "port",  "eeprom", "position",
-                                     "resetOnOpen", "txPin", "rxPin",    "sensors",    "watch", NULL};
+  static const char *const KEYS[] = {"name",        "model",  "firmware", "bootLoader", "port",    "eeprom", "position",
+                                     "resetOnOpen", "bridge", "txPin",    "rxPin",      "sensors", "watch",  NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node chosen = json_member(node, "model");
   int index = json_choice(&chosen, MODEL_NAMES);

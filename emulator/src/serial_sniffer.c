@@ -40,7 +40,7 @@ void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board) {
 
 void serial_sniffer_reset(serial_sniffer *s) {
   s->from_host.length = s->from_board.length = 0;
-  s->waiting = s->remembered = s->greeted = false;
+  s->waiting = s->held_waiting = s->remembered = s->greeted = false;
   s->taken = -1;
 }
 
@@ -97,14 +97,17 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   char command = for_board ? (char)packet->message[0] : 0;
   bool repeated = packet->sequence == s->request.sequence && packet->crc == s->request.crc && command != 'H';
   if (repeated && (s->waiting || s->remembered)) return;  // it is answered from memory
+  // The first byte of a request ends the hold of a poll, whose reply may be on its way still.
+  s->held_waiting = s->waiting && s->request.command == 'P';
+  s->held = s->request;
   s->request =
       (serial_request){.sequence = packet->sequence, .crc = packet->crc, .command = command, .taken = -1, .at = at};
   s->waiting = true;
   if (!for_board) memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
   if (command == 'I' && packet->length == 1 + ADDRESS_LENGTH)
     memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
-  if (command == 'P' && packet->length == 3) {
-    s->request.taken = packet->message[2];
+  if (command == 'P' && packet->length == 8) {
+    s->request.taken = packet->message[7];
     if (s->request.taken == s->taken)
       s->request.taken = -1;  // the board knows
     else if (s->greeted)
@@ -147,42 +150,49 @@ static void write_records(serial_sniffer *s, const uint8_t *records, size_t leng
   }
 }
 
-static void write_transmission(serial_sniffer *s, int number, cycles_t at) {
+static void write_transmission(serial_sniffer *s, const serial_request *request, int number, cycles_t at) {
   begin(s, at, "host-transmit");
   trace_count(s->out, "number", (uint64_t)number);
-  trace_utf8(s->out, "destination", s->request.address, ADDRESS_LENGTH);
-  trace_time(s->out, "asked", s->request.at);
+  trace_utf8(s->out, "destination", request->address, ADDRESS_LENGTH);
+  trace_time(s->out, "asked", request->at);
   trace_end(s->out);
 }
 
 // What the board has performed; `body` is the reply's, behind its status.
-static void performed(serial_sniffer *s, const uint8_t *body, size_t length, cycles_t at) {
-  switch (s->request.command) {
+static void performed(serial_sniffer *s, const serial_request *request, const uint8_t *body, size_t length,
+                      cycles_t at) {
+  switch (request->command) {
     case 'H':
       s->greeted = true;
       if (length > ADDRESS_LENGTH && memcmp(body + 1, SERIAL_ADDRESS, ADDRESS_LENGTH) != 0) write_id(s, body + 1, at);
       break;
-    case 'I': write_id(s, s->request.address, at); break;
+    case 'I': write_id(s, request->address, at); break;
     case 'P':
-      if (s->request.taken >= 0) {
-        s->taken = s->request.taken;
-        write_number(s, at, "host-taken", s->request.taken);
+      if (request->taken >= 0) {
+        s->taken = request->taken;
+        write_number(s, at, "host-taken", request->taken);
       }
       if (length > 0) write_records(s, body + 1, length - 1, at);
       break;
     case 0:
-      if (length == 1) write_transmission(s, body[0], at);
+      if (length == 1) write_transmission(s, request, body[0], at);
       break;
     default: break;
   }
 }
 
 static void board_packet(serial_sniffer *s, const serial_packet *packet, cycles_t at) {
-  if (!s->waiting || packet->sequence != s->request.sequence || !is_for_board(packet) || packet->length == 0) return;
+  if (!is_for_board(packet) || packet->length == 0) return;
+  bool held = s->held_waiting && packet->sequence == s->held.sequence;
+  if (!held && !(s->waiting && packet->sequence == s->request.sequence)) return;
   uint8_t status = packet->message[0];
-  s->waiting = false;
-  s->remembered = status != STATUS_NOT_GREETED;
-  if (status == STATUS_OK) performed(s, packet->message + 1, packet->length - 1, at);
+  if (held) {
+    s->held_waiting = false;
+  } else {
+    s->waiting = false;
+    s->remembered = status != STATUS_NOT_GREETED;
+  }
+  if (status == STATUS_OK) performed(s, held ? &s->held : &s->request, packet->message + 1, packet->length - 1, at);
 }
 
 void serial_sniffer_byte(serial_sniffer *s, bool from_host, uint8_t byte, cycles_t at) {

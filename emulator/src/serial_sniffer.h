@@ -35,6 +35,8 @@ typedef struct {
   serial_line from_host, from_board;
   serial_request request;  // the last one
   bool waiting;            // it has no reply yet
+  serial_request held;     // a poll before it
+  bool held_waiting;       // that has no reply yet
   bool remembered;         // the board answers its repeats from memory
   bool greeted;            // the board performs requests
   int taken;               // the last message that the board knows to be taken, or -1

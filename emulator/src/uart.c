@@ -18,8 +18,9 @@ static void byte_sent(struct avr_irq_t *irq, uint32_t value, void *context) {
     line_byte(u, (uint8_t)value);
     return;
   }
+  u->last_byte = board_now(u->arduino);
   u->listener.byte(u->listener.context, false, (uint8_t)value);
-  pty_put(u->port, (uint8_t)value);
+  pty_put(u->port, (uint8_t)value, u->last_byte);
 }
 
 static void ready(struct avr_irq_t *irq, uint32_t value, void *context) {
@@ -36,9 +37,11 @@ static void full(struct avr_irq_t *irq, uint32_t value, void *context) {
   if (value) u->stopped = true;
 }
 
-void uart_init(uart *u, struct avr_t *avr, pty *port, uart_listener listener) {
+void uart_init(uart *u, const board *arduino, pty *port, uart_listener listener) {
+  struct avr_t *avr = arduino->avr;
   uint32_t flags = 0;  // neither printing to our own output nor waiting when the program polls
   memset(u, 0, sizeof *u);
+  u->arduino = arduino;
   u->port = port;
   u->listener = listener;
   u->stopped = true;
@@ -57,6 +60,7 @@ void uart_reset(uart *u) {
 void uart_pump(uart *u) {
   uint8_t byte;
   while (u->port && !u->stopped && pty_take(u->port, &byte)) {
+    u->last_byte = board_now(u->arduino);
     u->listener.byte(u->listener.context, true, byte);
     avr_raise_irq(u->input, byte);
   }

@@ -7,9 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "board.h"
 #include "pty.h"
 
-struct avr_t;
 struct avr_irq_t;
 
 #define UART_MAX_LINE 256
@@ -23,16 +23,18 @@ typedef struct {
 } uart_listener;
 
 typedef struct {
+  const board *arduino;
   struct avr_irq_t *input;
   pty *port;  // NULL: lines go to the listener
   uart_listener listener;
-  bool stopped;  // the UART takes no byte now
+  bool stopped;        // the UART takes no byte now
+  cycles_t last_byte;  // when one came from the host, or began its way to it
   uint8_t line[UART_MAX_LINE];
   size_t line_length;
 } uart;
 
-// Joins UART 0 of the chip to `port`, or where that is NULL to the listener.
-void uart_init(uart *u, struct avr_t *avr, pty *port, uart_listener listener);
+// Joins UART 0 of the board to `port`, or where that is NULL to the listener.
+void uart_init(uart *u, const board *arduino, pty *port, uart_listener listener);
 
 // The chip was reset: nothing is sent to it before its program enables the receiver.
 void uart_reset(uart *u);

@@ -15,7 +15,7 @@ static const char ECHO_BOARD[] = R"({"boards":[{"name":"a","firmware":"@uart_ech
 struct Host {
   explicit Host(const std::string &path) : fd(open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK)) {}
   ~Host() { close(fd); }
-  void send(const std::string &bytes) { EXPECT_EQ(write(fd, bytes.data(), bytes.size()), (ssize_t)bytes.size()); }
+  void send(const std::string &bytes) const { EXPECT_EQ(write(fd, bytes.data(), bytes.size()), (ssize_t)bytes.size()); }
   void receive() {
     char buffer[4096];
     ssize_t length = read(fd, buffer, sizeof buffer);
@@ -174,4 +174,104 @@ TEST(Port, what_is_no_symlink_is_left_alone) {
   EXPECT_EQ(pty_plug(&p, path.c_str(), error, sizeof error), -1);
   EXPECT_EQ(error, "port " + path + ": there is something that is no symlink; remove it or choose another path");
   EXPECT_EQ(read_text(path), "precious");
+}
+
+// A board whose bridge has a latency of 16 ms; what `more` adds is at the scenario's end.
+static std::string bridged(const std::string &program, const std::string &more = "") {
+  return R"({"boards":[{"name":"a","firmware":"@)" + program + R"(","port":"a","bridge":{"latency":16}}])" + more + "}";
+}
+
+// Waits for the kernel, without emulated time going on. False where nothing comes.
+static bool readable(int fd) {
+  struct pollfd state = {fd, POLLIN, 0};
+  return poll(&state, 1, 10000) == 1;
+}
+
+// Sends bytes, and lets all of them reach the port before time goes on.
+static void let_arrive(Emulation &run, const Host &host, const std::string &bytes) {
+  const pty &port = run.e.nodes[0].port;
+  uint64_t received = port.received + bytes.size();
+  host.send(bytes);
+  while (port.received < received && readable(port.master)) emulation_exchange(&run.e);
+  EXPECT_EQ(port.received, received);
+}
+
+// Runs until the port passes something on. Returns the time since `from`, in milliseconds.
+static double next_packet(Emulation &run, cycles_t from = 0) {
+  uint64_t sent = run.e.nodes[0].port.sent;
+  EXPECT_TRUE(run.run_while_waiting(0.1, [&] { return run.e.nodes[0].port.sent > sent; }));
+  return static_cast<double>(run.e.now - from) / CYCLES_PER_MS;
+}
+
+static std::string received(Host &host, size_t length) {
+  while (host.received.size() < length && readable(host.fd)) host.receive();
+  return host.received;
+}
+
+TEST(PortBridge, holds_bytes_back_until_its_timer_ends) {
+  Scratch scratch;
+  Emulation run(scratch, bridged("blink"));
+  Host host(scratch.path("a"));
+  let_boot(run);                                         // the line takes 6 ms
+  EXPECT_EQ(run.e.nodes[0].line.from_board.length, 6u);  // the trace sees the board's side
+  EXPECT_EQ(run.e.nodes[0].port.sent, 0u);
+  EXPECT_EQ(next_packet(run), 16);
+  EXPECT_EQ(received(host, 6), "blink\n");
+}
+
+TEST(PortBridge, passes_long_data_on_in_full_packets) {
+  Scratch scratch;
+  Emulation run(scratch, bridged("uart_echo"));
+  Host host(scratch.path("a"));
+  let_arrive(run, host, std::string(200, 'x'));
+  for (uint64_t sent : {62u, 124u, 186u}) {
+    next_packet(run);
+    EXPECT_EQ(run.e.nodes[0].port.sent, sent);
+  }
+  EXPECT_EQ(next_packet(run, run.e.now), 16);
+  EXPECT_EQ(run.e.nodes[0].port.sent, 200u);
+  EXPECT_EQ(received(host, 200), std::string(200, 'x'));
+}
+
+TEST(PortBridge, starts_its_timer_when_the_port_is_opened) {
+  Scratch scratch;
+  Emulation run(scratch, bridged("uart_echo"));
+  run.run_while_waiting(0.005, [] { return false; });
+  Host host(scratch.path("a"));
+  let_arrive(run, host, "x");
+  EXPECT_EQ(next_packet(run), 5 + 16);
+}
+
+TEST(PortBridge, keeps_nothing_for_the_next_host) {
+  Scratch scratch;
+  Emulation run(scratch, bridged("uart_echo"));
+  {
+    Host host(scratch.path("a"));
+    let_arrive(run, host, "held");
+    let_boot(run);
+  }
+  let_boot(run);
+  EXPECT_EQ(run.e.nodes[0].port.dropped, 4u);
+  Host next(scratch.path("a"));
+  let_arrive(run, next, "y");
+  next_packet(run);
+  EXPECT_EQ(received(next, 1), "y");
+  EXPECT_EQ(run.e.nodes[0].port.sent, 1u);
+}
+
+TEST(PortBridge, loses_what_it_holds_with_the_power_but_not_by_a_reset) {
+  Scratch scratch;
+  Emulation run(scratch, bridged("blink", R"(,"faults":[{"t":0.008,"board":"a","do":"reset"},)"
+                                          R"({"t":0.020,"board":"a","do":"reset"},)"
+                                          R"({"t":0.028,"board":"a","do":"power-cut","duration":0.01}])"));
+  Host host(scratch.path("a"));
+  EXPECT_EQ(next_packet(run), 16);
+  EXPECT_EQ(received(host, 12), "blink\nblink\n");
+  EXPECT_TRUE(run.run_while_waiting(0.1, [&] { return host.gone(); }));
+  EXPECT_EQ(run.e.nodes[0].port.dropped, 6u);
+  EXPECT_TRUE(run.run_while_waiting(0.1, [&] { return exists(scratch.path("a")); }));
+  cycles_t opened = run.e.now;
+  Host again(scratch.path("a"));
+  EXPECT_EQ(next_packet(run, opened), 16);
+  EXPECT_EQ(received(again, 6), "blink\n");
 }

@@ -35,7 +35,7 @@ TEST(Scenario, a_full_one_is_read) {
         "radio": {"bitRate": 1000, "range": 50.5, "bitErrorRate": 0.001},
         "boards": [
           {"name": "bus", "firmware": "bus.elf", "port": "ports/bus", "eeprom": "/var/bus.bin",
-           "position": [1, -2.5], "resetOnOpen": false, "txPin": 7, "rxPin": "A3",
+           "position": [1, -2.5], "resetOnOpen": false, "bridge": {"latency": 16}, "txPin": 7, "rxPin": "A3",
            "sensors": [
              {"type": "hc-sr04", "trigger": 22, "echo": 2, "distance": [[0, 200], [8, 15]],
               "after": {"pin": 5, "level": 0}},
@@ -57,6 +57,7 @@ TEST(Scenario, a_full_one_is_read) {
   EXPECT_STREQ(bus.eeprom, "/var/bus.bin");
   EXPECT_EQ(bus.y_m, -2.5);
   EXPECT_FALSE(bus.reset_on_open);
+  EXPECT_EQ(bus.bridge_latency_ms, 16);
   EXPECT_EQ(bus.tx_pin, 7);
   EXPECT_EQ(bus.rx_pin, 57);
   ASSERT_EQ(bus.sensor_count, 3u);
@@ -89,6 +90,7 @@ TEST(Scenario, a_short_one_has_the_defaults) {
   EXPECT_EQ(s.boards[1].model, &MEGA);
   EXPECT_EQ(s.boards[1].port, nullptr);
   EXPECT_TRUE(s.boards[0].reset_on_open);
+  EXPECT_EQ(s.boards[0].bridge_latency_ms, 0);
   EXPECT_EQ(s.boards[0].tx_pin, 12);
   EXPECT_EQ(s.boards[0].rx_pin, 11);
   EXPECT_EQ(s.fault_count, 0u);
@@ -127,6 +129,16 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps) {
        ": boards[0].position: expected a position [x, y] in metres, found [1]"},
       {R"({"boards":[{"name":"b","firmware":"bus.elf","resetOnOpen":1}]})",
        ": boards[0].resetOnOpen: expected true or false, found 1"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","bridge":16}]})",
+       ": boards[0].bridge: expected an object { … }, found 16"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","bridge":{"latence":16}}]})",
+       ": boards[0].bridge: unknown key \"latence\"; did you mean \"latency\"?"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","bridge":{"latency":-1}}]})",
+       ": boards[0].bridge.latency: expected a number from 0 to 255, found -1"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","bridge":{"latency":256}}]})",
+       ": boards[0].bridge.latency: expected a number from 0 to 255, found 256"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","bridge":{"latency":"16"}}]})",
+       ": boards[0].bridge.latency: expected a number from 0 to 255, found \"16\""},
       {R"({"boards":[{"name":"b","firmware":"bus.elf"},{"name":"b","firmware":"bus.elf"}]})",
        ": boards[1].name: is the same as that of boards[0]; expected one of its own"},
       {R"({#boards,"faults":[{"t":1,"do":"rest","board":"bus"}]})",

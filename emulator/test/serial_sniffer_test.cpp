@@ -118,7 +118,7 @@ TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked) {
 TEST(SerialSniffer, tells_messages_and_outcomes_but_no_content_that_was_sealed) {
   Line line;
   line.greet();
-  line.host(2, TO_BOARD, {'P', 1});
+  line.host(2, TO_BOARD, {'P', 1, 0, 0, 0, 0, 0});
   line.board(2, poll_reply({{'T', 0, 2, 7, 2},
                             {'P', 0, 1, 'x'},
                             message(3, "ROMASUPO", {0, 1, 2}, "tell;a"),
@@ -141,13 +141,28 @@ TEST(SerialSniffer, tells_once_what_is_taken_and_that_it_is_confirmed) {
   Line line;
   line.greet();
   for (uint8_t sequence : {2, 3}) {
-    line.host(sequence, TO_BOARD, {'P', 0, 9});
+    line.host(sequence, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0, 9});
     EXPECT_EQ(line.events("host-taken").size(), sequence - 2u);
     line.board(sequence, {0, 0});
   }
   ASSERT_EQ(line.events("host-taking").size(), 1u);
   ASSERT_EQ(line.events("host-taken").size(), 1u);
   EXPECT_EQ(line.events("host-taken")[0].number("number"), 9);
+}
+
+TEST(SerialSniffer, tells_what_two_replies_say_of_which_the_first_was_held) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'P', 1, 3, 232, 0, 0, 0, 9});
+  line.host(3, "//SUROMA", bytes("tell;help"));
+  line.board(2, poll_reply({{'T', 0, 2, 7, 2}}));
+  line.board(3, {0, 8});
+  EXPECT_EQ(line.events("host-taken").size(), 1u);
+  EXPECT_EQ(line.events("host-outcome").size(), 1u);
+  ASSERT_EQ(line.events("host-transmit").size(), 1u);
+  EXPECT_EQ(line.events("host-transmit")[0].number("number"), 8);
+  line.board(2, poll_reply({{'T', 0, 2, 7, 2}}));
+  EXPECT_EQ(line.events("host-outcome").size(), 1u);
 }
 
 TEST(SerialSniffer, tells_nothing_of_what_is_answered_from_memory) {
@@ -166,7 +181,7 @@ TEST(SerialSniffer, tells_nothing_of_what_is_refused_or_crosses_a_reset) {
   line.host(2, "//SUROMA", bytes("tell;help"));
   line.board(2, {11, 0});
   serial_sniffer_reset(&line.sniffer);
-  line.host(3, TO_BOARD, {'P', 0, 9});
+  line.host(3, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0, 9});
   line.board(3, {1});
   EXPECT_EQ(line.all(), 1u) << "the id alone";
 }
