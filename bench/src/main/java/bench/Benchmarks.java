@@ -7,8 +7,8 @@ public final class Benchmarks {
 
     private static final List<Subject> SUBJECTS =
             List.of(new Cycles(), new InterruptLoad(), new BitRates(), new DecoderLoss(), new Sizes(),
-                    new Radio(), new OpenPort(), new Reaction(), new Codec(), new IdleAgent(), new BusyAgent(),
-                    new EmulatorSpeed());
+                    new Radio(), new OpenPort(), new Reaction(), new Readings(), new Codec(), new IdleAgent(),
+                    new ArmInstructions(), new BusyAgent(), new ManyBoards(), new EmulatorSpeed());
 
     private Benchmarks() {}
 

@@ -38,7 +38,7 @@ final class Cycles implements Subject {
     @Override
     public List<Row> measure() throws Exception {
         Path folder = Machine.ROOT.resolve("test/cycles/build");
-        Command.run(folder.resolve("cycles-tests"), "--gtest_filter=Budget.*");
+        Command.run(folder.resolve("program-tests"), "--gtest_filter=Budget.*");
         return Files.readAllLines(folder.resolve("cycles.txt")).stream()
                 .flatMap(line -> LINE.matcher(line).results()).map(Cycles::row).toList();
     }

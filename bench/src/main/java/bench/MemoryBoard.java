@@ -1,7 +1,10 @@
 package bench;
 
 import java.time.Duration;
-import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 import javino.link.InMemoryLink;
 import javino.link.Link;
 import javino.link.LinkException;
@@ -12,36 +15,46 @@ import javino.protocol.Frame;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 
-/** A board in memory that greets, has no actions, and perceives one thing. */
+/**
+ * A board in memory that greets, has no actions, perceives one thing, and holds its replies to polls as a real one
+ * does. All of them share a thread.
+ */
 final class MemoryBoard implements LinkOpener {
 
     private static final Bytes GREETING =
             Bytes.join(Bytes.of(0, 1), Bytes.ofText("ROMA"), Bytes.of(0, 0, 1), Bytes.ofText("memory"));
 
     private static final Bytes NO_ACTIONS = Bytes.of(0, 0);
+    private static final Bytes NOTHING_NEW = Bytes.of(0, 0);
+    /** How often a sketch reads its sensors by default. */
+    private static final Duration SAMPLE = Duration.ofMillis(20);
+    private static final ScheduledExecutorService PLAYER = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread thread = new Thread(task, "boards in memory");
+        thread.setDaemon(true);
+        return thread;
+    });
 
     private final Duration delay;
     private final boolean silent;
-    private final int step;
-    private int light;
+    private final boolean changes;
 
-    private MemoryBoard(Duration delay, boolean silent, int step) {
+    private MemoryBoard(Duration delay, boolean silent, boolean changes) {
         this.delay = delay;
         this.silent = silent;
-        this.step = step;
+        this.changes = changes;
     }
 
     static MemoryBoard answeringAfter(Duration delay) {
-        return new MemoryBoard(delay, false, 0);
+        return new MemoryBoard(delay, false, false);
     }
 
     static MemoryBoard silent() {
-        return new MemoryBoard(Duration.ZERO, true, 0);
+        return new MemoryBoard(Duration.ZERO, true, false);
     }
 
-    /** Answers at once, each time with another percept. */
+    /** Has another percept at each reading. */
     static MemoryBoard changing() {
-        return new MemoryBoard(Duration.ZERO, false, 1);
+        return new MemoryBoard(Duration.ZERO, false, true);
     }
 
     @Override
@@ -51,47 +64,100 @@ final class MemoryBoard implements LinkOpener {
 
     @Override
     public Link open() {
-        InMemoryLink.Pair pair = InMemoryLink.pair(name());
-        Thread thread = new Thread(() -> serve(pair.board()), "board in memory");
-        thread.setDaemon(true);
-        thread.start();
-        return pair.host();
+        return new Line(InMemoryLink.pair(name()));
     }
 
-    private void serve(Link line) {
-        PacketDecoder decoder = new PacketDecoder();
-        byte[] buffer = new byte[1024];
-        try {
-            while (true) {
-                int count = line.read(buffer, Duration.ofSeconds(1));
-                for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
-                    if (!silent && result instanceof PacketDecoder.Found found) {
-                        answer(line, found.packet());
-                    }
+    /** The host's end of the line, with the board behind it. */
+    private final class Line implements Link {
+
+        private final InMemoryLink.Pair pair;
+        private final PacketDecoder decoder = new PacketDecoder();
+        private int light;
+        private boolean told;
+        private Packet held;
+        private Future<?> end;
+
+        Line(InMemoryLink.Pair pair) {
+            this.pair = pair;
+        }
+
+        @Override
+        public synchronized void write(byte[] bytes) {
+            if (held != null) {
+                end.cancel(false);
+                reply(held, NOTHING_NEW);
+                held = null;
+            }
+            for (PacketDecoder.Result result : decoder.feed(bytes, bytes.length)) {
+                if (!silent && result instanceof PacketDecoder.Found found) {
+                    answer(found.packet());
                 }
             }
-        } catch (LinkException closed) {
-            // The host has closed the port.
-            return;
         }
-    }
 
-    private void answer(Link line, Packet request) throws LinkException {
-        if (!delay.isZero()) {
-            LockSupport.parkNanos(delay.toNanos());
+        private void answer(Packet request) {
+            Bytes message = request.frame().message();
+            switch (message.at(0)) {
+                case 'P' -> poll(request, message);
+                case 'C' -> reply(request, NO_ACTIONS);
+                default -> reply(request, GREETING);
+            }
         }
-        Bytes message = switch (request.frame().message().at(0)) {
-            case 'P' -> percepts();
-            case 'C' -> NO_ACTIONS;
-            default -> GREETING;
-        };
-        line.write(
-                new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode().toArray());
-    }
 
-    private Bytes percepts() {
-        light = (light + step) % 1024;
-        Bytes literal = Bytes.ofText("light(" + light + ")");
-        return Bytes.join(Bytes.of(0, 0, 'P'), Bytes.ofNumber(literal.length(), 2), literal);
+        private void poll(Packet request, Bytes message) {
+            boolean news = (message.at(1) & 1) != 0 && (changes || !told);
+            held = request;
+            Duration time = !news ? Duration.ofMillis(message.number(2, 4)) : told ? SAMPLE : Duration.ZERO;
+            end = PLAYER.schedule(() -> endHold(request, news), time.toNanos(), TimeUnit.NANOSECONDS);
+        }
+
+        private synchronized void endHold(Packet request, boolean news) {
+            if (held == request) {
+                held = null;
+                reply(request, news ? reading() : NOTHING_NEW);
+            }
+        }
+
+        private Bytes reading() {
+            told = true;
+            light = (light + 1) % 1024;
+            Bytes literal = Bytes.ofText("light(" + light + ")");
+            return Bytes.join(Bytes.of(0, 4, 'P'), Bytes.ofNumber(literal.length(), 2), literal);
+        }
+
+        private void reply(Packet request, Bytes message) {
+            byte[] reply =
+                    new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode()
+                            .toArray();
+            if (delay.isZero()) {
+                write(pair.board(), reply);
+            } else {
+                PLAYER.schedule(() -> write(pair.board(), reply), delay.toNanos(), TimeUnit.NANOSECONDS);
+            }
+        }
+
+        private void write(Link board, byte[] reply) {
+            try {
+                board.write(reply);
+            } catch (LinkException closed) {
+                // The host has closed the port.
+                return;
+            }
+        }
+
+        @Override
+        public int read(byte[] into, Duration timeout) throws LinkException {
+            return pair.host().read(into, timeout);
+        }
+
+        @Override
+        public void wake() {
+            pair.host().wake();
+        }
+
+        @Override
+        public void close() {
+            pair.host().close();
+        }
     }
 }

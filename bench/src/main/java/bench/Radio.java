@@ -5,6 +5,7 @@ import harness.Host;
 import harness.TraceEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Semaphore;
@@ -25,6 +26,8 @@ final class Radio implements Subject {
     private static final double BIT_RATE = 2000;
     private static final String SIXTEEN_BYTES = "tell;x(12345678)";
     private static final String LONG = "tell;x(" + "1".repeat(192) + ")";
+    /** Messages that are not counted: Java has compiled little before them. */
+    private static final int WARM_UP = 15;
     private static final int MESSAGES = 25;
     private static final int LONG_MESSAGES = 10;
     private static final int WAITING_ON_BOARD = 2;
@@ -43,49 +46,68 @@ final class Radio implements Subject {
     public String method() {
         return """
             two emulated Megas with the sketches Vehicle and Station at real time, each with a host over its pty.
-            Unicast: 25 sealed contents of 16 bytes into quiet air, from the request's last byte on the serial line (the
-            call and 2.8 ms) to the call that hands over the message at the other host; this includes sealing, the wait
-            for the receiver's next poll and the whole reply to it. The ratio is that of the median to the packet's time
-            on the air. Goodput: 10 contents of 200 bytes, which travel in pieces, with two of them always waiting at
-            the board; content bits from the first packet's start to the last one's end, waits for the air between
-            messages and, of unicasts, acknowledgements included. The limit is what line code (8 of 12 bits), training,
-            headers, nonce and tag leave: content bits of the bits of the pieces. Of the 40 bytes of payload for a
-            content of 16, ten are the paper's header (to whom, from whom, two digits of length), six the nonce, which
-            must not come again in a board's life, and eight the tag, which leaves a forger one chance in 2^64; a
-            receiver cannot know them beforehand, since it may have been switched off.""";
+            Unicast: 25 sealed contents of 16 bytes into quiet air, after 15 that are not counted, from the request's
+            last byte on the serial line (the call and 2.8 ms) to the call that hands over the message at the other
+            host; this includes sealing and the whole reply of the receiver's board. The ratio is that of the median to
+            the packet's time on the air.
+            With a bridge, both ports hold bytes back so long. Goodput: 10 contents of 200 bytes, which travel in
+            pieces, with two of them always waiting at the board; content bits from the first packet's start to the
+            last one's end, waits for the air between messages and, of unicasts, acknowledgements included. The limit
+            is what line code (8 of 12 bits), training, headers, nonce and tag leave: content bits of the bits of the
+            pieces. Of the 40 bytes of payload for a content of 16, ten are the paper's header (to whom, from whom, two
+            digits of length), six the nonce, which must not come again in a board's life, and eight the tag, which
+            leaves a forger one chance in 2^64; a receiver cannot know them beforehand, since it may have been switched
+            off.""";
     }
 
     @Override
     public List<Row> measure() throws Exception {
+        List<Row> rows = new ArrayList<>();
+        for (int latency : Reaction.BRIDGES) {
+            rows.addAll(measure(latency));
+        }
+        return rows;
+    }
+
+    private static List<Row> measure(int latency) throws Exception {
         Path folder = Files.createTempDirectory("javino-bench");
-        try (Emulator emulator =
-                new Emulator.Scenario().board("sender", "Vehicle").board("receiver", "Station").start(folder)) {
+        Map<String, Object> wiring = Map.of("bridge", Map.of("latency", latency));
+        try (Emulator emulator = new Emulator.Scenario().board("sender", "Vehicle", wiring)
+                .board("receiver", "Station", wiring).start(folder)) {
             byte[] key = new byte[16];
             ThreadLocalRandom.current().nextBytes(key);
-            Samples latency = new Samples();
+            Samples took = new Samples();
             TraceEvent packet;
-            Row broadcasts;
-            Row unicasts;
+            List<Row> goodput = new ArrayList<>();
             try (Host receiver = Host.of(emulator, "receiver").as("SUPP", Map.of("SUPO", key))) {
                 try (Host sender = Host.of(emulator, "sender").as("SUPO", Map.of("SUPP", key))) {
+                    for (int i = 0; i < WARM_UP; i++) {
+                        sendOne(sender, receiver);
+                    }
                     for (int i = 0; i < MESSAGES; i++) {
-                        latency.add(sendOne(sender, receiver));
+                        took.add(sendOne(sender, receiver));
                     }
                     packet = emulator.sentBy("sender").get(0);
                 }
-                broadcasts = goodput(emulator, "broadcast", "////");
-                unicasts = goodput(emulator, "unicast", "SUPP");
+                if (latency == 0) {
+                    goodput.add(goodput(emulator, "broadcast", "////"));
+                    goodput.add(goodput(emulator, "unicast", "SUPP"));
+                }
             }
             double airtime = 1000 * packet.number("bits") / BIT_RATE;
             double payload = packet.text("payload").length() / 2.0;
-            return List.of(
-                    Row.against("sealed unicast of 16 bytes, host to host, median", "%.0f ms", latency.median(),
-                            airtime, "on the air").goal("≤ 1.10"),
-                    Row.cited("the same beside the public stack", "%.0f ms", latency.median(), 877,
+            Row unicast = Row.against("sealed unicast of 16 bytes, host to host, median"
+                    + (latency == 0 ? "" : ", bridges of " + latency + " ms"), "%.0f ms", took.median(), airtime,
+                    "on the air");
+            if (latency != 0) {
+                return List.of(unicast);
+            }
+            return List.of(unicast.goal("≤ 1.04"),
+                    Row.cited("the same beside the public stack", "%.0f ms", took.median(), 877,
                             "the paper's software"),
                     Row.cited("payload on the air for 16 sealed bytes", "%.0f bytes", payload, 54,
                             "the paper's software").goal("≤ 40"),
-                    broadcasts, unicasts);
+                    goodput.get(0), goodput.get(1));
         }
     }
 

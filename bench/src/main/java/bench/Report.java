@@ -38,7 +38,7 @@ final class Report {
         StringBuilder text = new StringBuilder("""
             # Performance
 
-            Written by `gradle bench`, which measures all of this anew in less than ten minutes. Do not edit.
+            Written by `gradle bench`, which measures all of this anew in a quarter of an hour. Do not edit.
 
             Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly; firmware is compiled by
             avr-gcc %s. Figures of the PC are of one run on %s; on other computers only the ratio to the reference
