@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stdint.h>
-
 #ifdef __AVR__
 #include <avr/io.h>
 #endif
@@ -75,9 +73,31 @@
 #define JAVINO_ACKNOWLEDGEMENTS JAVINO_BY_CHIP(6, 3)
 #endif
 
-/// Actions that a sketch can name, 1…254. 4 bytes of RAM each.
+/// Origins whose last broadcast is remembered, so that a repeat of it is known (SPEC 7.2), 1…16. 10 bytes of RAM each.
+#ifndef JAVINO_BROADCAST_ORIGINS
+#define JAVINO_BROADCAST_ORIGINS JAVINO_BY_CHIP(4, 2)
+#endif
+
+/// Actions that a sketch can name, 0…254. 4 bytes of RAM each. With 0 each one is UNKNOWN_ACTION.
 #ifndef JAVINO_ACTIONS
 #define JAVINO_ACTIONS JAVINO_BY_CHIP(16, 8)
+#endif
+
+/// Percepts with a dead band or a least interval of their own, 0…254; further ones are told as they are. 11 bytes of RAM
+/// each.
+#ifndef JAVINO_DEAD_BANDS
+#define JAVINO_DEAD_BANDS JAVINO_BY_CHIP(8, 2)
+#endif
+
+/// Whether keys can be renewed, 0 or 1 (SPEC 4.3). With 0 the commands N, U and F are UNKNOWN_COMMAND, and a key can only be
+/// replaced at once.
+#ifndef JAVINO_KEY_RENEWAL
+#define JAVINO_KEY_RENEWAL 1
+#endif
+
+/// Whether what the board does and drops is counted, 0 or 1: 100 bytes of RAM. With 0 the command S is UNKNOWN_COMMAND.
+#ifndef JAVINO_STATISTICS
+#define JAVINO_STATISTICS 1
 #endif
 
 /// Places of the ring with the boot epoch, 4…64. 6 bytes of EEPROM each; each lasts for 25 000 boots.
@@ -89,6 +109,16 @@
 #ifndef JAVINO_EEPROM_START
 #define JAVINO_EEPROM_START 0
 #endif
+
+/// Whether all round keys of an AES key are computed before its first block, 0 or 1. With 0 each block computes them anew: on
+/// an ATmega it takes 3270 cycles then instead of 2000, but 144 bytes less of the stack and 160 of flash.
+#ifndef JAVINO_ROUND_KEYS
+#define JAVINO_ROUND_KEYS JAVINO_BY_CHIP(1, 0)
+#endif
+
+#ifndef __ASSEMBLER__
+
+#include <stdint.h>
 
 namespace javino {
 namespace config {
@@ -104,7 +134,11 @@ static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
 static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
 static const uint8_t ACKNOWLEDGEMENTS = JAVINO_ACKNOWLEDGEMENTS;
+static const uint8_t BROADCAST_ORIGINS = JAVINO_BROADCAST_ORIGINS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
+static const uint8_t DEAD_BANDS = JAVINO_DEAD_BANDS;
+static const bool KEY_RENEWAL = JAVINO_KEY_RENEWAL;
+static const bool STATISTICS = JAVINO_STATISTICS;
 static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
 
@@ -126,8 +160,15 @@ static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RA
 static_assert(JAVINO_ACKNOWLEDGEMENTS >= 2 && JAVINO_ACKNOWLEDGEMENTS <= 16, "JAVINO_ACKNOWLEDGEMENTS must be 2…16");
 static_assert(JAVINO_MULTICAST_SENDS >= 1 && JAVINO_MULTICAST_SENDS <= 4, "JAVINO_MULTICAST_SENDS must be 1…4");
 static_assert(JAVINO_BROADCAST_SENDS >= 1 && JAVINO_BROADCAST_SENDS <= 4, "JAVINO_BROADCAST_SENDS must be 1…4");
-static_assert(JAVINO_ACTIONS >= 1 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 1…254");
+static_assert(JAVINO_DEAD_BANDS >= 0 && JAVINO_DEAD_BANDS <= 254, "JAVINO_DEAD_BANDS must be 0…254");
+static_assert(JAVINO_BROADCAST_ORIGINS >= 1 && JAVINO_BROADCAST_ORIGINS <= 16, "JAVINO_BROADCAST_ORIGINS must be 1…16");
+static_assert(JAVINO_ACTIONS >= 0 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 0…254");
+static_assert(JAVINO_KEY_RENEWAL == 0 || JAVINO_KEY_RENEWAL == 1, "JAVINO_KEY_RENEWAL must be 0 or 1");
+static_assert(JAVINO_STATISTICS == 0 || JAVINO_STATISTICS == 1, "JAVINO_STATISTICS must be 0 or 1");
+static_assert(JAVINO_ROUND_KEYS == 0 || JAVINO_ROUND_KEYS == 1, "JAVINO_ROUND_KEYS must be 0 or 1");
 static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 4…64");
 
 }  // namespace config
 }  // namespace javino
+
+#endif

@@ -29,3 +29,12 @@ Outcome perform(Mailbox::Operation operation, const Bytes &key, const Bytes &sec
   outcome.cycles = mega().perform(operation, outcome.mailbox);
   return outcome;
 }
+
+Outcome answer(const Bytes &line, uint8_t measured) {
+  Outcome outcome = {};
+  outcome.mailbox.measured = measured;
+  copy(line, outcome.mailbox.bytes);
+  outcome.mailbox.length = static_cast<uint16_t>(line.size());
+  outcome.cycles = mega().perform(Mailbox::ANSWER, outcome.mailbox);
+  return outcome;
+}

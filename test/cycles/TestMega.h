@@ -20,3 +20,7 @@ struct Outcome {
 /// @param nonce 6 bytes or none
 Outcome perform(Mailbox::Operation operation, const Bytes &key, const Bytes &second, const Bytes &data,
                 const Bytes &nonce = Bytes());
+
+/// A board's last reply to bytes of the line, and the cycles from the last bytes, as many as `measured` says (0 for all), to
+/// that reply's first one.
+Outcome answer(const Bytes &line, uint8_t measured);

@@ -20,6 +20,8 @@ const long SUPPLY_MILLIVOLTS = F_CPU < 16000000 ? 3300 : 5000;
 // One reading has steps of half a degree and changes all the time; this many readings take 2 ms.
 const uint8_t READINGS = 16;
 
+const uint16_t SAMPLE_MILLIS = 1000;
+
 javino::Javino board(Serial, "thermometer 1.0");
 
 int celsius() {
@@ -33,6 +35,7 @@ void perceive(javino::Percepts &percepts) { percepts.add(F("temperature"), celsi
 
 void setup() {
   board.onPercepts(perceive);
+  board.sampleEvery(SAMPLE_MILLIS);
   board.begin(115200);
 }
 

@@ -5,7 +5,8 @@
 /// Two lamps that light in turn, twice a second each, while the siren is on.
 class Siren {
  public:
-  Siren(uint8_t leftPin, uint8_t rightPin) : leftPin_(leftPin), rightPin_(rightPin) {}
+  // constexpr: the object is ready when the program starts, and no code makes it.
+  constexpr Siren(uint8_t leftPin, uint8_t rightPin) : leftPin_(leftPin), rightPin_(rightPin) {}
 
   void begin() {
     pinMode(leftPin_, OUTPUT);

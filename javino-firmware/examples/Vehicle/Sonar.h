@@ -12,7 +12,7 @@ class Sonar {
   static const uint8_t ECHO_PIN = 2;
 
   /// @param triggerPin any digital pin
-  explicit Sonar(uint8_t triggerPin) : triggerPin_(triggerPin) {}
+  explicit constexpr Sonar(uint8_t triggerPin) : triggerPin_(triggerPin) {}
 
   void begin();
 

@@ -28,6 +28,10 @@ const uint8_t RIGHT_BACKWARD_PIN = 8;
 const uint8_t BUZZER_PIN = 9;
 const uint8_t HEADLIGHTS_PIN = 30;
 
+// Both sensors tremble: smaller changes are none.
+const uint8_t PROXIMITY_DEAD_BAND = 2;  // cm
+const uint8_t LIGHT_DEAD_BAND = 4;
+
 javino::Javino board(Serial, "vehicle 1.0");
 Sonar sonar(22);
 Siren siren(31, 32);
@@ -91,8 +95,8 @@ bool headlightsOff(const javino::Arguments &) {
 }
 
 void perceive(javino::Percepts &percepts) {
-  if (sonar.inRange()) percepts.add(F("proximity"), sonar.centimetres());
-  percepts.add(F("light"), analogRead(LIGHT_PIN));
+  if (sonar.inRange()) percepts.add(F("proximity"), sonar.centimetres(), PROXIMITY_DEAD_BAND);
+  percepts.add(F("light"), analogRead(LIGHT_PIN), LIGHT_DEAD_BAND);
   if (moving) percepts.add(F("moving"));
 }
 
@@ -104,6 +108,7 @@ void setup() {
   siren.begin();
 
   board.onPercepts(perceive);
+  board.sampleEvery(5);
   const bool named = board.action(F("drive"), startDriving) && board.action(F("stop"), stopDriving) &&
                      board.action(F("accidentAlert"), accidentAlert) && board.action(F("alertOff"), alertOff) &&
                      board.action(F("sirenOn"), sirenOn) && board.action(F("sirenOff"), sirenOff) &&

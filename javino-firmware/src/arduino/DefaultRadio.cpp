@@ -3,12 +3,10 @@
 
 namespace javino {
 
-// Apart from the rest, and made on first use: a sketch that brings its own radio links no AskRadio.
-static Radio &defaultRadio() {
-  static AskRadio radio;
-  return radio;
-}
+// Apart from the rest: a sketch that brings its own radio does not link this file. It may be made after the board, which
+// uses it from begin() on.
+static AskRadio radio;
 
-Javino::Javino(HostSerial &serial, const char *firmwareName) : Javino(serial, firmwareName, defaultRadio()) {}
+Javino::Javino(HostSerial &serial, const char *firmwareName) : Javino(serial, firmwareName, radio) {}
 
 }  // namespace javino

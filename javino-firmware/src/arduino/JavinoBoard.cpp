@@ -9,7 +9,10 @@ Javino::Javino(HostSerial &serial, const char *firmwareName, Radio &radio)
 
 bool Javino::begin(unsigned long baud) {
   serial_.begin(baud);
-  return board_.begin();
+  const bool begun = board_.begin();
+  // A host whose poll the board held before a reset asks again.
+  serial_.write(static_cast<uint8_t>(0));
+  return begun;
 }
 
 void Javino::run() {

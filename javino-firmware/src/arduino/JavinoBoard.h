@@ -9,9 +9,11 @@ namespace javino {
 /// The type of `Serial`: a UART, or USB on chips that have it (ATmega32U4).
 typedef decltype(Serial) HostSerial;
 
-/// An Arduino that an agent can reach: the one object that a sketch needs.
+/// An Arduino that an agent can reach: the one object that a sketch needs, a global or static one (support/Zeroed.h).
 class Javino {
  public:
+  static void *operator new(size_t) = delete;
+
   // A board with the ASK radio on its default pins. The name tells the host which sketch this is; it is a plain
   // "vehicle 1.0", as F("…") is not possible outside of functions.
   Javino(HostSerial &serial, const char *firmwareName);
@@ -19,8 +21,12 @@ class Javino {
   // A board with the ASK radio on other pins, or with any other radio.
   Javino(HostSerial &serial, const char *firmwareName, Radio &radio);
 
-  // Sets the function that adds the board's percepts; each poll that asks for percepts calls it.
+  // Sets the function that adds the board's percepts. While an agent wants percepts, it is called every 20 ms, and the
+  // agent is told what it adds whenever that has changed.
   void onPercepts(PerceptSource source) { board_.onPercepts(source); }
+
+  // Sets another time for these 20 ms, 1…65535 ms.
+  void sampleEvery(uint16_t millis) { board_.sampleEvery(millis); }
 
   // Names an action. Call it in setup(), as an agent asks for the names only when it connects. Returns false if the
   // name is taken or empty, or if there are JAVINO_ACTIONS (Config.h) already.

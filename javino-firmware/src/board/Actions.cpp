@@ -33,6 +33,7 @@ bool Actions::add(const FlashText *name, Action action) {
 }
 
 Status Actions::perform(const uint8_t *action, uint16_t length) const {
+  if (config::ACTIONS == 0) return Status::UNKNOWN_ACTION;
   Arguments arguments;
   if (!arguments.parse(action, length)) return Status::BAD_ARGUMENT;
   const Action found = find(arguments.name(), arguments.nameLength());

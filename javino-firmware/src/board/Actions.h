@@ -4,9 +4,11 @@
 
 #include "../Config.h"
 #include "../support/Flash.h"
+#include "../support/Inlining.h"
 #include "Arguments.h"
 #include "Reply.h"
 #include "../support/Status.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -17,14 +19,12 @@ typedef bool (*Action)(const Arguments &arguments);
 /// The actions that a sketch has named.
 class Actions {
  public:
-  Actions() : count_(0) {}
-
   /// @return false, and nothing changes, where name or function is missing, the name is taken or the table is full.
   bool add(const FlashText *name, Action action);
 
   /// Performs what a request asks for.
   /// @return OK, BAD_ARGUMENT, UNKNOWN_ACTION or ACTION_FAILED
-  Status perform(const uint8_t *action, uint16_t length) const;
+  JAVINO_NOINLINE Status perform(const uint8_t *action, uint16_t length) const;
 
   /// Tells how many there are, and of their names, one after the other and each with its closing 0x00, what fits from an
   /// offset on.
@@ -39,8 +39,8 @@ class Actions {
 
   Action find(const char *name, uint16_t length) const;
 
-  uint8_t count_;
-  Entry entries_[config::ACTIONS];
+  uint8_t count_ JAVINO_ZEROED;
+  Entry entries_[config::ACTIONS == 0 ? 1 : config::ACTIONS];
 };
 
 }  // namespace javino

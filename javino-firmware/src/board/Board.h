@@ -2,16 +2,10 @@
 
 #include "../delivery/Delivery.h"
 #include "../radio/Radio.h"
-#include "../secure/NonceSource.h"
-#include "../secure/ReplayMemory.h"
-#include "../storage/BootEpoch.h"
-#include "../storage/KeyStore.h"
-#include "../storage/RfId.h"
+#include "../secure/BoardState.h"
 #include "../support/Inlining.h"
 #include "Actions.h"
 #include "Commands.h"
-#include "../support/Counters.h"
-#include "KeyCommands.h"
 #include "Poll.h"
 #include "SerialPort.h"
 #include "SerialSession.h"
@@ -36,20 +30,14 @@ class Board {
   bool isIdle() const;
 
   void onPercepts(PerceptSource source) { poll_.setSource(source); }
+  void sampleEvery(uint16_t millis) { poll_.sampleEvery(millis); }
   bool action(const FlashText *name, Action action) { return actions_.add(name, action); }
 
  private:
-  Radio &radio_;
-  Counters counters_;
-  RfId id_;
-  BootEpoch epoch_;
-  KeyStore keys_;
-  ReplayMemory replays_;
-  NonceSource nonces_;
+  BoardState state_;
   Delivery delivery_;
   Actions actions_;
   Poll poll_;
-  KeyCommands keyCommands_;
   Commands commands_;
   SerialSession session_;
 };

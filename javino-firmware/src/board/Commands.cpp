@@ -14,7 +14,7 @@ const uint16_t NAME_ROOM = MAX_MESSAGE_LENGTH - 1 - FIXED_OF_HELLO;
 const uint16_t MAX_FIRMWARE_NAME = NAME_ROOM < 100 ? NAME_ROOM : 100;
 const uint8_t COUNTER_LENGTH = 1 + 4;
 const bool ALL_COUNTERS_FIT = 1 + Counters::COUNT * COUNTER_LENGTH <= MAX_MESSAGE_LENGTH;
-const uint8_t PERCEPTS_WANTED = 1;
+const uint8_t POLL_LENGTH = 1 + 2 + 3;
 
 bool isForBoard(const Frame &request) { return request.destination.isSerial(); }
 
@@ -31,11 +31,7 @@ bool Commands::isAlwaysPerformed(const Frame &request) {
 }
 
 Status Commands::dispatch(const Frame &request, Reply &reply) {
-  if (isAlwaysPerformed(request)) {
-    poll_.hostArrived();
-  } else {
-    poll_.replyArrived();
-  }
+  if (isAlwaysPerformed(request)) poll_.tellAgain();
   if (!isForBoard(request)) return transmit(request, reply);
   if (!request.origin.isSerial()) return Status::WRONG_ORIGIN;
   if (request.length == 0) return Status::UNKNOWN_COMMAND;
@@ -57,37 +53,40 @@ Status Commands::mayTransmit(const Frame &frame) const {
   const Status addresses = checkAddresses(frame);
   if (addresses != Status::OK) return addresses;
   const bool sealed = !frame.destination.isBroadcast();
-  if (sealed && keys_.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
+  if (sealed && state_.keys.current(frame.destination) == KeyStore::NO_SLOT) return Status::NO_KEY;
   const uint16_t length = static_cast<uint16_t>(HEADER_LENGTH + (sealed ? SEAL_LENGTH : 0) + frame.length);
   if (frame.length > MAX_CONTENT_LENGTH || !delivery_.carries(length)) return Status::TOO_LONG;
   if (!delivery_.outbox().fits(length)) return Status::QUEUE_FULL;
-  return sealed ? nonces_.status() : Status::OK;
+  return sealed ? state_.nonces.status() : Status::OK;
 }
 
 Status Commands::checkAddresses(const Frame &frame) const {
-  if (!id_.isSet()) return Status::NO_RF_ID;
-  if (frame.origin != id_.address()) return Status::WRONG_ORIGIN;
+  if (!state_.id.isSet()) return Status::NO_RF_ID;
+  if (frame.origin != state_.id.address()) return Status::WRONG_ORIGIN;
   const Address::Class to = frame.destination.classOf();
   const bool canBeSentTo = to == Address::DEVICE || to == Address::MULTICAST || to == Address::BROADCAST;
-  return canBeSentTo && frame.destination != id_.address() ? Status::OK : Status::BAD_DESTINATION;
+  return canBeSentTo && frame.destination != state_.id.address() ? Status::OK : Status::BAD_DESTINATION;
 }
 
 Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply &reply) {
   switch (name) {
     case HELLO: return hello(body, length, reply);
-    case 'P': return poll(body, length, reply);
+    case 'P': return poll(body, length);
     case 'A': return actions_.perform(body, length);
     case 'C': return actions_.list(body, length, reply);
     case 'I': return setRfId(body, length);
     case 'R': return openRadio(body, length);
     case 'E': return keyCommands_.raiseEpoch(body, length);
     case 'K':
-    case 'N': return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
-    case 'U': return keyCommands_.use(body, length, delivery_.underWay());
-    case 'F': return keysChanged(keyCommands_.finish(body, length));
+    case 'N':
+      if (name == 'N' && !config::KEY_RENEWAL) return Status::UNKNOWN_COMMAND;
+      return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
+    case 'U':
+      return config::KEY_RENEWAL ? keyCommands_.use(body, length, delivery_.underWay()) : Status::UNKNOWN_COMMAND;
+    case 'F': return config::KEY_RENEWAL ? keysChanged(keyCommands_.finish(body, length)) : Status::UNKNOWN_COMMAND;
     case 'D': return keysChanged(keyCommands_.erase(body, length));
     case 'L': return keyCommands_.list(length, reply);
-    case 'S': return statistics(length, reply);
+    case 'S': return config::STATISTICS ? statistics(length, reply) : Status::UNKNOWN_COMMAND;
     default: return Status::UNKNOWN_COMMAND;
   }
 }
@@ -97,7 +96,7 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   greeted_ = body[0] == PROTOCOL_VERSION;
   uint8_t fixed[FIXED_OF_HELLO];
   fixed[0] = PROTOCOL_VERSION;
-  id_.address().write(fixed + 1);
+  state_.id.address().write(fixed + 1);
   writeUint24(fixed + 1 + Address::TEXT_LENGTH, keyCommands_.epoch());
   reply.add(fixed, sizeof fixed);
   reply.add(reinterpret_cast<const uint8_t *>(firmwareName_),
@@ -105,10 +104,13 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   return Status::OK;
 }
 
-Status Commands::poll(const uint8_t *body, uint16_t length, Reply &reply) {
-  if (length < 1 || length > 2 || (body[0] & ~PERCEPTS_WANTED) != 0) return Status::BAD_ARGUMENT;
-  if (length == 2) poll_.taken(body[1]);
-  poll_.answer((body[0] & PERCEPTS_WANTED) != 0, delivery_.isActive(), reply);
+// The body of the reply is not written here, but when the poll has been held.
+Status Commands::poll(const uint8_t *body, uint16_t length) {
+  const bool takes = length == POLL_LENGTH + 1;
+  if (length != POLL_LENGTH && !takes) return Status::BAD_ARGUMENT;
+  const uint16_t holdMillis = static_cast<uint16_t>(body[1] << 8 | body[2]);
+  if (!poll_.hold(body[0], holdMillis, readUint24(body + 3))) return Status::BAD_ARGUMENT;
+  if (takes) poll_.taken(body[POLL_LENGTH]);
   return Status::OK;
 }
 
@@ -123,7 +125,7 @@ Status Commands::setRfId(const uint8_t *body, uint16_t length) {
   if (length != Address::TEXT_LENGTH || !Address::parse(body, address) || !address.isDevice()) {
     return Status::BAD_ARGUMENT;
   }
-  if (!id_.set(address)) return Status::STORE_FAILED;
+  if (!state_.id.set(address)) return Status::STORE_FAILED;
   delivery_.seed();
   return Status::OK;
 }
@@ -137,14 +139,11 @@ Status Commands::openRadio(const uint8_t *body, uint16_t length) {
 Status Commands::statistics(uint16_t length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
   RadioCounters radio;
-  radio_.counters(radio);
-  counters_.set(Counter::RADIO_RECEIVED, radio.received);
-  counters_.set(Counter::RADIO_DAMAGED, radio.damaged);
-  counters_.set(Counter::RADIO_MISSED, radio.missed);
-  counters_.set(Counter::RADIO_SENT, radio.sent);
-  counters_.set(Counter::RADIO_MENDED, radio.mended);
+  delivery_.radioCounters(radio);
+  const uint32_t *nextOfRadio = reinterpret_cast<const uint32_t *>(&radio);  // in the order of their numbers
   for (uint8_t number = 1; number <= Counters::COUNT; number++) {
-    const uint32_t value = counters_.value(static_cast<Counter>(number));
+    const Counter counter = static_cast<Counter>(number);
+    const uint32_t value = Counters::isRadios(counter) ? *nextOfRadio++ : state_.counters.value(counter);
     if (ALL_COUNTERS_FIT || value != 0) {
       uint8_t entry[COUNTER_LENGTH] = {number};
       writeUint32(entry + 1, value);

@@ -4,15 +4,13 @@
 
 #include "../delivery/Delivery.h"
 #include "../radio/Radio.h"
-#include "../secure/NonceSource.h"
-#include "../storage/KeyStore.h"
-#include "../storage/RfId.h"
+#include "../secure/BoardState.h"
 #include "../support/Inlining.h"
 #include "Actions.h"
-#include "../support/Counters.h"
 #include "KeyCommands.h"
 #include "Poll.h"
 #include "Reply.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -20,21 +18,16 @@ namespace javino {
 class Commands {
  public:
   /// @param firmwareName UTF-8; what exceeds 100 bytes is not told
-  Commands(const char *firmwareName, Radio &radio, RfId &id, const KeyStore &keys, const NonceSource &nonces,
-           KeyCommands &keyCommands, Delivery &delivery, Poll &poll, Actions &actions, Counters &counters)
+  Commands(const char *firmwareName, BoardState &state, Delivery &delivery, Poll &poll, Actions &actions)
       : firmwareName_(firmwareName),
-        radio_(radio),
-        id_(id),
-        keys_(keys),
-        nonces_(nonces),
-        keyCommands_(keyCommands),
+        state_(state),
+        keyCommands_(state.keys, state.replays, state.nonces),
         delivery_(delivery),
         poll_(poll),
-        actions_(actions),
-        counters_(counters),
-        greeted_(false) {}
+        actions_(actions) {}
 
-  /// Performs a request and writes status and body of its reply, which stands at an OK without a body.
+  /// Performs a request and writes status and body of its reply, which stands at an OK without a body. The body of a
+  /// poll's reply is left to Poll::answer().
   /// @return whether the reply is to be remembered for repeats of the request
   bool perform(const Frame &request, Reply &reply);
 
@@ -48,23 +41,19 @@ class Commands {
   Status checkAddresses(const Frame &frame) const;
   Status command(char name, const uint8_t *body, uint16_t length, Reply &reply);
   Status hello(const uint8_t *body, uint16_t length, Reply &reply);
-  Status poll(const uint8_t *body, uint16_t length, Reply &reply);
+  Status poll(const uint8_t *body, uint16_t length);
   JAVINO_NOINLINE Status keysChanged(Status status);
   Status setRfId(const uint8_t *body, uint16_t length);
   Status openRadio(const uint8_t *body, uint16_t length);
-  Status statistics(uint16_t length, Reply &reply);
+  JAVINO_NOINLINE Status statistics(uint16_t length, Reply &reply);
 
   const char *const firmwareName_;
-  Radio &radio_;
-  RfId &id_;
-  const KeyStore &keys_;
-  const NonceSource &nonces_;
-  KeyCommands &keyCommands_;
+  BoardState &state_;
+  KeyCommands keyCommands_;
   Delivery &delivery_;
   Poll &poll_;
   Actions &actions_;
-  Counters &counters_;
-  bool greeted_;
+  bool greeted_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

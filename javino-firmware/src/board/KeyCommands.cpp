@@ -17,7 +17,7 @@ bool parseAddress(const uint8_t *text, Address &into) {
   return Address::parse(text, into) && (into.isDevice() || into.isMulticast());
 }
 
-bool parseAddress(const uint8_t *body, uint16_t length, Address &into) {
+JAVINO_NOINLINE bool parseAddress(const uint8_t *body, uint16_t length, Address &into) {
   return length == Address::TEXT_LENGTH && parseAddress(body, into);
 }
 

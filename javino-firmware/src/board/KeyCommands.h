@@ -40,7 +40,7 @@ class KeyCommands {
   Status erase(const uint8_t *body, uint16_t length);
 
   /// L: tells addresses, roles and check values.
-  Status list(uint16_t length, Reply &reply);
+  JAVINO_NOINLINE Status list(uint16_t length, Reply &reply);
 
  private:
   bool isOneMorePair(bool renews, const Address &address) const;

@@ -4,7 +4,7 @@
 
 #include "../support/Flash.h"
 #include "../support/Inlining.h"
-#include "../support/Counters.h"
+#include "DeadBands.h"
 #include "Reply.h"
 
 namespace javino {
@@ -14,7 +14,7 @@ namespace javino {
 /// counted, and the agent is told.
 class Percepts {
  public:
-  Percepts(Reply &reply, Counters &counters) : reply_(reply), counters_(counters), leftOut_(false) {}
+  Percepts(Reply &reply, DeadBands &deadBands) : reply_(reply), deadBands_(deadBands), leftOut_(0) {}
 
   // `name`
   void add(const FlashText *name) { literal(name); }
@@ -25,6 +25,13 @@ class Percepts {
   void add(const FlashText *name, long number);
   void add(const FlashText *name, unsigned long number);
 
+  // `name(number)` for a value that trembles: the number told last stays until the new one differs from it by the dead
+  // band or more, and until it has been told for the least time (0 for none). The board does so for JAVINO_DEAD_BANDS
+  // percepts (Config.h), and tells all further ones as they are. Each call needs an F("…") of its own.
+  JAVINO_NOINLINE void add(const FlashText *name, long number, unsigned long deadBand, unsigned long leastMillis = 0) {
+    add(name, deadBands_.settle(name, number, deadBand, leastMillis));
+  }
+
   // `name("text")`, with quotes, backslashes and line feeds in the text escaped
   void add(const FlashText *name, const char *text) { write(name, Text(text)); }
   void add(const FlashText *name, const FlashText *text) { write(name, Text(text)); }
@@ -33,8 +40,8 @@ class Percepts {
   void literal(const char *text) { write(Text(text)); }
   void literal(const FlashText *text) { write(Text(text)); }
 
-  /// Whether some percepts did not fit.
-  bool leftOut() const { return leftOut_; }
+  /// How many percepts did not fit.
+  uint16_t leftOut() const { return leftOut_; }
 
  private:
   // A text in RAM or in flash.
@@ -47,15 +54,14 @@ class Percepts {
     bool inFlash;
   };
 
-  static void open(Record &record, const FlashText *name);
   JAVINO_NOINLINE void write(const Text &literal);
   JAVINO_NOINLINE void write(const FlashText *name, const Text &text);
   JAVINO_NOINLINE void write(const FlashText *name, bool negative, unsigned long magnitude);
   void close(Record &record);
 
   Reply &reply_;
-  Counters &counters_;
-  bool leftOut_;
+  DeadBands &deadBands_;
+  uint16_t leftOut_;
 };
 
 }  // namespace javino

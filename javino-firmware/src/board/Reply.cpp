@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "../support/Crc16.h"
 #include "../framing/Frame.h"
 
 namespace javino {
@@ -31,31 +30,54 @@ bool Reply::add(const uint8_t *bytes, uint16_t length) {
 void Reply::finish() {
   Frame::writeHeader(bytes_ + 1, Address::serialLine(), Address::serialLine(),
                      static_cast<uint16_t>(length_ - STATUS_AT));
-  Crc16 crc;
-  crc.add(bytes_, length_);
-  bytes_[length_++] = static_cast<uint8_t>(crc.value());
-  bytes_[length_++] = static_cast<uint8_t>(crc.value() >> 8);
 }
 
 const uint8_t Record::HEAD_LENGTH;
 
-Record::Record(Reply &reply, char type) : reply_(reply), start_(reply.mark()) {
-  const uint8_t head[HEAD_LENGTH] = {static_cast<uint8_t>(type), 0, 0};
-  fits_ = reply_.add(head, HEAD_LENGTH);
+Record::Record(Reply &reply, char type)
+    : reply_(reply), at_(reply.bytes_ + reply.length_), end_(reply.bytes_ + Reply::BODY_END) {
+  if (reply.room() < HEAD_LENGTH) {
+    at_ = nullptr;
+    return;
+  }
+  *at_++ = static_cast<uint8_t>(type);
+  at_ += 2;  // for the length
 }
 
-void Record::add(uint8_t byte) { add(&byte, 1); }
+// Both loops keep the place in a register: a reading may have some 500 bytes, and the host waits for it.
 
-void Record::add(const uint8_t *bytes, uint16_t length) { fits_ = fits_ && reply_.add(bytes, length); }
+void Record::add(const uint8_t *bytes, uint16_t length) {
+  uint8_t *at = at_;
+  if (at == nullptr) return;
+  if (length > static_cast<uint16_t>(end_ - at)) {
+    at = nullptr;
+  } else {
+    for (; length != 0; length--) *at++ = *bytes++;
+  }
+  at_ = at;
+}
+
+void Record::add(const FlashText *text) {
+  uint8_t *at = at_;
+  if (at == nullptr) return;
+  const uint8_t *from = reinterpret_cast<const uint8_t *>(text);
+  for (uint8_t next; (next = flashByte(from++)) != 0; *at++ = next) {
+    if (at == end_) {
+      at = nullptr;
+      break;
+    }
+  }
+  at_ = at;
+}
 
 bool Record::close() {
-  if (!fits_) {
-    reply_.truncate(start_);
-    return false;
-  }
-  const uint16_t length = static_cast<uint16_t>(reply_.mark() - start_ - HEAD_LENGTH);
-  reply_.replace(static_cast<uint16_t>(start_ + 1), static_cast<uint8_t>(length >> 8));
-  reply_.replace(static_cast<uint16_t>(start_ + 2), static_cast<uint8_t>(length));
+  if (at_ == nullptr) return false;
+  uint8_t *const start = reply_.bytes_ + reply_.length_;
+  const uint16_t length = static_cast<uint16_t>(at_ - start);
+  const uint16_t valueLength = static_cast<uint16_t>(length - HEAD_LENGTH);
+  start[1] = static_cast<uint8_t>(valueLength >> 8);
+  start[2] = static_cast<uint8_t>(valueLength);
+  reply_.length_ = static_cast<uint16_t>(reply_.length_ + length);
   return true;
 }
 

@@ -3,17 +3,17 @@
 #include <stdint.h>
 
 #include "../framing/Limits.h"
+#include "../support/Flash.h"
 #include "../support/Inlining.h"
 #include "../support/Status.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
-/// The reply to a request, from the first byte of its body to the finished packet, in one buffer (SPEC 4.1, 4.2).
+/// The reply to a request, from the first byte of its body to the packet, in one buffer (SPEC 4.1, 4.2).
 /// It stays until the next begin(), so that a repeated request can be answered from it.
 class Reply {
  public:
-  Reply() : length_(0) {}
-
   /// Begins an OK without a body.
   /// @param sequence that of the request
   void begin(uint8_t sequence);
@@ -33,18 +33,20 @@ class Reply {
   void truncate(uint16_t mark) { length_ = mark; }
   void replace(uint16_t mark, uint8_t byte) { bytes_[mark] = byte; }
 
-  /// Writes header and CRC around the body.
+  /// Writes the header before the body.
   void finish();
 
-  /// The finished packet before COBS: sequence, frame, CRC.
-  const uint8_t *packet() const { return bytes_; }
+  /// The packet before CRC and COBS: sequence and frame. There is room behind it for the CRC.
+  uint8_t *packet() { return bytes_; }
   uint16_t packetLength() const { return length_; }
 
  private:
   static const uint8_t STATUS_AT = 1 + HEADER_LENGTH;
   static const uint16_t BODY_END = STATUS_AT + MAX_MESSAGE_LENGTH;
 
-  uint16_t length_;
+  friend class Record;
+
+  uint16_t length_ JAVINO_ZEROED;
   uint8_t bytes_[MAX_PACKET_LENGTH];
 };
 
@@ -54,10 +56,11 @@ class Record {
  public:
   Record(Reply &reply, char type);
 
-  JAVINO_NOINLINE void add(uint8_t byte);
+  JAVINO_NOINLINE void add(uint8_t byte) { add(&byte, 1); }
   JAVINO_NOINLINE void add(const uint8_t *bytes, uint16_t length);
+  JAVINO_NOINLINE void add(const FlashText *text);
 
-  /// Ends the record.
+  /// Ends the record, which only then gets into the reply.
   /// @return false, and the reply is as it was before, where it did not fit.
   bool close();
 
@@ -65,8 +68,8 @@ class Record {
   static const uint8_t HEAD_LENGTH = 3;
 
   Reply &reply_;
-  const uint16_t start_;
-  bool fits_;
+  uint8_t *at_;  // the place of the next byte; null where one did not fit
+  const uint8_t *const end_;
 };
 
 }  // namespace javino

@@ -2,21 +2,17 @@
 
 namespace javino {
 
-SerialSession::SerialSession(SerialPort port, Commands &commands, Counters &counters)
-    : port_(port),
-      commands_(commands),
-      counters_(counters),
-      requestWaits_(false),
-      remembers_(false),
-      lastSequence_(0),
-      lastCrc_(0) {}
+SerialSession::SerialSession(SerialPort port, Commands &commands, Poll &poll, Counters &counters)
+    : port_(port), commands_(commands), poll_(poll), counters_(counters) {}
 
 void SerialSession::run() {
+  finish();
   write();
   read();
   while (requestWaits_ && encoder_.done()) {
     requestWaits_ = false;
     answer();
+    finish();
     write();
     read();
   }
@@ -25,11 +21,11 @@ void SerialSession::run() {
 bool SerialSession::isIdle() const {
   const bool canTakeMore = !requestWaits_ && port_.canRead();
   const bool canGiveMore = !encoder_.done() && port_.canWrite();
-  return !canTakeMore && !canGiveMore && !(requestWaits_ && encoder_.done());
+  return !canTakeMore && !canGiveMore && !(requestWaits_ && encoder_.done()) && !poll_.canTell();
 }
 
 void SerialSession::read() {
-  while (!requestWaits_ && port_.canRead()) take(decoder_.add(port_.read()));
+  while (!requestWaits_ && !replyOpen_ && port_.canRead()) take(decoder_.add(port_.read()));
 }
 
 void SerialSession::take(PacketEvent event) {
@@ -37,6 +33,8 @@ void SerialSession::take(PacketEvent event) {
     requestWaits_ = true;
   } else if (event != PacketEvent::NONE) {
     counters_.count(Counter::SERIAL_DAMAGED);
+    // The host need not wait for as long as it lets a poll be held.
+    if (encoder_.done() && port_.canWrite()) port_.write(0);
   }
 }
 
@@ -49,13 +47,20 @@ void SerialSession::answer() {
   counters_.count(Counter::SERIAL_REQUESTS);
   if (isRepeat(request)) {
     counters_.count(Counter::SERIAL_REPEATS);
+    encoder_.start(reply_.packet(), reply_.packetLength());
   } else {
     reply_.begin(decoder_.sequence());
     remembers_ = commands_.perform(request, reply_);
     lastSequence_ = decoder_.sequence();
     lastCrc_ = decoder_.crc();
-    reply_.finish();
+    replyOpen_ = true;
   }
+}
+
+void SerialSession::finish() {
+  if (!replyOpen_ || !poll_.answer(reply_, port_.canRead())) return;
+  replyOpen_ = false;
+  reply_.finish();
   encoder_.start(reply_.packet(), reply_.packetLength());
 }
 

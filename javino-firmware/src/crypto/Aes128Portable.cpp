@@ -13,9 +13,7 @@ using javino::flashByte;
 using javino::wipe;
 
 const uint8_t BLOCK_LENGTH = 16;
-const uint8_t KEY_LENGTH = 16;
 const uint8_t ROUNDS = 10;
-const uint8_t ROUND_KEYS_LENGTH = (ROUNDS + 1) * BLOCK_LENGTH;
 
 const uint8_t S_BOX[256] JAVINO_FLASH = {
 #define ROW(...) __VA_ARGS__,
@@ -54,45 +52,87 @@ void mixColumn(uint8_t *column) {
   column[3] = static_cast<uint8_t>(column[3] ^ all ^ timesX(column[3] ^ first));
 }
 
+// Makes a round key the next one (FIPS 197 section 5.2).
+void advance(uint8_t *roundKey, uint8_t &roundConstant) {
+  const uint8_t *const last = roundKey + BLOCK_LENGTH - 4;
+  for (uint8_t i = 0; i < 4; i++) roundKey[i] ^= substitute(last[(i + 1) & 3]);
+  roundKey[0] ^= roundConstant;
+  roundConstant = timesX(roundConstant);
+  for (uint8_t i = 4; i < BLOCK_LENGTH; i++) roundKey[i] ^= roundKey[i - 4];
+}
+
+#if JAVINO_ROUND_KEYS
+
+// The round keys of a block, one after the other.
+class Schedule {
+ public:
+  explicit Schedule(const uint8_t *roundKeys) : next_(roundKeys) {}
+
+  const uint8_t *next() {
+    next_ += BLOCK_LENGTH;
+    return next_ - BLOCK_LENGTH;
+  }
+
+ private:
+  const uint8_t *next_;
+};
+
+#else
+
+class Schedule {
+ public:
+  explicit Schedule(uint8_t *roundKeys) : present_(roundKeys), roundConstant_(0) {}
+
+  const uint8_t *next() {
+    if (roundConstant_ == 0) {
+      memcpy(present_, present_ + BLOCK_LENGTH, BLOCK_LENGTH);
+      roundConstant_ = 1;
+    } else {
+      advance(present_, roundConstant_);
+    }
+    return present_;
+  }
+
+ private:
+  uint8_t *const present_;
+  uint8_t roundConstant_;
+};
+
+#endif
+
 // Encrypts in place.
-void encryptBlock(const uint8_t *roundKey, uint8_t *block) {
-  addRoundKey(block, roundKey);
+void encryptBlock(Schedule schedule, uint8_t *block) {
+  addRoundKey(block, schedule.next());
   for (uint8_t round = 1; round < ROUNDS; round++) {
     substituteAndShift(block);
     for (uint8_t column = 0; column < 4; column++) mixColumn(block + 4 * column);
-    addRoundKey(block, roundKey += BLOCK_LENGTH);
+    addRoundKey(block, schedule.next());
   }
   substituteAndShift(block);
-  addRoundKey(block, roundKey + BLOCK_LENGTH);
+  addRoundKey(block, schedule.next());
 }
 
 }  // namespace
 
 void javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key) {
-  memcpy(roundKeys, key, KEY_LENGTH);
+#if JAVINO_ROUND_KEYS
+  memcpy(roundKeys, key, BLOCK_LENGTH);
   uint8_t roundConstant = 1;
-  for (uint8_t *word = roundKeys + KEY_LENGTH; word != roundKeys + ROUND_KEYS_LENGTH; word += 4) {
-    const uint8_t *previous = word - 4;
-    const uint8_t *above = word - KEY_LENGTH;
-    if ((word - roundKeys) % KEY_LENGTH == 0) {
-      word[0] = static_cast<uint8_t>(above[0] ^ substitute(previous[1]) ^ roundConstant);
-      word[1] = above[1] ^ substitute(previous[2]);
-      word[2] = above[2] ^ substitute(previous[3]);
-      word[3] = above[3] ^ substitute(previous[0]);
-      roundConstant = timesX(roundConstant);
-    } else {
-      for (uint8_t i = 0; i < 4; i++) word[i] = above[i] ^ previous[i];
-    }
+  for (uint8_t round = 0; round < ROUNDS; round++, roundKeys += BLOCK_LENGTH) {
+    memcpy(roundKeys + BLOCK_LENGTH, roundKeys, BLOCK_LENGTH);
+    advance(roundKeys + BLOCK_LENGTH, roundConstant);
   }
+#else
+  memcpy(roundKeys + BLOCK_LENGTH, key, BLOCK_LENGTH);
+#endif
 }
 
-void javino_aes128_encrypt(const uint8_t *roundKeys, const uint8_t *in, uint8_t *out) {
+void javino_aes128_encrypt(uint8_t *roundKeys, const uint8_t *in, uint8_t *out) {
   memmove(out, in, BLOCK_LENGTH);
-  encryptBlock(roundKeys, out);
+  encryptBlock(Schedule(roundKeys), out);
 }
 
-void javino_aes128_chain(const uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop,
-                         uint8_t back) {
+void javino_aes128_chain(uint8_t *roundKeys, const uint8_t *in, uint8_t *onto, const uint8_t *stop, uint8_t back) {
   uint8_t block[BLOCK_LENGTH];
   do {
     javino_aes128_encrypt(roundKeys, in, block);

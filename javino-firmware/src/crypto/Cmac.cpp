@@ -29,20 +29,23 @@ void xorInto(uint8_t *into, const uint8_t *from, uint8_t length) {
   } while (--length != 0);
 }
 
-}  // namespace
-
-Cmac::Cmac(const Aes128 &cipher) : cipher_(cipher) {
-  memset(subkey_, 0, BLOCK);
-  cipher_.encrypt(subkey_);
-  doubleInField(subkey_);
+// Computes the first subkey, K1.
+JAVINO_NOINLINE void firstSubkey(const Aes128 &cipher, uint8_t *block) {
+  memset(block, 0, BLOCK);
+  cipher.encrypt(block);
+  doubleInField(block);
 }
 
-Cmac::~Cmac() { wipe(subkey_, sizeof subkey_); }
-
-void Cmac::compute(const uint8_t *message, uint16_t length, uint8_t *tag) const {
+// Where no subkey is given it is computed in the place of the last block: 18 bytes of the stack less than a Cmac.
+JAVINO_NOINLINE void computeTag(const Aes128 &cipher, const uint8_t *subkey, const uint8_t *message, uint16_t length,
+                                uint8_t *tag) {
   // Becomes the last block: its subkey, its bytes, and what comes from the blocks before, added up.
   uint8_t last[BLOCK];
-  memcpy(last, subkey_, BLOCK);
+  if (subkey == nullptr) {
+    firstSubkey(cipher, last);
+  } else {
+    memcpy(last, subkey, BLOCK);
+  }
   const uint8_t lastLength = length > 0 && length % BLOCK == 0 ? BLOCK : static_cast<uint8_t>(length % BLOCK);
   if (lastLength < BLOCK) {
     doubleInField(last);
@@ -54,14 +57,28 @@ void Cmac::compute(const uint8_t *message, uint16_t length, uint8_t *tag) const 
   if (message != lastBytes) {
     const uint8_t *chained = message;
     while ((message += BLOCK) != lastBytes) {
-      cipher_.encrypt(chained, tag);
+      cipher.encrypt(chained, tag);
       xorInto(tag, message, BLOCK);
       chained = tag;
     }
-    cipher_.chainUp(chained, last, last + BLOCK);
+    cipher.chainUp(chained, last, last + BLOCK);
   }
-  cipher_.encrypt(last, tag);
+  cipher.encrypt(last, tag);
   wipe(last, sizeof last);
+}
+
+}  // namespace
+
+Cmac::Cmac(const Aes128 &cipher) : cipher_(cipher) { firstSubkey(cipher, subkey_); }
+
+Cmac::~Cmac() { wipe(subkey_, sizeof subkey_); }
+
+void Cmac::compute(const uint8_t *message, uint16_t length, uint8_t *tag) const {
+  computeTag(cipher_, subkey_, message, length, tag);
+}
+
+void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t *tag) {
+  computeTag(cipher, nullptr, message, length, tag);
 }
 
 bool equalInConstantTime(const uint8_t *some, const uint8_t *other, uint8_t length) {

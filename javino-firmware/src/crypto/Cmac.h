@@ -16,8 +16,8 @@ class Cmac {
 
   /// Computes the tag of a message.
   /// @param length 0…65535 bytes
-  /// @param tag room for the 16 bytes of the untruncated tag
-  JAVINO_NOINLINE void compute(const uint8_t *message, uint16_t length, uint8_t *tag) const;
+  /// @param tag room for the 16 bytes of the untruncated tag; it may be where the message begins
+  void compute(const uint8_t *message, uint16_t length, uint8_t *tag) const;
 
  private:
   Cmac(const Cmac &);
@@ -28,9 +28,7 @@ class Cmac {
 };
 
 /// Computes the tag of a single message.
-inline void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t *tag) {
-  Cmac(cipher).compute(message, length, tag);
-}
+void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t *tag);
 
 /// Compares in a time that depends on the length only.
 bool equalInConstantTime(const uint8_t *some, const uint8_t *other, uint8_t length);

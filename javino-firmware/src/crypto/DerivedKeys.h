@@ -23,7 +23,7 @@ struct DerivedKeys {
   JAVINO_NOINLINE void derive(const uint8_t *key);
 
   /// Computes AES-CMAC under Kmac. Expands the key, some 200 bytes of stack, and wipes them.
-  /// @param tag room for 16 bytes
+  /// @param tag room for 16 bytes; it may be where the message begins
   JAVINO_NOINLINE void authenticate(const uint8_t *message, uint16_t length, uint8_t *tag) const;
 
   /// Compares in constant time.

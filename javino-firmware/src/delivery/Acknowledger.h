@@ -4,15 +4,12 @@
 
 #include "../Config.h"
 #include "../framing/Address.h"
-#include "../support/Counters.h"
 #include "../framing/Limits.h"
+#include "../secure/BoardState.h"
 #include "../secure/Proof.h"
-#include "../secure/ReplayMemory.h"
-#include "../storage/KeyStore.h"
-#include "../storage/RfId.h"
 #include "../support/Inlining.h"
-#include "../support/Random.h"
 #include "MediumAccess.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -22,17 +19,7 @@ namespace javino {
 /// A few wait at a time; when more come the oldest is dropped, as its sender will ask again.
 class Acknowledger {
  public:
-  Acknowledger(MediumAccess &medium, const RfId &id, const KeyStore &keys, const ReplayMemory &replays, Random &random,
-               Counters &counters)
-      : medium_(medium),
-        id_(id),
-        keys_(keys),
-        replays_(replays),
-        random_(random),
-        counters_(counters),
-        count_(0),
-        slots_(FRESH_SLOTS),
-        deferred_(false) {}
+  Acknowledger(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state), slots_(FRESH_SLOTS) {}
 
   /// The host has a message.
   /// @param slot the place of the key of the frame that is answered
@@ -56,7 +43,7 @@ class Acknowledger {
 
   /// Sends what waits, as soon as the air has been quiet for one slot; if it had to wait for the air, for a random number
   /// of slots, since others wait for the end of the same packet.
-  void run();
+  JAVINO_NOINLINE void run();
 
  private:
   static const uint8_t CAPACITY = config::ACKNOWLEDGEMENTS;
@@ -77,15 +64,11 @@ class Acknowledger {
   void writeBody(const Entry &entry, uint8_t *body) const;
 
   MediumAccess &medium_;
-  const RfId &id_;
-  const KeyStore &keys_;
-  const ReplayMemory &replays_;
-  Random &random_;
-  Counters &counters_;
-  uint8_t count_;
-  uint8_t slots_;            // of quiet air that the first one waits for
-  bool deferred_;            // it has been counted as deferred
-  Entry entries_[CAPACITY];  // the first is the oldest
+  BoardState &state_;
+  uint8_t count_ JAVINO_ZEROED;
+  uint8_t slots_;                // of quiet air that the first one waits for
+  bool deferred_ JAVINO_ZEROED;  // it has been counted as deferred
+  Entry entries_[CAPACITY];      // the first is the oldest
 };
 
 }  // namespace javino

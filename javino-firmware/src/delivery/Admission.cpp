@@ -6,22 +6,22 @@ namespace javino {
 
 bool Admission::isForUs(const Frame &frame) {
   const Address &to = frame.destination;
-  const Address &own = id_.address();
+  const Address &own = state_.id.address();
   switch (to.classOf()) {
     case Address::DEVICE:
       if (to != own) return drop(Counter::RADIO_NOT_FOR_US);
       break;
     case Address::MULTICAST:
-      if (!id_.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
+      if (!state_.id.isSet() || to.member() != own.group()) return drop(Counter::RADIO_NOT_FOR_US);
       break;
     case Address::BROADCAST: break;
     default: return drop(Counter::RADIO_RESERVED);
   }
-  return frame.origin != own || drop(Counter::RADIO_OWN);
+  return !isOwn(frame) || drop(Counter::RADIO_OWN);
 }
 
 bool Admission::drop(Counter why) {
-  counters_.count(why);
+  state_.count(why);
   return false;
 }
 
@@ -32,7 +32,7 @@ bool Admission::accept(const Frame &frame, uint8_t *bytes, uint16_t length, uint
 
 bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun) {
   if (broadcasts_.isRepeat(frame.origin, bytes, length, begun, clock::millis())) {
-    counters_.count(Counter::RADIO_REPEATS);
+    state_.count(Counter::RADIO_REPEATS);
     return true;
   }
   if (!inbox_.fits(frame.length)) return drop(Counter::RADIO_QUEUE_FULL);
@@ -43,10 +43,10 @@ bool Admission::acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16
 // While a key is being renewed a frame may be sealed with either.
 bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length) {
   bool hasKey = false;
-  for (uint8_t other = 0; other < 2; other++) {
+  for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     DerivedKeys keys;
     const uint8_t slot = slotOf(frame, other != 0);
-    if (!keys_.load(slot, keys)) continue;
+    if (!state_.keys.load(slot, keys)) continue;
     hasKey = true;
     const Envelope envelope(keys);
     if (envelope.isAuthentic(bytes, length)) return acceptUnder(slot, envelope, frame, bytes, length);
@@ -56,30 +56,30 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length
 
 bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const {
   if (frame.destination.isBroadcast()) return true;
-  for (uint8_t previous = 0; previous < 2; previous++) {
+  for (uint8_t previous = 0; previous < KeyStore::KEYS_OF_ADDRESS; previous++) {
     DerivedKeys keys;
-    if (keys_.load(slotOf(frame, previous != 0), keys) && Envelope(keys).isAuthentic(bytes, length)) return true;
+    if (state_.keys.load(slotOf(frame, previous != 0), keys) && Envelope(keys).isAuthentic(bytes, length)) return true;
   }
   return false;
 }
 
 uint8_t Admission::slotOf(const Frame &frame, bool other) const {
   const Address &with = frame.destination.isMulticast() ? frame.destination : frame.origin;
-  return other ? keys_.other(with) : keys_.current(with);
+  return other ? state_.keys.other(with) : state_.keys.current(with);
 }
 
 bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
                             uint16_t length) {
   const uint8_t *nonce = bytes + Envelope::NONCE_AT;
-  const ReplayMemory::Verdict verdict = replays_.judge(slot, frame.origin, nonce);
+  const ReplayMemory::Verdict verdict = state_.replays.judge(slot, frame.origin, nonce);
   if (verdict != ReplayMemory::NEWER) return refuse(verdict, slot, frame, nonce);
   switch (inbox_.waiting(slot, frame.origin, nonce)) {
-    case Inbox::THIS: counters_.count(Counter::RADIO_REPEATS); return true;
+    case Inbox::THIS: state_.count(Counter::RADIO_REPEATS); return true;
     case Inbox::LATER: return drop(Counter::RADIO_REPLAYED);
     case Inbox::NOTHING: break;
   }
   if (!inbox_.fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
-  if (!replays_.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
+  if (!state_.replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
   const uint16_t content = envelope.open(bytes, length);
   inbox_.addSealed(slot, frame, nonce, bytes + Envelope::CONTENT_AT, content);
   return true;
@@ -89,7 +89,7 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
 bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce) {
   switch (verdict) {
     case ReplayMemory::REPEATED:
-      counters_.count(Counter::RADIO_REPEATS);
+      state_.count(Counter::RADIO_REPEATS);
       if (frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
       return true;
     case ReplayMemory::STALE: acknowledger_.stale(slot, frame.origin, nonce); return drop(Counter::RADIO_STALE);
@@ -100,11 +100,11 @@ bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame 
 
 bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAnswer) {
   bool hasKey = false;
-  for (uint8_t other = 0; other < 2; other++) {
+  for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     const uint8_t slot = slotOf(frame, other != 0);
     if (slot == KeyStore::NO_SLOT) continue;
     hasKey = true;
-    const bool taken = replays_.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
+    const bool taken = state_.replays.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
     if (!taken && inbox_.waiting(slot, frame.origin, nonce) != Inbox::THIS) continue;
     if (taken && wantsAnswer && frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
     return drop(Counter::RADIO_REPEATS);
@@ -113,7 +113,7 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
 }
 
 void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have) {
-  for (uint8_t other = 0; other < 2; other++) {
+  for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     const uint8_t slot = slotOf(frame, other != 0);
     if (slot != KeyStore::NO_SLOT) acknowledger_.pieces(slot, frame.origin, nonce, have);
   }

@@ -2,12 +2,9 @@
 
 #include <stdint.h>
 
-#include "../support/Counters.h"
 #include "../framing/Frame.h"
+#include "../secure/BoardState.h"
 #include "../secure/Envelope.h"
-#include "../secure/ReplayMemory.h"
-#include "../storage/KeyStore.h"
-#include "../storage/RfId.h"
 #include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "BroadcastMemory.h"
@@ -19,9 +16,15 @@ namespace javino {
 /// rest, puts it into the inbox, and answers repeats (SPEC 1, 5, 7).
 class Admission {
  public:
-  Admission(const RfId &id, const KeyStore &keys, ReplayMemory &replays, Inbox &inbox, Acknowledger &acknowledger,
-            Counters &counters)
-      : id_(id), keys_(keys), replays_(replays), inbox_(inbox), acknowledger_(acknowledger), counters_(counters) {}
+  Admission(BoardState &state, Inbox &inbox, Acknowledger &acknowledger)
+      : state_(state), inbox_(inbox), acknowledger_(acknowledger) {}
+
+  /// Counts what is not taken in.
+  /// @return false
+  JAVINO_OUT_OF_LINE bool drop(Counter why);
+
+  /// Whether the frame is one of our own, or of another board with our address.
+  bool isOwn(const Frame &frame) const { return frame.origin == state_.id.address(); }
 
   /// Whether a board of our address accepts the frame; where not, it is counted.
   JAVINO_NOINLINE bool isForUs(const Frame &frame);
@@ -46,7 +49,6 @@ class Admission {
   void answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have);
 
  private:
-  bool drop(Counter why);
   uint8_t slotOf(const Frame &frame, bool other) const;
   bool acceptBroadcast(const Frame &frame, const uint8_t *bytes, uint16_t length, uint32_t begun);
   bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
@@ -54,12 +56,9 @@ class Admission {
                                    uint16_t length);
   bool refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce);
 
-  const RfId &id_;
-  const KeyStore &keys_;
-  ReplayMemory &replays_;
+  BoardState &state_;
   Inbox &inbox_;
   Acknowledger &acknowledger_;
-  Counters &counters_;
   BroadcastMemory broadcasts_;
 };
 

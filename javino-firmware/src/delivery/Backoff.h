@@ -3,14 +3,13 @@
 #include <stdint.h>
 
 #include "../support/Random.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
 /// How long a sender waits before it begins, counted in quiet slots (SPEC 7.4).
 class Backoff {
  public:
-  Backoff() : left_(0), counted_(0) {}
-
   /// Begins a wait: 6 quiet slots and a random number of further ones; none where what is to be sent is new and the
   /// air has been quiet for long.
   /// @param attempt 0 for what is new
@@ -22,8 +21,8 @@ class Backoff {
   bool isOver(uint8_t quietSlots);
 
  private:
-  uint8_t left_;     // slots to wait beyond the first ones
-  uint8_t counted_;  // quiet slots of the present quiet that were counted, or lay before
+  uint8_t left_ JAVINO_ZEROED;     // slots to wait beyond the first ones
+  uint8_t counted_ JAVINO_ZEROED;  // quiet slots of the present quiet that were counted, or lay before
 };
 
 }  // namespace javino

@@ -9,15 +9,11 @@ const uint8_t BroadcastMemory::CAPACITY;
 static const uint16_t REPEAT_MILLIS = 400;
 static const uint16_t LONGEST_MILLIS = 0xFFFF;  // from a message's first piece to its last, and more
 
-BroadcastMemory::BroadcastMemory() : oldest_(0) {
-  for (uint8_t i = 0; i < CAPACITY; i++) entries_[i].origin = Address::serialLine();
-}
-
 bool BroadcastMemory::isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t begun,
                                uint32_t now) {
   Crc16 crc;
   crc.add(frame, length);
-  Entry &entry = entries_[placeFor(origin)];
+  Entry &entry = placeFor(origin);
   // What began before the other ended, as pieces may, is within 400 ms too; what seems to have begun weeks before, after.
   const bool soon = begun - entry.ended + LONGEST_MILLIS <= static_cast<uint32_t>(LONGEST_MILLIS) + REPEAT_MILLIS;
   const bool repeat = soon && entry.origin == origin && entry.crc == crc.value();
@@ -27,11 +23,11 @@ bool BroadcastMemory::isRepeat(const Address &origin, const uint8_t *frame, uint
   return repeat;
 }
 
-uint8_t BroadcastMemory::placeFor(const Address &origin) {
-  for (uint8_t i = 0; i < CAPACITY; i++) {
-    if (entries_[i].origin == origin) return i;
+BroadcastMemory::Entry &BroadcastMemory::placeFor(const Address &origin) {
+  for (Entry &entry : entries_) {
+    if (entry.origin == origin) return entry;
   }
-  const uint8_t place = oldest_;
+  Entry &place = entries_[oldest_];
   oldest_ = static_cast<uint8_t>((oldest_ + 1) % CAPACITY);
   return place;
 }

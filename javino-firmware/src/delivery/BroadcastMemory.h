@@ -2,7 +2,9 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "../framing/Address.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -10,8 +12,6 @@ namespace javino {
 /// begun within 400 ms of that one's end. Remembers the last few origins; bytes by their CRC.
 class BroadcastMemory {
  public:
-  BroadcastMemory();
-
   /// Takes note of a broadcast that has come whole.
   /// @param frame all of it
   /// @param begun when it began, in ms
@@ -20,18 +20,20 @@ class BroadcastMemory {
   bool isRepeat(const Address &origin, const uint8_t *frame, uint16_t length, uint32_t begun, uint32_t now);
 
  private:
-  static const uint8_t CAPACITY = 4;
+  static const uint8_t CAPACITY = config::BROADCAST_ORIGINS;
 
   struct Entry {
-    Address origin;  // `++++` where unused
+    Address origin;
     uint16_t crc;
     uint32_t ended;
   };
 
-  uint8_t placeFor(const Address &origin);
+  Entry &placeFor(const Address &origin);
 
-  Entry entries_[CAPACITY];
-  uint8_t oldest_;
+  // An unused place is that of a broadcast of `AAAA` with the CRC 0 which ended with the boot. One that is taken for its
+  // repeat is as likely as two in a row that have the same CRC.
+  Entry entries_[CAPACITY] JAVINO_ZEROED;
+  uint8_t oldest_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -9,13 +9,11 @@ namespace javino {
 
 bool Broadcaster::begin(const char *address) {
   if (strlen(address) != Address::TEXT_LENGTH ||
-      !Address::parse(reinterpret_cast<const uint8_t *>(address), address_) || !address_.isDevice() ||
-      !radio_.begin()) {
+      !Address::parse(reinterpret_cast<const uint8_t *>(address), address_) || !address_.isDevice()) {
     return false;
   }
   random_.seed(address_.value(), 0);
-  medium_.begin();
-  return true;
+  return medium_.begin();
 }
 
 bool Broadcaster::send(const char *text) {
@@ -31,9 +29,9 @@ bool Broadcaster::send(const char *text) {
 void Broadcaster::run() {
   medium_.update();
   uint8_t length;
-  while (const uint8_t *packet = radio_.receive(length)) {
+  while (const uint8_t *packet = medium_.receive(length)) {
     hear(packet, length);
-    radio_.release();
+    medium_.release();
   }
   if (isBusy() && backoff_.isOver(medium_.quietSlots()) && medium_.send(frame_, length_)) length_ = 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "../framing/Address.h"
@@ -10,13 +11,17 @@
 #include "Backoff.h"
 #include "BroadcastMemory.h"
 #include "MediumAccess.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
 /// A board without an agent: it sends and receives short plain broadcasts, in the form that all boards understand
 /// (SPEC 2, 6), and waits for quiet air as they do (SPEC 7.4). It needs neither a host nor the EEPROM.
+/// On an AVR a global or static object (support/Zeroed.h).
 class Broadcaster {
  public:
+  static void *operator new(size_t) = delete;
+
   /// The most bytes of a text: what fits one packet; fewer where the radio carries fewer.
   static const uint8_t MAX_TEXT = PIECE_LENGTH;
 
@@ -26,7 +31,7 @@ class Broadcaster {
   typedef void (*Hearer)(const char *from, const char *text);
 
   // The radio outlives the broadcaster.
-  explicit Broadcaster(Radio &radio) : radio_(radio), medium_(radio), hearer_(nullptr), length_(0), ignored_(0) {}
+  explicit Broadcaster(Radio &radio) : medium_(radio) {}
 
   // Sets the function that is called for each broadcast of another board.
   void onHeard(Hearer hearer) { hearer_ = hearer; }
@@ -52,16 +57,15 @@ class Broadcaster {
   void hear(const uint8_t *packet, uint8_t length);
   bool isNew(const Frame &frame, const uint8_t *packet, uint8_t length);
 
-  Radio &radio_;
   MediumAccess medium_;
   Backoff backoff_;
   Random random_;
   BroadcastMemory heard_;
-  Hearer hearer_;
+  Hearer hearer_ JAVINO_ZEROED;
   Address address_;
-  uint8_t length_;  // of the frame that waits, 0 where none does
+  uint8_t length_ JAVINO_ZEROED;  // of the frame that waits, 0 where none does
   uint8_t frame_[MAX_RADIO_PAYLOAD];
-  uint32_t ignored_;
+  uint32_t ignored_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -22,7 +23,7 @@ class ByteQueue {
     uint16_t length;
   };
 
-  ByteQueue(uint8_t *block, uint16_t size) : block_(block), size_(size), used_(0), count_(0) {}
+  ByteQueue(uint8_t *block, uint16_t size) : block_(block), size_(size) {}
 
   uint8_t count() const { return count_; }
 
@@ -50,8 +51,8 @@ class ByteQueue {
 
   uint8_t *const block_;
   const uint16_t size_;
-  uint16_t used_;
-  uint8_t count_;
+  uint16_t used_ JAVINO_ZEROED;
+  uint8_t count_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -53,12 +53,12 @@ void Courier::takeUpNext() {
 // Seals the frame in its place in the outbox, under a new nonce.
 bool Courier::seal(bool again) {
   DerivedKeys keys;
-  if (!again) slot_ = keys_.current(destination_);
-  if (!keys_.load(slot_, keys) || nonces_.status() != Status::OK) return false;
+  if (!again) slot_ = state_.keys.current(destination_);
+  if (!state_.keys.load(slot_, keys) || state_.nonces.status() != Status::OK) return false;
   const ByteQueue::Record record = outbox_.first();
   const Envelope envelope(keys);
   if (again) envelope.open(record.bytes, record.length);
-  nonces_.take(nonce_);
+  state_.nonces.take(nonce_);
   const Frame plain = {destination_, sender_, record.bytes + Envelope::CONTENT_AT,
                        static_cast<uint16_t>(record.length - Envelope::MIN_FRAME_LENGTH)};
   envelope.seal(plain, nonce_, record.bytes);
@@ -80,7 +80,7 @@ void Courier::restart() {
 
 void Courier::contend(uint8_t pending) {
   pending_ = pending;
-  backoff_.begin(attempt_, medium_.quietSlots(), random_);
+  backoff_.begin(attempt_, medium_.quietSlots(), state_.random);
   phase_ = CONTENDING;
 }
 
@@ -88,14 +88,13 @@ void Courier::contend(uint8_t pending) {
 void Courier::noteCarrier() {
   if (deferred_ || !medium_.hearsCarrier()) return;
   deferred_ = true;
-  counters_.count(Counter::RADIO_DEFERRED);
+  state_.count(Counter::RADIO_DEFERRED);
 }
 
 void Courier::send() {
   const ByteQueue::Record record = outbox_.first();
   uint8_t index = 0;
-  while ((pending_ >> index & 1) == 0) index++;
-  onAir_ = static_cast<uint8_t>(1 << index);
+  for (onAir_ = 1; (pending_ & onAir_) == 0; onAir_ = static_cast<uint8_t>(onAir_ << 1)) index++;
   const bool wantsAnswer = isUnicast() && pending_ == onAir_;
   uint8_t piece[MAX_RADIO_PAYLOAD];
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
@@ -105,7 +104,7 @@ void Courier::send() {
           : medium_.send(piece, pieces::cut(record.bytes, record.length, id_, digit, medium_.pieceLength(), piece));
   if (!taken) return;
   if (sent_ == 0) sentAt_ = clock::millis();
-  if ((sent_ & onAir_) != 0) counters_.count(Counter::RADIO_RESENT);
+  if ((sent_ & onAir_) != 0) state_.count(Counter::RADIO_RESENT);
   sent_ |= onAir_;
   deferred_ = false;
   phase_ = ON_AIR;
@@ -140,7 +139,7 @@ void Courier::attemptFailed() {
 void Courier::finish(Outcome outcome) {
   if (outcome != Outcome::SENT) slot_ = KeyStore::NO_SLOT;
   if (isUnicast()) {
-    counters_.count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
+    state_.count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
   }
   outbox_.close(outcome);
   deferred_ = false;
@@ -148,7 +147,7 @@ void Courier::finish(Outcome outcome) {
 }
 
 void Courier::keysChanged() {
-  if (slot_ != KeyStore::NO_SLOT && keys_.isFree(slot_)) slot_ = KeyStore::NO_SLOT;
+  if (slot_ != KeyStore::NO_SLOT && state_.keys.isFree(slot_)) slot_ = KeyStore::NO_SLOT;
 }
 
 bool Courier::acknowledged(const Frame &frame) {
@@ -160,14 +159,14 @@ bool Courier::acknowledged(const Frame &frame) {
                               nonce_, sender_, frame.origin, frame.message};
   const bool right = frame.length >= PROOF_LENGTH && bodyLength == Proof::bodyLength(claim.type) &&
                      isProved(claim, frame.message + bodyLength) && onAnswer(claim.type, claim.body);
-  if (!right) counters_.count(Counter::RADIO_BAD_PROOFS);
+  if (!right) state_.count(Counter::RADIO_BAD_PROOFS);
   return true;
 }
 
 // Apart from what follows, which may seal the message anew: the stack has no room for the keys of both.
 bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
   DerivedKeys keys;
-  return keys_.load(slot_, keys) && Proof(keys).isRight(claim, proof);
+  return state_.keys.load(slot_, keys) && Proof(keys).isRight(claim, proof);
 }
 
 bool Courier::concerns(const Frame &acknowledgement) const {
@@ -208,7 +207,7 @@ bool Courier::onPieces(uint8_t have) {
 }
 
 bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
-  if (!nonces_.raiseAbove(floor, nonce_)) return false;
+  if (!state_.nonces.raiseAbove(floor, nonce_)) return false;
   if (!isUnicast()) return true;
   if (!resealed_ && cannotHaveHadIt(uptime) && seal(true)) {
     resealed_ = true;

@@ -2,17 +2,15 @@
 
 #include <stdint.h>
 
-#include "../support/Counters.h"
 #include "../framing/Frame.h"
+#include "../secure/BoardState.h"
 #include "../secure/Envelope.h"
-#include "../secure/NonceSource.h"
 #include "../secure/Proof.h"
-#include "../storage/KeyStore.h"
 #include "../support/Inlining.h"
-#include "../support/Random.h"
 #include "Backoff.h"
 #include "MediumAccess.h"
 #include "Outbox.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -20,30 +18,20 @@ namespace javino {
 /// acknowledgement of a unicast and tries again, until its outcome is known (SPEC 7).
 class Courier {
  public:
-  Courier(MediumAccess &medium, const KeyStore &keys, NonceSource &nonces, Random &random, Counters &counters)
-      : medium_(medium),
-        keys_(keys),
-        nonces_(nonces),
-        random_(random),
-        counters_(counters),
-        phase_(IDLE),
-        deferred_(false),
-        slot_(KeyStore::NO_SLOT),
-        nextId_(0) {}
+  Courier(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state), slot_(KeyStore::NO_SLOT) {}
 
   /// To be called once, after a boot, when the random numbers are seeded.
-  void begin() { nextId_ = static_cast<uint8_t>(random_.next(0x3F)); }
+  void begin() { nextId_ = static_cast<uint8_t>(state_.random.next(0x3F)); }
 
   Outbox &outbox() { return outbox_; }
 
   /// Whether a message is under way or waits.
-  bool isBusy() const { return phase_ != IDLE || !outbox_.isEmpty(); }
 
   /// The place of the key that the message under way is sealed with, or NO_SLOT.
   uint8_t underWay() const { return phase_ == IDLE ? KeyStore::NO_SLOT : slot_; }
 
   /// Does what air and clock allow now.
-  void run();
+  JAVINO_NOINLINE void run();
 
   /// Takes in a frame to an acknowledgement's address.
   /// @return false where it is not about what is under way
@@ -79,13 +67,10 @@ class Courier {
   bool cannotHaveHadIt(uint16_t uptime) const;
 
   MediumAccess &medium_;
-  const KeyStore &keys_;
-  NonceSource &nonces_;
-  Random &random_;
-  Counters &counters_;
+  BoardState &state_;
   Backoff backoff_;
 
-  Phase phase_;
+  Phase phase_ JAVINO_ZEROED;
   uint8_t attempt_;    // attempts in a row that came to nothing
   uint8_t sendsLeft_;  // of a broadcast or multicast
   uint8_t count_;      // pieces of this message; 1: it travels whole
@@ -96,8 +81,8 @@ class Courier {
   uint8_t arrived_;    // pieces that the receiver has ever had
   uint8_t patience_;   // quiet milliseconds that are left until the next attempt
   bool resealed_;
-  bool deferred_;    // this packet has been counted as put off
-  uint32_t sentAt_;  // when this message was first sent, in ms
+  bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
+  uint32_t sentAt_;              // when this message was first sent, in ms
 
   // What is under way, or was last: a stale notice for a multicast may come when all is sent.
   uint8_t slot_;  // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
@@ -105,7 +90,7 @@ class Courier {
   Address sender_;
   uint8_t nonce_[NONCE_LENGTH];
 
-  uint8_t nextId_;
+  uint8_t nextId_ JAVINO_ZEROED;
   Outbox outbox_;
 };
 

@@ -2,10 +2,10 @@
 
 namespace javino {
 
-void Delivery::begin() {
+bool Delivery::begin() {
   seed();
-  medium_.begin();
   courier_.begin();
+  return medium_.begin();
 }
 
 // What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.
@@ -17,7 +17,7 @@ void Delivery::run() {
 }
 
 void Delivery::keysChanged() {
-  inbox_.keysChanged(keys_);
+  inbox_.keysChanged(state_.keys);
   acknowledger_.keysChanged();
   courier_.keysChanged();
 }

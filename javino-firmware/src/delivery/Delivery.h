@@ -3,12 +3,8 @@
 #include <stdint.h>
 
 #include "../radio/Radio.h"
-#include "../secure/NonceSource.h"
-#include "../secure/ReplayMemory.h"
-#include "../storage/BootEpoch.h"
-#include "../storage/KeyStore.h"
-#include "../storage/RfId.h"
-#include "../support/Random.h"
+#include "../secure/BoardState.h"
+#include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "Admission.h"
 #include "MediumAccess.h"
@@ -26,34 +22,35 @@ namespace javino {
 /// CPU's sleep soon enough.
 class Delivery {
  public:
-  Delivery(Radio &radio, const RfId &id, const BootEpoch &epoch, const KeyStore &keys, ReplayMemory &replays,
-           NonceSource &nonces, Counters &counters)
-      : id_(id),
-        epoch_(epoch),
-        keys_(keys),
+  Delivery(Radio &radio, BoardState &state)
+      : state_(state),
         medium_(radio),
-        acknowledger_(medium_, id, keys, replays, random_, counters),
-        inbox_(replays, acknowledger_),
-        admission_(id, keys, replays, inbox_, acknowledger_, counters),
-        courier_(medium_, keys, nonces, random_, counters),
-        receiver_(radio, medium_, id, admission_, courier_, counters) {}
+        acknowledger_(medium_, state),
+        inbox_(state.replays, acknowledger_),
+        admission_(state, inbox_, acknowledger_),
+        courier_(medium_, state),
+        receiver_(medium_, admission_, courier_) {}
 
-  /// To be called once, after a boot, when id and epoch are known and the radio has begun.
-  void begin();
+  /// Starts the radio; to be called once, after a boot, when id and epoch are known.
+  /// @return false where it does not start
+  bool begin();
 
-  void run();
+  JAVINO_NOINLINE void run();
+
+  /// Whether the radio holds nothing for run(). Safe to call with interrupts off.
+  bool isIdle() const { return medium_.isIdle(); }
+
+  /// Copies the radio's counters.
+  void radioCounters(RadioCounters &into) const { medium_.counters(into); }
 
   /// To be called when the RF id has changed: random numbers begin from it.
-  void seed() { random_.seed(id_.address().value(), epoch_.value()); }
+  void seed() { state_.random.seed(state_.id.address().value(), state_.epoch.value()); }
 
   /// To be called when keys may have been deleted.
   void keysChanged();
 
   /// Opens or blocks the radio for messages (SPEC 4.3).
   void open(bool open) { receiver_.open(open); }
-
-  /// Whether another board's carrier is heard, or something is to be sent: the host may soon have something to be told.
-  bool isActive() const { return medium_.hearsCarrier() || courier_.isBusy(); }
 
   /// The place of the key that the message under way is sealed with, or NO_SLOT.
   uint8_t underWay() const { return courier_.underWay(); }
@@ -65,10 +62,7 @@ class Delivery {
   Inbox &inbox() { return inbox_; }
 
  private:
-  const RfId &id_;
-  const BootEpoch &epoch_;
-  const KeyStore &keys_;
-  Random random_;
+  BoardState &state_;
   MediumAccess medium_;
   Acknowledger acknowledger_;
   Inbox inbox_;

@@ -4,12 +4,9 @@ namespace javino {
 
 const uint8_t IgnoredMessages::CAPACITY;
 const uint8_t IgnoredMessages::FREE;
+const uint8_t IgnoredMessages::USED;
 
 static const uint16_t EXPIRY_MILLIS = 5000;
-
-IgnoredMessages::IgnoredMessages() : oldest_(0) {
-  for (uint8_t i = 0; i < CAPACITY; i++) entries_[i].id = FREE;
-}
 
 void IgnoredMessages::add(const Address &origin, uint8_t id, uint16_t now) {
   Entry *entry = find(origin, id);
@@ -18,13 +15,13 @@ void IgnoredMessages::add(const Address &origin, uint8_t id, uint16_t now) {
     oldest_ = static_cast<uint8_t>((oldest_ + 1) % CAPACITY);
   }
   entry->origin = origin;
-  entry->id = id;
+  entry->mark = static_cast<uint8_t>(id | USED);
   entry->lastPiece = now;
 }
 
 void IgnoredMessages::remove(const Address &origin, uint8_t id) {
   Entry *entry = find(origin, id);
-  if (entry != nullptr) entry->id = FREE;
+  if (entry != nullptr) entry->mark = FREE;
 }
 
 bool IgnoredMessages::covers(const Address &origin, uint8_t id, uint16_t now) {
@@ -35,14 +32,14 @@ bool IgnoredMessages::covers(const Address &origin, uint8_t id, uint16_t now) {
 }
 
 void IgnoredMessages::expire(uint16_t now) {
-  for (uint8_t i = 0; i < CAPACITY; i++) {
-    if (static_cast<uint16_t>(now - entries_[i].lastPiece) >= EXPIRY_MILLIS) entries_[i].id = FREE;
+  for (Entry &entry : entries_) {
+    if (static_cast<uint16_t>(now - entry.lastPiece) >= EXPIRY_MILLIS) entry.mark = FREE;
   }
 }
 
 IgnoredMessages::Entry *IgnoredMessages::find(const Address &origin, uint8_t id) {
-  for (uint8_t i = 0; i < CAPACITY; i++) {
-    if (entries_[i].id == id && entries_[i].origin == origin) return &entries_[i];
+  for (Entry &entry : entries_) {
+    if (entry.mark == (id | USED) && entry.origin == origin) return &entry;
   }
   return nullptr;
 }

@@ -4,6 +4,7 @@
 
 #include "../framing/Address.h"
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -11,8 +12,6 @@ namespace javino {
 /// its pieces has come for 5 s; when more come than there is room for, the oldest goes.
 class IgnoredMessages {
  public:
-  IgnoredMessages();
-
   JAVINO_NOINLINE void add(const Address &origin, uint8_t id, uint16_t now);
   void remove(const Address &origin, uint8_t id);
 
@@ -24,18 +23,19 @@ class IgnoredMessages {
 
  private:
   static const uint8_t CAPACITY = 4;
-  static const uint8_t FREE = 0xFF;
+  static const uint8_t FREE = 0;
+  static const uint8_t USED = 0x40;  // beside an id, 0…63
 
   struct Entry {
-    uint8_t id;  // FREE where unused
+    uint8_t mark;  // FREE, or USED and the id
     Address origin;
     uint16_t lastPiece;
   };
 
   JAVINO_NOINLINE Entry *find(const Address &origin, uint8_t id);
 
-  Entry entries_[CAPACITY];
-  uint8_t oldest_;
+  Entry entries_[CAPACITY] JAVINO_ZEROED;
+  uint8_t oldest_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

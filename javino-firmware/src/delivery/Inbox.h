@@ -9,6 +9,7 @@
 #include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "ByteQueue.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -32,7 +33,7 @@ class Inbox {
   };
 
   Inbox(ReplayMemory &replays, Acknowledger &acknowledger)
-      : replays_(replays), acknowledger_(acknowledger), records_(block_, sizeof block_), firstNumber_(0) {}
+      : replays_(replays), acknowledger_(acknowledger), records_(block_, sizeof block_) {}
 
   /// Whether there is room for a content of this length.
   bool fits(uint16_t contentLength) const { return records_.fits(static_cast<uint16_t>(HEAD_LENGTH + contentLength)); }
@@ -79,7 +80,7 @@ class Inbox {
   ReplayMemory &replays_;
   Acknowledger &acknowledger_;
   ByteQueue records_;
-  uint8_t firstNumber_;
+  uint8_t firstNumber_ JAVINO_ZEROED;
   uint8_t block_[config::RECEIVE_BYTES];
 };
 

@@ -4,9 +4,10 @@
 
 namespace javino {
 
-void MediumAccess::begin() {
+bool MediumAccess::begin() {
   slotMillis_ = radio_.slotMillis();
   pieceLength_ = static_cast<uint8_t>(radio_.longestPayload() - HEADER_LENGTH);
+  return radio_.begin();
 }
 
 void MediumAccess::update() {

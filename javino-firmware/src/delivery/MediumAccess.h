@@ -5,24 +5,18 @@
 #include "../radio/Radio.h"
 #include "../support/Inlining.h"
 #include "Pieces.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
 /// Medium access (SPEC 7.4): whether the air is busy, and for how many slots it has been quiet.
 class MediumAccess {
  public:
-  explicit MediumAccess(Radio &radio)
-      : radio_(radio),
-        slotMillis_(1),
-        busy_(true),
-        carrier_(false),
-        quietSlots_(0),
-        quietMillis_(0),
-        slotSince_(0),
-        lookedAt_(0) {}
+  explicit MediumAccess(Radio &radio) : radio_(radio), slotMillis_(1), busy_(true) {}
 
-  /// To be called once, after a boot.
-  void begin();
+  /// Starts the radio; to be called once, after a boot.
+  /// @return false where it does not start
+  bool begin();
 
   /// Looks at air and clock; to be called once before each look at what to send.
   void update();
@@ -43,6 +37,20 @@ class MediumAccess {
   /// @return false where the radio did not take it
   bool send(const uint8_t *payload, uint8_t length);
 
+  /// The oldest packet that the radio holds; it belongs to the caller until release().
+  /// @param length set to its length
+  /// @return null where none waits
+  uint8_t *receive(uint8_t &length) { return radio_.receive(length); }
+
+  /// Drops that packet.
+  void release() { radio_.release(); }
+
+  /// Whether the radio holds none. Safe to call with interrupts off.
+  bool isIdle() const { return radio_.idle(); }
+
+  /// Copies the radio's counters.
+  void counters(RadioCounters &into) const { radio_.counters(into); }
+
   /// How long a packet is on the air.
   /// @param length of its payload, in bytes
   uint16_t airtimeMillis(uint8_t length) const { return radio_.airtimeMillis(length); }
@@ -55,11 +63,11 @@ class MediumAccess {
   uint8_t slotMillis_;
   uint8_t pieceLength_;  // set by begin()
   bool busy_;
-  bool carrier_;
-  uint8_t quietSlots_;
-  uint8_t quietMillis_;
-  uint16_t slotSince_;  // when the current quiet slot began
-  uint16_t lookedAt_;
+  bool carrier_ JAVINO_ZEROED;
+  uint8_t quietSlots_ JAVINO_ZEROED;
+  uint8_t quietMillis_ JAVINO_ZEROED;
+  uint16_t slotSince_ JAVINO_ZEROED;  // when the current quiet slot began
+  uint16_t lookedAt_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../framing/Limits.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -21,8 +22,6 @@ class Outcomes {
   /// outcomes. All of them fit a poll reply, with 5 bytes each. Divides 256.
   static const uint8_t MAX_UNREPORTED = 2 + 5 * 32 <= MAX_MESSAGE_LENGTH ? 32 : 16;
 
-  Outcomes() : nextNumber_(0), nextEnded_(0), nextTold_(0), first_(0) {}
-
   /// Whether there is no number for another transmission.
   bool isFull() const { return static_cast<uint8_t>(nextNumber_ - first_) >= MAX_UNREPORTED; }
 
@@ -32,8 +31,8 @@ class Outcomes {
   /// The oldest transmission that has not ended ends.
   void close(Outcome outcome) { outcomes_[nextEnded_++ % MAX_UNREPORTED] = outcome; }
 
-  /// The first transmission whose outcome is kept, or has not ended.
-  uint8_t first() const { return first_; }
+  /// The first transmission whose outcome is to be told, or has not ended.
+  uint8_t first() const { return nextTold_; }
 
   /// The first transmission that has not ended: those from first() to the one before it have.
   uint8_t end() const { return nextEnded_; }
@@ -51,10 +50,10 @@ class Outcomes {
   void keepTold() { nextTold_ = first_; }
 
  private:
-  uint8_t nextNumber_;
-  uint8_t nextEnded_;
-  uint8_t nextTold_;
-  uint8_t first_;
+  uint8_t nextNumber_ JAVINO_ZEROED;
+  uint8_t nextEnded_ JAVINO_ZEROED;
+  uint8_t nextTold_ JAVINO_ZEROED;
+  uint8_t first_ JAVINO_ZEROED;
   static_assert(2 + 5 * MAX_UNREPORTED <= MAX_MESSAGE_LENGTH, "a poll reply tells all outcomes");
 
   Outcome outcomes_[MAX_UNREPORTED];

@@ -17,13 +17,13 @@ void PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun) 
   const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
   Frame whole;
   if (index >= INDEXES || piece.length == 0 || (at == 0 && !startsFrame(piece, longest, whole))) {
-    counters_.count(Counter::RADIO_PIECES_DROPPED);
+    admission_.drop(Counter::RADIO_PIECES_DROPPED);
     return;
   }
-  if (at == 0 ? !isWanted(piece, whole, wantsAnswer) : ignored_.covers(piece.origin, id, now)) return;
-  PartialFrame *partial = placeFor(piece, longest, at == 0, begun);
+  if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return;
+  PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, begun);
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
-    counters_.count(Counter::RADIO_PIECES_DROPPED);
+    admission_.drop(Counter::RADIO_PIECES_DROPPED);
     return;
   }
   finish(*partial, now);
@@ -43,9 +43,7 @@ bool PieceReceiver::startsFrame(const Frame &piece, uint8_t longest, Frame &whol
 }
 
 // Whether the frame that a first piece begins is of use. Where not, its other pieces are ignored too.
-bool PieceReceiver::isWanted(const Frame &piece, const Frame &whole, bool wantsAnswer) {
-  const uint16_t now = static_cast<uint16_t>(clock::millis());
-  const uint8_t id = pieces::idOf(piece.destination);
+bool PieceReceiver::isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now) {
   const bool broadcast = whole.destination.isBroadcast();
   if (broadcast && ignored_.covers(piece.origin, id, now)) return false;
   if (admission_.isForUs(whole) && (broadcast || admission_.needsMore(whole, whole.message, wantsAnswer))) {
@@ -59,13 +57,13 @@ bool PieceReceiver::isWanted(const Frame &piece, const Frame &whole, bool wantsA
   return false;
 }
 
-PartialFrame *PieceReceiver::placeFor(const Frame &piece, uint8_t longest, bool isFirst, uint32_t begun) {
-  const uint8_t id = pieces::idOf(piece.destination);
-  PartialFrame *partial = reassembly_.find(piece.origin, id);
+PartialFrame *PieceReceiver::placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst,
+                                      uint32_t begun) {
+  PartialFrame *partial = reassembly_.find(origin, id);
   if (partial != nullptr) return partial;
   bool expired = false;
-  partial = reassembly_.begin(piece.origin, id, longest, isFirst, expired);
-  if (expired) counters_.count(Counter::RADIO_EXPIRED);
+  partial = reassembly_.begin(origin, id, longest, isFirst, expired);
+  if (expired) admission_.drop(Counter::RADIO_EXPIRED);
   if (partial != nullptr) partial->begun = begun;
   return partial;
 }
@@ -78,11 +76,11 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
     Frame whole;
     if (isOther && partial.isWhole()) {
       wasWhole = wasWhole || turn == 0;
-      Frame::parseHeader(partial.bytes, whole);
-      if (admission_.isGenuine(whole, partial.bytes, partial.length())) {
+      Frame::parseHeader(partial.bytes(), whole);
+      if (admission_.isGenuine(whole, partial.bytes(), partial.length())) {
         const uint16_t length = partial.length();
         partial.clear();
-        if (admission_.accept(whole, partial.bytes, length, partial.begun))
+        if (admission_.accept(whole, partial.bytes(), length, partial.begun))
           ignored_.add(partial.origin, partial.id, now);
         return;
       }
@@ -90,19 +88,19 @@ void PieceReceiver::finish(PartialFrame &partial, uint16_t now) {
     isOther = partial.choose(turn);
   }
   if (!wasWhole) return;
-  counters_.count(Counter::RADIO_BAD_TAG);
+  admission_.drop(Counter::RADIO_BAD_TAG);
   partial.refuse();
 }
 
 void PieceReceiver::answer(Admission &admission, const PartialFrame &partial) {
   Frame whole;
-  Frame::parseHeader(partial.bytes, whole);
+  Frame::parseHeader(partial.bytes(), whole);
   if (whole.destination.isDevice()) admission.answerPiece(whole, whole.message, partial.undoubted());
 }
 
 void PieceReceiver::run() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
-  for (uint8_t left = reassembly_.expire(now); left != 0; left--) counters_.count(Counter::RADIO_EXPIRED);
+  for (uint8_t left = reassembly_.expire(now); left != 0; left--) admission_.drop(Counter::RADIO_EXPIRED);
   ignored_.expire(now);
 }
 

@@ -2,7 +2,6 @@
 
 #include <stdint.h>
 
-#include "../support/Counters.h"
 #include "../framing/Frame.h"
 #include "../support/Inlining.h"
 #include "Admission.h"
@@ -14,7 +13,7 @@ namespace javino {
 /// Puts pieces together, answers those that want an answer, and hands whole frames on (SPEC 7.1, 7.3).
 class PieceReceiver {
  public:
-  PieceReceiver(Admission &admission, Counters &counters) : admission_(admission), counters_(counters) {}
+  explicit PieceReceiver(Admission &admission) : admission_(admission) {}
 
   /// Takes in a frame to a piece's address, from another board.
   /// @param longest the most bytes of a piece, 16…67
@@ -29,13 +28,12 @@ class PieceReceiver {
 
  private:
   static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
-  bool isWanted(const Frame &piece, const Frame &whole, bool wantsAnswer);
-  PartialFrame *placeFor(const Frame &piece, uint8_t longest, bool isFirst, uint32_t begun);
+  bool isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
+  PartialFrame *placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst, uint32_t begun);
   JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
   static void answer(Admission &admission, const PartialFrame &partial);
 
   Admission &admission_;
-  Counters &counters_;
   IgnoredMessages ignored_;
   Reassembly reassembly_;
 };
@@ -43,14 +41,14 @@ class PieceReceiver {
 /// What stands in for it on a board that has no room for pieces (Config.h): drops them.
 class NoPieceReceiver {
  public:
-  NoPieceReceiver(Admission &, Counters &counters) : counters_(counters) {}
+  explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}
 
-  void accept(const Frame &, uint8_t, uint32_t) { counters_.count(Counter::RADIO_PIECES_DROPPED); }
+  void accept(const Frame &, uint8_t, uint32_t) { admission_.drop(Counter::RADIO_PIECES_DROPPED); }
   void run() {}
   void clear() {}
 
  private:
-  Counters &counters_;
+  Admission &admission_;
 };
 
 /// Which of the two a board has. (Arduino's compiler brings no <type_traits>.)

@@ -15,6 +15,14 @@ uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest) {
   return static_cast<uint8_t>(left < longest ? left : longest);
 }
 
+uint8_t bitOf(uint8_t index) {
+  uint8_t bit = 1;
+  for (; index != 0; index--) bit = static_cast<uint8_t>(bit << 1);
+  return bit;
+}
+
+uint8_t all(uint8_t count) { return static_cast<uint8_t>(2 * bitOf(static_cast<uint8_t>(count - 1)) - 1); }
+
 uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t index, uint8_t longest, uint8_t *into) {
   Frame whole;
   Frame::parseHeader(frame, whole);

@@ -29,8 +29,12 @@ JAVINO_NOINLINE uint8_t count(uint16_t frameLength, uint8_t longest);
 /// @param index 0…count() - 1
 uint8_t length(uint16_t frameLength, uint8_t index, uint8_t longest);
 
+/// The bit of a piece.
+/// @param index 0…7
+JAVINO_NOINLINE uint8_t bitOf(uint8_t index);
+
 /// One bit for each of `count` pieces.
-inline uint8_t all(uint8_t count) { return static_cast<uint8_t>((1u << count) - 1); }
+JAVINO_NOINLINE uint8_t all(uint8_t count);
 
 /// Builds a piece.
 /// @param id 0…63

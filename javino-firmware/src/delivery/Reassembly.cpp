@@ -27,14 +27,14 @@ void PartialFrame::begin(const Address &from, uint8_t number, uint8_t longest) {
   for (Aside &aside : aside_) aside.length = 0;
 }
 
-uint16_t PartialFrame::length() const { return lengthIn(bytes); }
+uint16_t PartialFrame::length() const { return lengthIn(bytes_); }
 
 uint8_t PartialFrame::have() const {
   if (!hasFirst()) return 0;
   const uint16_t whole = length();
   uint8_t have = 0;
-  for (uint8_t index = 0; index < MAX_PIECES; index++) {
-    const uint8_t bit = static_cast<uint8_t>(1 << index);
+  uint8_t bit = 1;
+  for (uint8_t index = 0; index < MAX_PIECES; index++, bit = static_cast<uint8_t>(bit << 1)) {
     if ((have_ & bit) != 0 && isPieceOf(whole, index, lengths_[index])) have |= bit;
   }
   return have;
@@ -55,13 +55,13 @@ bool PartialFrame::fits(uint8_t index, uint8_t pieceLength) const {
 
 bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength, uint16_t now) {
   if (!fits(index, pieceLength)) return false;
-  const uint8_t bit = static_cast<uint8_t>(1 << index);
+  const uint8_t bit = pieces::bitOf(index);
   uint8_t *place = at(index);
   last_ = index;
   doubted_ = static_cast<uint8_t>(doubted_ & ~bit);
   if ((have_ & bit) != 0) {
     if (lengths_[index] == pieceLength && memcmp(place, piece, pieceLength) == 0) return true;
-    Aside &aside = aside_[index != 0];
+    Aside &aside = asideOf(index);
     aside.index = index;
     aside.length = lengths_[index];
     memcpy(aside.bytes, place, aside.length);
@@ -73,12 +73,12 @@ bool PartialFrame::add(uint8_t index, const uint8_t *piece, uint8_t pieceLength,
   return true;
 }
 
-bool PartialFrame::choose(uint8_t turn) { return swap(aside_[(turn & 1) == 0]); }
+bool PartialFrame::choose(uint8_t turn) { return swap(asideOf((turn & 1) == 0)); }
 
 bool PartialFrame::swap(Aside &aside) {
   if (aside.length == 0) return false;
   uint8_t *place = at(aside.index);
-  for (uint8_t i = 0; i < PIECE_LENGTH && place + i < bytes + sizeof bytes; i++) {
+  for (uint8_t i = 0; i < PIECE_LENGTH && place + i < bytes_ + sizeof bytes_; i++) {
     const uint8_t other = place[i];
     place[i] = aside.bytes[i];
     aside.bytes[i] = other;
@@ -91,17 +91,15 @@ bool PartialFrame::swap(Aside &aside) {
 
 void PartialFrame::refuse() {
   const bool hasOtherFirst = aside_[0].length != 0;
-  Aside &aside = aside_[!hasOtherFirst];
+  Aside &aside = asideOf(!hasOtherFirst);
   if ((hasOtherFirst || aside.index == last_) && swap(aside)) {
     aside.length = 0;
     return;
   }
   refusals_++;
   if (refusals_ == MOST_REFUSALS) have_ = 0;
-  doubted_ = static_cast<uint8_t>(1 << last_);
+  doubted_ = pieces::bitOf(last_);
 }
-
-Reassembly::Reassembly() { clear(); }
 
 PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {
   for (PartialFrame &frame : frames_) {

@@ -6,9 +6,9 @@ namespace javino {
 
 void Receiver::run() {
   uint8_t length;
-  while (uint8_t *packet = radio_.receive(length)) {
+  while (uint8_t *packet = medium_.receive(length)) {
     accept(packet, length);
-    radio_.release();
+    medium_.release();
   }
   pieces_.run();
 }
@@ -21,11 +21,11 @@ void Receiver::open(bool open) {
 void Receiver::accept(uint8_t *packet, uint8_t length) {
   Frame frame;
   if (Frame::parse(packet, length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
-    counters_.count(Counter::RADIO_BAD_FRAMES);
+    admission_.drop(Counter::RADIO_BAD_FRAMES);
   } else if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
-    if (!courier_.acknowledged(frame)) counters_.count(Counter::RADIO_NOT_FOR_US);
+    if (!courier_.acknowledged(frame)) admission_.drop(Counter::RADIO_NOT_FOR_US);
   } else if (!open_) {
-    counters_.count(Counter::RADIO_BLOCKED);
+    admission_.drop(Counter::RADIO_BLOCKED);
   } else {
     accept(frame, packet, length);
   }
@@ -34,8 +34,8 @@ void Receiver::accept(uint8_t *packet, uint8_t length) {
 void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
   const uint32_t begun = clock::millis() - medium_.airtimeMillis(length);
   if (frame.destination.classOf() == Address::PIECE) {
-    if (frame.origin == id_.address()) {
-      counters_.count(Counter::RADIO_OWN);
+    if (admission_.isOwn(frame)) {
+      admission_.drop(Counter::RADIO_OWN);
     } else {
       pieces_.accept(frame, medium_.pieceLength(), begun);
     }

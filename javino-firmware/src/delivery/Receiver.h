@@ -2,14 +2,13 @@
 
 #include <stdint.h>
 
-#include "../support/Counters.h"
 #include "../framing/Frame.h"
-#include "../radio/Radio.h"
 #include "../support/Inlining.h"
 #include "Admission.h"
 #include "MediumAccess.h"
 #include "Courier.h"
 #include "PieceReceiver.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -17,19 +16,11 @@ namespace javino {
 /// blocked only acknowledgements of our own messages are looked at.
 class Receiver {
  public:
-  Receiver(Radio &radio, const MediumAccess &medium, const RfId &id, Admission &admission, Courier &courier,
-           Counters &counters)
-      : radio_(radio),
-        medium_(medium),
-        id_(id),
-        admission_(admission),
-        courier_(courier),
-        counters_(counters),
-        pieces_(admission, counters),
-        open_(false) {}
+  Receiver(MediumAccess &medium, Admission &admission, Courier &courier)
+      : medium_(medium), admission_(admission), courier_(courier), pieces_(admission) {}
 
   /// Takes in all that the radio holds.
-  void run();
+  JAVINO_NOINLINE void run();
 
   /// Whether the host wants messages; at first it does not.
   void open(bool open);
@@ -38,14 +29,11 @@ class Receiver {
   JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length);
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
 
-  Radio &radio_;
-  const MediumAccess &medium_;
-  const RfId &id_;
+  MediumAccess &medium_;
   Admission &admission_;
   Courier &courier_;
-  Counters &counters_;
+  bool open_ JAVINO_ZEROED;
   PiecesTaken<config::REASSEMBLIES != 0>::Type pieces_;
-  bool open_;
 };
 
 }  // namespace javino

@@ -49,6 +49,17 @@ bool Address::parse(const uint8_t *text, Address &into) {
   return true;
 }
 
+Address Address::stored(const uint8_t *bytes) {
+  return Address(static_cast<uint16_t>(bytes[0] << 4 | bytes[1] >> 4),
+                 static_cast<uint16_t>((bytes[1] & 0x0F) << 8 | bytes[2]));
+}
+
+void Address::store(uint8_t *into) const {
+  into[0] = static_cast<uint8_t>(group_ >> 4);
+  into[1] = static_cast<uint8_t>(group_ << 4 | member_ >> 8);
+  into[2] = static_cast<uint8_t>(member_);
+}
+
 void Address::write(uint8_t *text) const {
   text[0] = base64Digit(static_cast<uint8_t>(group_ >> 6));
   text[1] = base64Digit(group_ & 0x3F);

@@ -44,6 +44,14 @@ class Address {
   /// @param value 0…0xFFFFFF
   explicit Address(uint32_t value) : Address(value >> 12 & 0xFFF, value & 0xFFF) {}
 
+  /// Reads what store() wrote.
+  /// @param bytes 3 bytes
+  JAVINO_OUT_OF_LINE static Address stored(const uint8_t *bytes);
+
+  /// Writes all 24 bits, the highest first.
+  /// @param into room for 3 bytes
+  JAVINO_OUT_OF_LINE void store(uint8_t *into) const;
+
   /// Reads four digits.
   /// @return false, and `into` is untouched, where one is outside the alphabet.
   JAVINO_NOINLINE static bool parse(const uint8_t *text, Address &into);

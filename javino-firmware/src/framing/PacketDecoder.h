@@ -4,6 +4,7 @@
 
 #include "../support/Inlining.h"
 #include "Limits.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -21,8 +22,6 @@ enum class PacketEvent : uint8_t {
 /// After any damage the next packet begins behind the next 0x00.
 class PacketDecoder {
  public:
-  PacketDecoder() { restart(); }
-
   /// Takes the next byte. After PACKET the accessors below hold until the next call.
   PacketEvent add(uint8_t byte);
 
@@ -40,11 +39,11 @@ class PacketDecoder {
   PacketEvent finish();
   PacketEvent check() const;
 
-  uint16_t length_;                   // decoded bytes; MAX_PACKET_LENGTH + 1 where there were more than that
-  uint8_t left_;                      // bytes that the current COBS block still lacks
-  bool zeroOwed_;                     // a zero belongs behind the block, if another block follows
-  bool started_;                      // a byte other than 0x00 has come
-  bool ended_;                        // the next byte begins a new packet
+  uint16_t length_ JAVINO_ZEROED;     // decoded bytes; MAX_PACKET_LENGTH + 1 where there were more than that
+  uint8_t left_ JAVINO_ZEROED;        // bytes that the current COBS block still lacks
+  bool zeroOwed_ JAVINO_ZEROED;       // a zero belongs behind the block, if another block follows
+  bool started_ JAVINO_ZEROED;        // a byte other than 0x00 has come
+  bool ended_ JAVINO_ZEROED;          // the next byte begins a new packet
   uint8_t bytes_[MAX_PACKET_LENGTH];  // last: AVR reaches only the first 64 bytes of an object in one instruction
 };
 

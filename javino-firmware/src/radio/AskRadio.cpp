@@ -30,18 +30,9 @@ AskRadio::AskRadio(uint8_t rxPin, uint8_t txPin, uint16_t bitRate)
       txPin_(txPin),
       bitRate_(bitRate),
       bitTicks_(ticksPerBit(bitRate)),
-      ready_(false),
-      sending_(false),
-      nextBit_(false),
-      lastBitOut_(false),
-      alarm_(0),
       silentAlarms_(SILENCE_ALARMS),
-      heardUntil_(0),
-      level_(false),
       bitClock_(bitTicks_),
-      carrier_(bitTicks_),
-      decoder_(queue_, carrier_, counters_),
-      counters_() {}
+      decoder_(bitTicks_) {}
 
 bool AskRadio::begin() {
   ready_ = bitTicks_ != 0 && askhardware::begin(rxPin_, txPin_, *this);
@@ -50,13 +41,13 @@ bool AskRadio::begin() {
 }
 
 bool AskRadio::send(const uint8_t *payload, uint8_t length) {
-  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD || !queue_.claim()) return false;
+  if (!ready_ || sending_ || length == 0 || length > MAX_RADIO_PAYLOAD || !decoder_.queue().claim()) return false;
   {
     askhardware::InterruptLock lock;
     stopReceiving();
   }
   // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
-  RadioPacket *packet = queue_.claim();
+  RadioPacket *packet = decoder_.queue().claim();
   const bool room = packet && encoder_.start(payload, length, packet->bytes);
   askhardware::InterruptLock lock;
   if (!room) {  // a packet has come since the first look
@@ -64,16 +55,18 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
     return false;
   }
   sending_ = true;
+  encoder_.next();  // the first bit is a 0, as is the silence now
   nextBit_ = encoder_.next();
   lastBitOut_ = false;
-  alarm_ = static_cast<uint16_t>(askhardware::now() + bitTicks_);
+  // Soon, but not so soon that the alarm could be missed.
+  alarm_ = static_cast<uint16_t>(askhardware::now() + bitTicks_ / 4);
   askhardware::setAlarm(alarm_);
   return true;
 }
 
 bool AskRadio::carrier() const {
   askhardware::InterruptLock lock;
-  return carrier_.isHeard();
+  return decoder_.carrier().isHeard();
 }
 
 uint16_t AskRadio::airtimeMillis(uint8_t length) const {
@@ -83,25 +76,32 @@ uint16_t AskRadio::airtimeMillis(uint8_t length) const {
 uint8_t AskRadio::slotMillis() const { return static_cast<uint8_t>((SLOT_BITS * 1000u + bitRate_ - 1) / bitRate_); }
 
 uint8_t *AskRadio::receive(uint8_t &length) {
-  while (RadioPacket *packet = queue_.oldest()) {
+  lookAtLine();
+  while (RadioPacket *packet = decoder_.queue().oldest()) {
     if (makeWhole(*packet)) {
       length = packet->payloadLength();
       return packet->payload();
     }
-    queue_.release();
+    decoder_.queue().release();
   }
   return nullptr;
+}
+
+// A packet whose last bits are alike ends without an edge: it need not wait for the alarm.
+void AskRadio::lookAtLine() {
+  askhardware::InterruptLock lock;
+  if (decoder_.inPacket()) hear(askhardware::now());
 }
 
 // Checks or mends, and counts.
 bool AskRadio::makeWhole(RadioPacket &packet) {
   const bool complete = packet.wrongNibble == RadioPacket::NO_NIBBLE;
   if (!(complete ? packet.isIntact() : packet.mend())) {
-    count(counters_.damaged);
+    count(decoder_.counters().damaged);
     return false;
   }
-  count(counters_.received);
-  if (!complete) count(counters_.mended);
+  count(decoder_.counters().received);
+  if (!complete) count(decoder_.counters().mended);
   return true;
 }
 
@@ -112,7 +112,7 @@ void AskRadio::count(uint32_t &counter) {
 
 void AskRadio::counters(RadioCounters &into) const {
   askhardware::InterruptLock lock;
-  into = counters_;
+  into = decoder_.counters();
 }
 
 void AskRadio::onEdge(uint16_t now, bool level) {
@@ -122,7 +122,7 @@ void AskRadio::onEdge(uint16_t now, bool level) {
   } else {
     hear(now);
   }
-  if (!decoder_.inPacket()) carrier_.addEdge(now);
+  if (!decoder_.inPacket()) decoder_.carrier().addEdge(now);
   level_ = level;
   silentAlarms_ = 0;
   askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
@@ -144,7 +144,7 @@ void AskRadio::startReceiving() {
 void AskRadio::stopReceiving() {
   askhardware::watchEdges(false);
   askhardware::clearAlarm();
-  carrier_.reset();
+  decoder_.carrier().reset();
   decoder_.abandon();
 }
 
@@ -153,7 +153,7 @@ void AskRadio::hear(uint16_t now) {
   uint16_t ticks = static_cast<uint16_t>(now - heardUntil_);
   bool bit;
   while (bitClock_.advance(ticks, level_, bit)) {
-    carrier_.addBit();
+    decoder_.carrier().addBit();
     decoder_.add(bit);
   }
   heardUntil_ = now;
@@ -168,13 +168,13 @@ void AskRadio::onSilence() {
   } else {
     silentAlarms_ = SILENCE_ALARMS;
     askhardware::clearAlarm();
-    carrier_.reset();
+    decoder_.carrier().reset();
     decoder_.endOfSignal();
   }
 }
 
 // Two packets at once may well fill each other's gaps.
-bool AskRadio::isHeldByCollision() const { return level_ && carrier_.isHeard(); }
+bool AskRadio::isHeldByCollision() const { return level_ && decoder_.carrier().isHeard(); }
 
 void AskRadio::sendBit() {
   askhardware::transmit(nextBit_);
@@ -190,7 +190,7 @@ void AskRadio::sendBit() {
 
 void AskRadio::finishSending() {
   askhardware::clearAlarm();
-  countUp(counters_.sent);
+  countUp(decoder_.counters().sent);
   sending_ = false;
   startReceiving();
 }

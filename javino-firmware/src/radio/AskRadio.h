@@ -1,13 +1,13 @@
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "BitClock.h"
-#include "CarrierSense.h"
 #include "Radio.h"
 #include "RadioDecoder.h"
 #include "RadioEncoder.h"
-#include "RadioQueue.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -17,8 +17,12 @@ namespace javino {
 /// Takes timer 1, or the one that a sketch names (AskHardwareAvrTimer.h), and so the PWM of its pins, and the pin-change
 /// interrupts. Everything happens in interrupts, which are short and never wait; the loop only fetches what came. Half
 /// duplex: nothing is received while sending, and a packet that was half received then counts as missed.
+///
+/// On an AVR a global or static object (support/Zeroed.h).
 class AskRadio : public Radio {
  public:
+  static void *operator new(size_t) = delete;
+
   static const uint16_t MIN_BIT_RATE = 200;
   static const uint16_t MAX_BIT_RATE = 10000;
 
@@ -36,9 +40,9 @@ class AskRadio : public Radio {
   uint16_t airtimeMillis(uint8_t length) const override;
   uint8_t slotMillis() const override;
   uint8_t *receive(uint8_t &length) override;
-  void release() override { queue_.release(); }
+  void release() override { decoder_.queue().release(); }
   void counters(RadioCounters &into) const override;
-  bool idle() const override { return queue_.empty(); }
+  bool idle() const override { return decoder_.queue().empty(); }
 
   /// Interrupt: the RX pin went to this level.
   void onEdge(uint16_t now, bool level);
@@ -51,6 +55,7 @@ class AskRadio : public Radio {
   void count(uint32_t &counter);
   void startReceiving();
   void stopReceiving();
+  void lookAtLine();
   void hear(uint16_t now);
   void onSilence();
   bool isHeldByCollision() const;
@@ -63,21 +68,18 @@ class AskRadio : public Radio {
   const uint16_t bitTicks_;  // 0 for a bit rate that cannot be had
 
   // The small fields first: gcc reaches the first 63 bytes of an object in one instruction (240 bytes of flash less).
-  bool ready_;  // begin() succeeded
-  volatile bool sending_;
-  bool nextBit_;          // computed ahead, so that the carrier switches first thing in the interrupt
-  bool lastBitOut_;       // the last bit is on the air: the next alarm ends the packet
-  uint16_t alarm_;        // when the carrier switches next
-  uint8_t silentAlarms_;  // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
-  uint16_t heardUntil_;   // the time up to which the line has been heard
-  bool level_;            // of the line since then
+  bool ready_ JAVINO_ZEROED;  // begin() succeeded
+  volatile bool sending_ JAVINO_ZEROED;
+  bool nextBit_ JAVINO_ZEROED;         // computed ahead, so that the carrier switches first thing in the interrupt
+  bool lastBitOut_ JAVINO_ZEROED;      // the last bit is on the air: the next alarm ends the packet
+  uint16_t alarm_ JAVINO_ZEROED;       // when the carrier switches next
+  uint8_t silentAlarms_;               // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
+  uint16_t heardUntil_ JAVINO_ZEROED;  // the time up to which the line has been heard
+  bool level_ JAVINO_ZEROED;           // of the line since then
 
   BitClock bitClock_;
-  CarrierSense carrier_;
-  RadioDecoder decoder_;
-  RadioCounters counters_;
   RadioEncoder encoder_;
-  RadioQueue queue_;
+  RadioDecoder decoder_;
 };
 
 }  // namespace javino

@@ -2,9 +2,7 @@
 
 namespace javino {
 
-BitClock::BitClock(uint16_t bitTicks) : bitTicks_(bitTicks), settleTicks_(bitTicks / 4), maxSteerTicks_(bitTicks / 8) {
-  reset(false);
-}
+BitClock::BitClock(uint16_t bitTicks) : bitTicks_(bitTicks), settleTicks_(bitTicks / 4), maxSteerTicks_(bitTicks / 8) {}
 
 void BitClock::reset(bool level) {
   phase_ = 0;

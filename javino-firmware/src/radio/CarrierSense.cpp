@@ -30,15 +30,7 @@ const uint16_t BITS_OF_LONGEST_PACKET =
 
 }  // namespace
 
-CarrierSense::CarrierSense(uint16_t bitTicks)
-    : bitTicks_(bitTicks),
-      toleranceTicks_(bitTicks / 4),
-      edge_(0),
-      edgeBefore_(0),
-      training_(0),
-      periods_(0),
-      trained_(false),
-      bitsLeft_(0) {}
+CarrierSense::CarrierSense(uint16_t bitTicks) : bitTicks_(bitTicks), toleranceTicks_(bitTicks / 4) {}
 
 void CarrierSense::addEdge(uint16_t now) {
   const uint16_t period = static_cast<uint16_t>(now - edgeBefore_);

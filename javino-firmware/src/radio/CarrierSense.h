@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -48,13 +49,13 @@ class CarrierSense {
   void expectAtLeast(uint16_t bits);
 
   const uint16_t bitTicks_;
-  const uint16_t toleranceTicks_;  // of a period, either way
-  uint16_t edge_;                  // when the line changed last
-  uint16_t edgeBefore_;            // and before that
-  uint8_t training_;               // periods of training, one after the other
-  uint8_t periods_;                // periods of whole bits, one after the other
-  bool trained_;                   // the packet that is expected had training
-  uint16_t bitsLeft_;              // for which a carrier is expected
+  const uint16_t toleranceTicks_;      // of a period, either way
+  uint16_t edge_ JAVINO_ZEROED;        // when the line changed last
+  uint16_t edgeBefore_ JAVINO_ZEROED;  // and before that
+  uint8_t training_ JAVINO_ZEROED;     // periods of training, one after the other
+  uint8_t periods_ JAVINO_ZEROED;      // periods of whole bits, one after the other
+  bool trained_ JAVINO_ZEROED;         // the packet that is expected had training
+  uint16_t bitsLeft_ JAVINO_ZEROED;    // for which a carrier is expected
 };
 
 }  // namespace javino

@@ -1,13 +1,14 @@
 #include "LineCode.h"
 
+#include "../support/Flash.h"
+
 namespace javino {
 namespace linecode {
 
 namespace {
 
-// In RAM: 16 bytes of it keep the search below, which runs in an interrupt, free of flash reads.
-const uint8_t SYMBOLS[16] = {0x0D, 0x0E, 0x13, 0x15, 0x16, 0x19, 0x1A, 0x1C,
-                             0x23, 0x25, 0x26, 0x29, 0x2A, 0x2C, 0x32, 0x34};
+const uint8_t SYMBOLS[16] JAVINO_FLASH = {0x0D, 0x0E, 0x13, 0x15, 0x16, 0x19, 0x1A, 0x1C,
+                                          0x23, 0x25, 0x26, 0x29, 0x2A, 0x2C, 0x32, 0x34};
 
 const uint8_t TRAINING_SYMBOL = 0x2A;
 const uint8_t FIRST_START_SYMBOL = 0x38;
@@ -15,14 +16,15 @@ const uint8_t SECOND_START_SYMBOL = 0x2C;
 
 }  // namespace
 
-uint8_t symbolOf(uint8_t nibble) { return SYMBOLS[nibble & 0x0F]; }
+uint8_t symbolOf(uint8_t nibble) { return flashByte(SYMBOLS + (nibble & 0x0F)); }
 
 uint8_t nibbleOf(uint8_t symbol) {
   // The table ascends and its upper half begins at 0x20: eight comparisons instead of sixteen.
-  const uint8_t first = (symbol & 0x20) ? 8 : 0;
-  for (uint8_t nibble = first; nibble < first + 8; nibble++) {
-    if (SYMBOLS[nibble] == symbol) return nibble;
-  }
+  uint8_t nibble = (symbol & 0x20) ? 8 : 0;
+  do {
+    if (flashByte(SYMBOLS + nibble) == symbol) return nibble;
+    nibble++;
+  } while (nibble % 8 != 0);
   return NO_NIBBLE;
 }
 

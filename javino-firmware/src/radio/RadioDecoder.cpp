@@ -12,16 +12,8 @@ const uint8_t MAX_COUNT = MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD;
 
 }  // namespace
 
-RadioDecoder::RadioDecoder(RadioQueue &queue, CarrierSense &carrier, RadioCounters &counters)
-    : queue_(queue),
-      carrier_(carrier),
-      counters_(counters),
-      bits_(0),
-      highNibble_(0),
-      wrongSymbol_(0),
-      packet_(nullptr) {
-  hunt();
-}
+RadioDecoder::RadioDecoder(uint16_t bitTicks)
+    : hunting_(true), wrongNibble_(RadioPacket::NO_NIBBLE), carrier_(bitTicks) {}
 
 void RadioDecoder::add(bool bit) {
   bits_ >>= 1;

@@ -4,14 +4,13 @@
 
 #include "LineCode.h"
 #include "Radio.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
 /// Turns a payload into the bits of a radio packet (SPEC 6), one bit at a time: training, start, count, payload, CRC.
 class RadioEncoder {
  public:
-  RadioEncoder() : packet_(nullptr), packetLength_(0), symbolIndex_(0), symbol_(0), bitsLeft_(0) {}
-
   /// Builds the packet of a payload and starts at its first training bit.
   /// @param length 1…77
   /// @param packet room for the packet, 80 bytes, lent until the last bit
@@ -34,11 +33,11 @@ class RadioEncoder {
   uint8_t symbolAt(uint8_t index) const;
   uint8_t symbolCount() const { return static_cast<uint8_t>(linecode::PREAMBLE_SYMBOLS + 2 * packetLength_); }
 
-  const uint8_t *packet_;
-  uint8_t packetLength_;
-  uint8_t symbolIndex_;  // of the symbol under way
-  uint8_t symbol_;       // its bits that are still to go, the next one lowest
-  uint8_t bitsLeft_;     // how many of them; 0 only when all is sent
+  const uint8_t *packet_ JAVINO_ZEROED;
+  uint8_t packetLength_ JAVINO_ZEROED;
+  uint8_t symbolIndex_ JAVINO_ZEROED;  // of the symbol under way
+  uint8_t symbol_ JAVINO_ZEROED;       // its bits that are still to go, the next one lowest
+  uint8_t bitsLeft_ JAVINO_ZEROED;     // how many of them; 0 only when all is sent
 };
 
 }  // namespace javino

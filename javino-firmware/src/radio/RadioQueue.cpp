@@ -4,39 +4,31 @@ namespace javino {
 
 namespace {
 
-uint8_t following(uint8_t index) { return index + 1 == RadioQueue::CAPACITY ? 0 : static_cast<uint8_t>(index + 1); }
-
 // Keeps the compiler from moving a packet's bytes across the mark that hands them over.
 inline void keepOrder() { __asm__ __volatile__("" ::: "memory"); }
 
 }  // namespace
 
-RadioQueue::RadioQueue() : writeIndex_(0), readIndex_(0) {
-  for (uint8_t i = 0; i < CAPACITY; i++) slots_[i].full = false;
-}
+RadioQueue::RadioQueue() : write_(slots_), read_(slots_) {}
 
-RadioPacket *RadioQueue::claim() {
-  Slot &slot = slots_[writeIndex_];
-  return slot.full ? nullptr : &slot.packet;
-}
+RadioPacket *RadioQueue::claim() { return write_->full ? nullptr : &write_->packet; }
 
 void RadioQueue::commit() {
   keepOrder();
-  slots_[writeIndex_].full = true;
-  writeIndex_ = following(writeIndex_);
+  write_->full = true;
+  write_ = following(write_);
 }
 
 RadioPacket *RadioQueue::oldest() {
-  Slot &slot = slots_[readIndex_];
-  if (!slot.full) return nullptr;
+  if (!read_->full) return nullptr;
   keepOrder();
-  return &slot.packet;
+  return &read_->packet;
 }
 
 void RadioQueue::release() {
   keepOrder();
-  slots_[readIndex_].full = false;
-  readIndex_ = following(readIndex_);
+  read_->full = false;
+  read_ = following(read_);
 }
 
 }  // namespace javino

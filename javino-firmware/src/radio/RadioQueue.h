@@ -4,6 +4,7 @@
 
 #include "../Config.h"
 #include "RadioPacket.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -29,16 +30,18 @@ class RadioQueue {
   /// Reader: frees the oldest packet's slot.
   void release();
 
-  bool empty() const { return !slots_[readIndex_].full; }
+  bool empty() const { return !read_->full; }
 
  private:
   struct Slot {
-    volatile bool full;
+    volatile bool full JAVINO_ZEROED;
     RadioPacket packet;
   };
 
-  uint8_t writeIndex_;
-  uint8_t readIndex_;
+  Slot *following(Slot *slot) { return slot + 1 == slots_ + CAPACITY ? slots_ : slot + 1; }
+
+  Slot *write_;
+  Slot *read_;
   Slot slots_[CAPACITY];
 };
 

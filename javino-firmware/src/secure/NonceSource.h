@@ -5,13 +5,14 @@
 #include "../support/Status.h"
 #include "../storage/BootEpoch.h"
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
 /// Gives each nonce once: boot epoch and a counter of sealed frames (SPEC 5.1).
 class NonceSource {
  public:
-  explicit NonceSource(BootEpoch &epoch) : epoch_(epoch), counter_(0) {}
+  explicit NonceSource(BootEpoch &epoch) : epoch_(epoch) {}
 
   /// The first half of the nonces to come.
   uint32_t epoch() const { return epoch_.value(); }
@@ -40,7 +41,7 @@ class NonceSource {
   static const uint8_t MOST_ABOVE = 31;  // as ReplayMemory sets a floor above the nonce that it is written for
 
   BootEpoch &epoch_;
-  uint32_t counter_;
+  uint32_t counter_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

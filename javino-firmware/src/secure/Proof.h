@@ -42,7 +42,7 @@ class Proof {
 
   /// Compares in constant time.
   /// @param proof 8 bytes
-  JAVINO_NOINLINE bool isRight(const Claim &claim, const uint8_t *proof) const;
+  bool isRight(const Claim &claim, const uint8_t *proof) const;
 
  private:
   const DerivedKeys &keys_;

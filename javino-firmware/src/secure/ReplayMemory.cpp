@@ -9,7 +9,6 @@
 
 namespace javino {
 
-const uint8_t ReplayMemory::NO_ENTRY;
 const uint8_t ReplayMemory::NO_PLACE;
 
 namespace {
@@ -51,7 +50,7 @@ JAVINO_NOINLINE bool erase(uint8_t place) {
 // The record of a floor that covers a nonce and the next ones of its epoch.
 void packFloor(uint8_t key, const Address &origin, const uint8_t *nonce, uint8_t *record) {
   record[0] = key;
-  writeUint24(record + ORIGIN_AT, origin.value());
+  origin.store(record + ORIGIN_AT);
   memcpy(record + NONCE_AT, nonce, NONCE_LENGTH);
   const uint32_t counter = readUint24(record + COUNTER_AT) + MORE_PER_WRITE;
   writeUint24(record + COUNTER_AT, counter < LAST_COUNTER ? counter : LAST_COUNTER);
@@ -69,16 +68,16 @@ void ReplayMemory::begin(uint32_t epoch) {
 
 // Keeps what the boot before has left in RAM, or nothing; the floors' places are read anew in any case.
 void ReplayMemory::takeOverRam(uint32_t epoch) {
-  const bool intact = memory_.check == crc() && memory_.epoch + 1 == epoch;
-  for (TakenNonce &entry : memory_.entries) {
+  const bool intact = memory().check == crc() && memory().epoch + 1 == epoch;
+  for (TakenNonce &entry : memory().entries) {
     if (!intact) entry.state = FREE;
     entry.floor = NO_PLACE;
   }
-  memory_.epoch = epoch;
+  memory().epoch = epoch;
 }
 
 void ReplayMemory::goOnIn(uint32_t epoch) {
-  memory_.epoch = epoch;
+  memory().epoch = epoch;
   seal();
 }
 
@@ -95,25 +94,24 @@ void ReplayMemory::readFloors() {
 }
 
 void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
-  const Address origin(readUint24(record + ORIGIN_AT));
-  const uint8_t known = find(record[0], origin);
-  const uint8_t index = known == NO_ENTRY ? findFree() : known;
-  if (index == NO_ENTRY) return;  // Config.h had room for more when it was written; it stays, and judge() says FULL
-  TakenNonce &entry = memory_.entries[index];
-  if (known == NO_ENTRY) {
-    entry.key = record[0];
-    entry.origin = origin;
-    entry.state = LOST;
-    memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
-  } else if (entry.floor != NO_PLACE) {  // raised when the power went, and the old one is still there
+  const Address origin = Address::stored(record + ORIGIN_AT);
+  TakenNonce *entry = find(record[0], origin);
+  if (entry == nullptr) {
+    entry = findFree();
+    if (entry == nullptr) return;  // Config.h had room for more when it was written; it stays, and judge() says FULL
+    entry->key = record[0];
+    entry->origin = origin;
+    entry->state = LOST;
+    memcpy(entry->nonce, record + NONCE_AT, NONCE_LENGTH);
+  } else if (entry->floor != NO_PLACE) {  // raised when the power went, and the old one is still there
     uint8_t other[FLOOR_LENGTH];
-    read(entry.floor, other);
+    read(entry->floor, other);
     const bool isHigher = memcmp(record + NONCE_AT, other + NONCE_AT, NONCE_LENGTH) > 0;
-    erase(isHigher ? entry.floor : place);
+    erase(isHigher ? entry->floor : place);
     if (!isHigher) return;
-    if (entry.state == LOST) memcpy(entry.nonce, record + NONCE_AT, NONCE_LENGTH);
+    if (entry->state == LOST) memcpy(entry->nonce, record + NONCE_AT, NONCE_LENGTH);
   }
-  entry.floor = place;
+  entry->floor = place;
 }
 
 // Begins at another free place in each boot: each of them is begun at equally often, however few floors a boot writes.
@@ -129,32 +127,34 @@ void ReplayMemory::beginRing(uint32_t epoch) {
 }
 
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
-  const uint8_t index = find(key, origin);
-  if (index == NO_ENTRY) return hasRoom(key) ? NEWER : FULL;
-  const TakenNonce &entry = memory_.entries[index];
-  const int order = entry.state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry.nonce, NONCE_LENGTH);
+  const TakenNonce *entry = find(key, origin);
+  if (entry == nullptr) return hasRoom(key) ? NEWER : FULL;
+
+  const int order = entry->state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry->nonce, NONCE_LENGTH);
   if (order > 0) return NEWER;
-  if (entry.state == LOST) return STALE;
+  if (entry->state == LOST) return STALE;
   return order == 0 ? REPEATED : REPLAYED;
 }
 
 bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *nonce) {
-  const uint8_t known = find(key, origin);
-  if (known == NO_ENTRY && !hasRoom(key)) return false;
-  TakenNonce &entry = memory_.entries[known == NO_ENTRY ? findFree() : known];
-  if (known != NO_ENTRY && isCovered(entry, nonce)) return true;
+  TakenNonce *entry = find(key, origin);
+  if (entry == nullptr ? !hasRoom(key) : isCovered(*entry, nonce)) return entry != nullptr;
 
   uint8_t record[FLOOR_LENGTH];
   packFloor(key, origin, nonce, record);
   const uint8_t place = store(record);
   if (place == NO_PLACE) return false;
-  const uint8_t before = known == NO_ENTRY ? NO_PLACE : entry.floor;
-  if (known == NO_ENTRY) {
-    entry.key = key;
-    entry.origin = origin;
-    entry.state = NOTHING_TAKEN;
+
+  uint8_t before = NO_PLACE;
+  if (entry == nullptr) {
+    entry = findFree();
+    entry->key = key;
+    entry->origin = origin;
+    entry->state = NOTHING_TAKEN;
+  } else {
+    before = entry->floor;
   }
-  entry.floor = place;
+  entry->floor = place;
   seal();
   if (before != NO_PLACE) erase(before);  // where it cannot be erased, the higher one counts
   return true;
@@ -162,24 +162,23 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
 
 void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *nonce) {
   if (judge(key, origin, nonce) != NEWER) return;
-  const uint8_t index = find(key, origin);
-  if (index == NO_ENTRY) return;
-  TakenNonce &entry = memory_.entries[index];
-  entry.state = EXACT;
-  memcpy(entry.nonce, nonce, NONCE_LENGTH);
+  TakenNonce *entry = find(key, origin);
+  if (entry == nullptr) return;
+  entry->state = EXACT;
+  memcpy(entry->nonce, nonce, NONCE_LENGTH);
   seal();
 }
 
 void ReplayMemory::floor(uint8_t key, const Address &origin, uint8_t *into) const {
-  const uint8_t index = find(key, origin);
+  const TakenNonce *entry = find(key, origin);
   uint8_t record[FLOOR_LENGTH];
-  if (index == NO_ENTRY || !readFloor(memory_.entries[index], record)) memset(record, 0, sizeof record);
+  if (entry == nullptr || !readFloor(*entry, record)) memset(record, 0, sizeof record);
   memcpy(into, record + NONCE_AT, NONCE_LENGTH);
 }
 
 bool ReplayMemory::forget(uint8_t key) {
   bool erased = true;
-  for (TakenNonce &entry : memory_.entries) {
+  for (TakenNonce &entry : memory().entries) {
     if (entry.state == FREE || entry.key != key) continue;
     if (entry.floor != NO_PLACE && !erase(entry.floor)) erased = false;
     entry.state = FREE;
@@ -196,27 +195,26 @@ bool ReplayMemory::forgetLostKeys() {
   return erased;
 }
 
-uint8_t ReplayMemory::find(uint8_t key, const Address &origin) const {
-  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
-    const TakenNonce &entry = memory_.entries[i];
-    if (entry.state != FREE && entry.key == key && entry.origin == origin) return i;
+TakenNonce *ReplayMemory::find(uint8_t key, const Address &origin) {
+  for (TakenNonce &entry : memory().entries) {
+    if (entry.state != FREE && entry.key == key && entry.origin == origin) return &entry;
   }
-  return NO_ENTRY;
+  return nullptr;
 }
 
-uint8_t ReplayMemory::findFree() const {
-  for (uint8_t i = 0; i < config::REPLAY_ENTRIES; i++) {
-    if (memory_.entries[i].state == FREE) return i;
+TakenNonce *ReplayMemory::findFree() {
+  for (TakenNonce &entry : memory().entries) {
+    if (entry.state == FREE) return &entry;
   }
-  return NO_ENTRY;
+  return nullptr;
 }
 
 // Whether one more origin of a key may be remembered.
 bool ReplayMemory::hasRoom(uint8_t key) const {
-  if (!keys_.addressAt(key).isMulticast()) return findFree() != NO_ENTRY;
+  if (!keys_.addressAt(key).isMulticast()) return findFree() != nullptr;
   const Groups groups = this->groups();
   uint8_t own = 0;
-  for (const TakenNonce &entry : memory_.entries) {
+  for (const TakenNonce &entry : memory().entries) {
     if (entry.state != FREE && entry.key == key) own++;
   }
   return groups.origins < groups.places && own < groups.places / groups.keys;
@@ -231,14 +229,14 @@ ReplayMemory::Groups ReplayMemory::groups() const {
       groups.places--;
     }
   }
-  for (const TakenNonce &entry : memory_.entries) {
+  for (const TakenNonce &entry : memory().entries) {
     if (entry.state != FREE && keys_.addressAt(entry.key).isMulticast()) groups.origins++;
   }
   return groups;
 }
 
 bool ReplayMemory::isInForce(uint8_t place) const {
-  for (const TakenNonce &entry : memory_.entries) {
+  for (const TakenNonce &entry : memory().entries) {
     if (entry.state != FREE && entry.floor == place) return true;
   }
   return false;
@@ -268,7 +266,7 @@ bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) cons
 
 uint16_t ReplayMemory::crc() const {
   Crc16 crc;
-  crc.add(reinterpret_cast<const uint8_t *>(&memory_), offsetof(TakenNonces, check));
+  crc.add(reinterpret_cast<const uint8_t *>(&memory()), offsetof(TakenNonces, check));
   return crc.value();
 }
 

@@ -8,6 +8,7 @@
 #include "../storage/KeyStore.h"
 #include "../storage/Retained.h"
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -38,7 +39,7 @@ class ReplayMemory {
     FULL       ///< from an origin that there is no room to remember
   };
 
-  explicit ReplayMemory(const KeyStore &keys) : keys_(keys), memory_(retained::takenNonces()), nextPlace_(0) {}
+  explicit ReplayMemory(const KeyStore &keys) : keys_(keys) {}
 
   /// Reads the floors, takes over what RAM still holds, and forgets what came under keys that are gone. To be called once,
   /// after a boot, when the epoch was raised and the keys were read: a few ms, and 20 ms for each forgotten floor.
@@ -95,7 +96,6 @@ class ReplayMemory {
     uint8_t origins;  // that are remembered
   };
 
-  static const uint8_t NO_ENTRY = 0xFF;
   static const uint8_t NO_PLACE = 0xFF;
 
   void takeOverRam(uint32_t epoch);
@@ -103,19 +103,20 @@ class ReplayMemory {
   void takeOverFloor(uint8_t place, const uint8_t *record);
   void beginRing(uint32_t epoch);
   JAVINO_NOINLINE bool isInForce(uint8_t place) const;
-  JAVINO_NOINLINE uint8_t find(uint8_t key, const Address &origin) const;
-  uint8_t findFree() const;
+  JAVINO_NOINLINE static TakenNonce *find(uint8_t key, const Address &origin);
+  static TakenNonce *findFree();
   bool hasRoom(uint8_t key) const;
   JAVINO_NOINLINE Groups groups() const;
   JAVINO_NOINLINE uint8_t store(const uint8_t *record);
   bool readFloor(const TakenNonce &entry, uint8_t *record) const;
   bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
   JAVINO_NOINLINE uint16_t crc() const;
-  void seal() { memory_.check = crc(); }
+  void seal() { memory().check = crc(); }
+
+  static TakenNonces &memory() { return retained::takenNonces(); }
 
   const KeyStore &keys_;
-  TakenNonces &memory_;
-  uint8_t nextPlace_;  // of the ring, where to look for a free one
+  uint8_t nextPlace_ JAVINO_ZEROED;  // of the ring, where to look for a free one
 };
 
 }  // namespace javino

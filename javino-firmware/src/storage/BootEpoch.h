@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -21,8 +22,6 @@ class BootEpoch {
   /// 0xFFFFFF stands for "none left" and is never used in a nonce.
   static const uint32_t NONE_LEFT = 0xFFFFFF;
 
-  BootEpoch() : value_(0), stored_(false) {}
-
   /// Raises the epoch and stores it: some 60 ms. To be called once, after a boot.
   JAVINO_NOINLINE void begin();
 
@@ -40,8 +39,8 @@ class BootEpoch {
   JAVINO_NOINLINE uint8_t findHighest();
   JAVINO_NOINLINE void store(uint8_t highest, uint32_t epoch);
 
-  uint32_t value_;
-  bool stored_;
+  uint32_t value_ JAVINO_ZEROED;
+  bool stored_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -62,8 +62,8 @@ void EepromRecord::store(uint8_t index, uint8_t value) const {
 
 // Writes all bytes of the seal but those that are right.
 void EepromRecord::storeSeals(const Crc16 &crc, uint8_t right) const {
-  for (uint8_t i = 0; i < CHECK_LENGTH; i++) {
-    if ((right >> i & 1) == 0) store(static_cast<uint8_t>(length_ + i), sealOf(crc, i));
+  for (uint8_t i = 0; i < CHECK_LENGTH; i++, right = static_cast<uint8_t>(right >> 1)) {
+    if ((right & 1) == 0) store(static_cast<uint8_t>(length_ + i), sealOf(crc, i));
   }
 }
 
@@ -86,8 +86,9 @@ bool EepromRecord::holds(const uint8_t *data) const {
 
 uint8_t EepromRecord::rightSeals(const Crc16 &crc) const {
   uint8_t right = 0;
-  for (uint8_t i = 0; i < CHECK_LENGTH; i++) {
-    if (stored(static_cast<uint8_t>(length_ + i)) == sealOf(crc, i)) right = static_cast<uint8_t>(right | 1 << i);
+  uint8_t bit = 1;
+  for (uint8_t i = 0; i < CHECK_LENGTH; i++, bit = static_cast<uint8_t>(bit << 1)) {
+    if (stored(static_cast<uint8_t>(length_ + i)) == sealOf(crc, i)) right |= bit;
   }
   return right;
 }

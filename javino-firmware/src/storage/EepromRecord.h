@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/Crc16.h"
+#include "../support/Inlining.h"
 
 namespace javino {
 
@@ -44,7 +45,7 @@ class EepromRecord {
   bool erase(uint8_t secrets) const;
 
  private:
-  uint8_t stored(uint8_t index) const;
+  JAVINO_NOINLINE uint8_t stored(uint8_t index) const;
   void store(uint8_t index, uint8_t value) const;
   void storeSeals(const Crc16 &crc, uint8_t right) const;
   bool isBlank(uint8_t secrets) const;

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "../support/BigEndian.h"
 #include "../support/Wipe.h"
 #include "Eeprom.h"
 #include "EepromLayout.h"
@@ -25,7 +24,7 @@ const uint8_t UNUSED = 0xFF;
 const uint8_t USED = 0;
 const uint8_t READINGS = 8;  // that show whether a cell is weak
 
-uint16_t placeAt(uint8_t slot) { return static_cast<uint16_t>(KEYS_AT + slot * KEY_PLACE_LENGTH); }
+JAVINO_NOINLINE uint16_t placeAt(uint8_t slot) { return static_cast<uint16_t>(KEYS_AT + slot * KEY_PLACE_LENGTH); }
 
 EepromRecord recordAt(uint8_t slot) { return EepromRecord(placeAt(slot), KEY_LENGTH); }
 
@@ -66,7 +65,7 @@ struct StoredKey {
     memcpy(bytes, keys.encryption, Aes128::KEY_LENGTH);
     memcpy(bytes + Aes128::KEY_LENGTH, keys.authentication, Aes128::KEY_LENGTH);
     memcpy(bytes + CHECK_AT, keys.check, DerivedKeys::CHECK_LENGTH);
-    writeUint24(bytes + ADDRESS_AT, address.value());
+    address.store(bytes + ADDRESS_AT);
   }
 
   void unpack(DerivedKeys &keys) const {
@@ -75,7 +74,7 @@ struct StoredKey {
     memcpy(keys.check, bytes + CHECK_AT, DerivedKeys::CHECK_LENGTH);
   }
 
-  Address address() const { return Address(readUint24(bytes + ADDRESS_AT)); }
+  Address address() const { return Address::stored(bytes + ADDRESS_AT); }
 };
 
 }  // namespace

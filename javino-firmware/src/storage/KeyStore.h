@@ -35,7 +35,12 @@ class KeyStore {
   uint8_t current(const Address &address) const { return best(address, NO_SLOT); }
 
   /// @return the place of the key that opens beside the current one while that is being renewed, or NO_SLOT.
-  uint8_t other(const Address &address) const { return best(address, current(address)); }
+  uint8_t other(const Address &address) const {
+    return config::KEY_RENEWAL ? best(address, current(address)) : NO_SLOT;
+  }
+
+  /// The most keys that an address has.
+  static const uint8_t KEYS_OF_ADDRESS = config::KEY_RENEWAL ? 2 : 1;
 
   /// @return the other key's place where that is to be the current one, and NO_SLOT where it was.
   JAVINO_NOINLINE uint8_t next(const Address &address) const;
@@ -43,7 +48,7 @@ class KeyStore {
   /// The address of a place, or `++++` where it is free.
   const Address &addressAt(uint8_t slot) const { return addresses_[slot]; }
 
-  bool isFree(uint8_t slot) const { return addresses_[slot].isSerial(); }
+  JAVINO_NOINLINE bool isFree(uint8_t slot) const { return addresses_[slot].isSerial(); }
 
   /// Reads the key at a place.
   /// @return false where it is NO_SLOT, free or no longer readable.

@@ -1,6 +1,5 @@
 #include "RfId.h"
 
-#include "../support/BigEndian.h"
 #include "EepromLayout.h"
 
 namespace javino {
@@ -23,7 +22,7 @@ void RfId::begin() {
 bool RfId::read(uint8_t place) {
   uint8_t stored[RF_ID_LENGTH];
   if (!recordAt(place).begin(stored, 0)) return false;
-  const Address address(readUint24(stored));
+  const Address address = Address::stored(stored);
   if (!address.isDevice()) return false;
   address_ = address;
   place_ = place;
@@ -36,7 +35,7 @@ bool RfId::set(const Address &address) {
   const uint8_t from = place_;
   const uint8_t to = from ^ 1;
   uint8_t stored[RF_ID_LENGTH];
-  writeUint24(stored, address.value());
+  address.store(stored);
   stored[GENERATION_AT] = static_cast<uint8_t>(generation_ + 1);
   return recordAt(to).write(stored) && read(to) && recordAt(from).erase(0);
 }

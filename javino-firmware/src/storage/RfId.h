@@ -4,6 +4,7 @@
 
 #include "../framing/Address.h"
 #include "../support/Inlining.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
@@ -13,7 +14,7 @@ namespace javino {
 /// the old or the new: where both are there, the newer generation counts and begin() erases the other.
 class RfId {
  public:
-  RfId() : address_(Address::serialLine()), place_(0), generation_(0) {}
+  RfId() : address_(Address::serialLine()) {}
 
   /// Reads what is stored. To be called once, after a boot.
   JAVINO_NOINLINE void begin();
@@ -31,8 +32,8 @@ class RfId {
   bool read(uint8_t place);
 
   Address address_;
-  uint8_t place_;       // of the address
-  uint8_t generation_;  // raised by one (mod 256) with each address
+  uint8_t place_ JAVINO_ZEROED;       // of the address
+  uint8_t generation_ JAVINO_ZEROED;  // raised by one (mod 256) with each address
 };
 
 }  // namespace javino

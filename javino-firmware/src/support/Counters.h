@@ -2,7 +2,9 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "Inlining.h"
+#include "Zeroed.h"
 
 namespace javino {
 
@@ -46,24 +48,43 @@ inline void countUp(uint32_t &counter) {
   if (counter != UINT32_MAX) counter++;
 }
 
-/// What was done, damaged and dropped since the boot; nothing is dropped without a count.
+/// What was done, damaged and dropped since the boot; nothing is dropped without a count. Where Config.h leaves statistics
+/// out, count() does nothing, and there are no values.
 class Counters {
  public:
   static const uint8_t COUNT = static_cast<uint8_t>(Counter::END) - 1;
 
-  Counters() : values_() {}
+  /// Whether the radio counts this one (RadioCounters).
+  static bool isRadios(Counter counter) {
+    return (counter >= Counter::RADIO_RECEIVED && counter <= Counter::RADIO_MISSED) || counter == Counter::RADIO_SENT ||
+           counter == Counter::RADIO_MENDED;
+  }
 
-  JAVINO_NOINLINE void count(Counter counter) { countUp(values_[indexOf(counter)]); }
+  /// @param counter none of the radio's
 
-  /// Takes over a value that is counted elsewhere.
+  JAVINO_NOINLINE void count(Counter counter) {
+    if (config::STATISTICS) countUp(values_[indexOf(counter)]);
+  }
+
+  /// @param counter none of the radio's
   void set(Counter counter, uint32_t value) { values_[indexOf(counter)] = value; }
 
+  /// @param counter none of the radio's
   uint32_t value(Counter counter) const { return values_[indexOf(counter)]; }
 
  private:
-  static uint8_t indexOf(Counter counter) { return static_cast<uint8_t>(static_cast<uint8_t>(counter) - 1); }
+  static const uint8_t RADIOS = 5;
 
-  uint32_t values_[COUNT];
+  // The radio's have no place.
+  static uint8_t indexOf(Counter counter) {
+    uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>(counter) - 1);
+    if (counter > Counter::RADIO_MISSED) index = static_cast<uint8_t>(index - 3);
+    if (counter > Counter::RADIO_SENT) index--;
+    if (counter > Counter::RADIO_MENDED) index--;
+    return index;
+  }
+
+  uint32_t values_[config::STATISTICS ? COUNT - RADIOS : 1] JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -1,18 +1,31 @@
 #include "Crc16.h"
 
+#ifdef __AVR__
+#include <util/crc16.h>
+#endif
+
 namespace javino {
 
-// For each byte eight steps of the reflected polynomial 0x8408 (0x1021 mirrored) at once, without a table:
-// a table would cost 512 bytes of flash, the loop over bits four times the cycles.
+namespace {
+
+// Eight steps of the reflected polynomial 0x8408 (0x1021 mirrored) at once, without a table of 512 bytes of flash.
+uint16_t step(uint16_t remainder, uint8_t byte) {
+#ifdef __AVR__
+  return _crc_ccitt_update(remainder, byte);  // assembly: half the cycles of what follows
+#else
+  uint8_t folded = static_cast<uint8_t>(byte ^ remainder);
+  folded = static_cast<uint8_t>(folded ^ (folded << 4));
+  const uint16_t wide = folded;
+  return static_cast<uint16_t>((remainder >> 8) ^ (wide << 8) ^ (wide << 3) ^ (wide >> 4));
+#endif
+}
+
+}  // namespace
+
 void Crc16::add(const uint8_t *bytes, size_t length) {
-  uint16_t remainder = remainder_;
-  for (const uint8_t *const end = bytes + length; bytes != end; bytes++) {
-    uint8_t folded = static_cast<uint8_t>(*bytes ^ remainder);
-    folded = static_cast<uint8_t>(folded ^ (folded << 4));
-    const uint16_t wide = folded;
-    remainder = static_cast<uint16_t>((remainder >> 8) ^ (wide << 8) ^ (wide << 3) ^ (wide >> 4));
-  }
-  remainder_ = remainder;
+  uint16_t remainder = static_cast<uint16_t>(~value_);
+  for (const uint8_t *const end = bytes + length; bytes != end; bytes++) remainder = step(remainder, *bytes);
+  value_ = static_cast<uint16_t>(~remainder);
 }
 
 }  // namespace javino

@@ -8,15 +8,15 @@ namespace javino {
 /// CRC-16/X-25 (SPEC 4.1): the check of serial and radio packets alike.
 class Crc16 {
  public:
-  Crc16() : remainder_(0xFFFF) {}
+  Crc16() : value_(0) {}
 
   void add(const uint8_t *bytes, size_t length);
 
   /// The CRC of all bytes added so far; its low byte goes first on the line and on the air.
-  uint16_t value() const { return static_cast<uint16_t>(~remainder_); }
+  uint16_t value() const { return value_; }
 
  private:
-  uint16_t remainder_;
+  uint16_t value_;  // the complement of the remainder
 };
 
 }  // namespace javino

@@ -26,6 +26,15 @@ inline uint8_t flashByte(const uint8_t *at) {
 #endif
 }
 
+/// Reads a number of 16 bits that was declared with JAVINO_FLASH.
+inline uint16_t flashWord(const uint16_t *at) {
+#ifdef __AVR__
+  return pgm_read_word(at);
+#else
+  return *at;
+#endif
+}
+
 /// Reads character `index` of a text in flash; 0 is its end.
 inline char flashChar(const FlashText *text, uint16_t index) {
   return static_cast<char>(flashByte(reinterpret_cast<const uint8_t *>(text) + index));

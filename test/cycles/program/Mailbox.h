@@ -16,13 +16,14 @@ struct Mailbox {
     SEAL,           ///< key as Kenc, second as Kmac, nonce; bytes: a frame, becomes the sealed frame
     OPEN,        ///< key as Kenc, second as Kmac; bytes: a sealed frame; length becomes the content's, 0xFFFF if forged
     ADD_TO_CRC,  ///< length bytes; the CRC replaces the first two
-    DECODE_PACKET,  ///< length bytes of the line; the last PacketEvent replaces the first
-    HEAR_PACKET,    ///< length bytes of payload as edges of the air; length becomes that of the payload received
-    MEND_PACKET     ///< length bytes of payload, a wrong symbol behind them in the CRC; length becomes 1 where mended
+    HEAR_PACKET,  ///< length bytes of payload as edges of the air; length becomes that of the payload received
+    MEND_PACKET,  ///< length bytes of payload, a wrong symbol behind them in the CRC; length becomes 1 where mended
+    ANSWER        ///< length bytes of the line for a board; they become those of its last reply. Measured from the last
+                  ///< bytes, as many as `measured` says (0 for all), to that reply's first one
   };
 
   uint8_t operation;
-  uint8_t reserved;
+  uint8_t measured;
   uint16_t length;
   uint8_t key[16];
   uint8_t second[16];

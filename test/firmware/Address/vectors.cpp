@@ -46,6 +46,17 @@ TEST(Address, writes_what_it_read) {
   }
 }
 
+TEST(Address, stores_its_value_in_three_bytes_the_highest_first) {
+  for (const Vector &vector : vectors("addresses.json", "valid")) {
+    SCOPED_TRACE(vector.toString());
+    const uint32_t value = static_cast<uint32_t>(std::stoul(vector.text("value"), nullptr, 16));
+    Bytes bytes(3);
+    Address(value).store(bytes.data());
+    EXPECT_EQ(value, static_cast<uint32_t>(bytes[0] << 16 | bytes[1] << 8 | bytes[2]));
+    EXPECT_EQ(Address(value), Address::stored(bytes.data()));
+  }
+}
+
 // The length is the caller's to see to: an address is always read from four bytes.
 TEST(Address, refuses_invalid_vectors_of_four_bytes) {
   int refused = 0;

@@ -117,8 +117,15 @@ TEST_F(JavinoTest, does_not_idle_when_a_byte_came_after_the_work_was_done) {
   board.run();
 }
 
+TEST_F(JavinoTest, sends_one_zero_when_it_has_begun) {
+  board.begin(115200);
+  board.run();
+  EXPECT_EQ(Bytes{0}, out);
+}
+
 TEST_F(JavinoTest, answers_a_hello_over_Serial) {
   board.begin(115200);
+  out.clear();
   arrive(reference::packet(9, reference::frame("++++", "++++", {'H', 1})));
   board.run();
   ASSERT_EQ(0, out.back());

@@ -47,7 +47,7 @@ class KeyCommandsTest : public testing::Test {
     return body();
   }
 
-  std::string body() const { return std::string(reply.packet() + BODY_AT, reply.packet() + reply.packetLength()); }
+  std::string body() { return std::string(reply.packet() + BODY_AT, reply.packet() + reply.packetLength()); }
 
   Reply &begin() {
     reply.begin(1);

@@ -68,7 +68,9 @@ TEST(Percepts, are_not_asked_for_where_the_host_does_not_want_them) {
   TestBoard board;
   board.start();
   board.board->onPercepts([](Percepts &percepts) { percepts.add(F("dark")); });
-  EXPECT_TRUE(board.poll(false).records.empty());
+  const PollReply reply = board.poll(false);
+  EXPECT_TRUE(reply.records.empty());
+  EXPECT_FALSE(reply.reading);
 }
 
 TEST(Percepts, what_does_not_fit_is_left_out_whole_told_and_counted) {
@@ -83,4 +85,27 @@ TEST(Percepts, what_does_not_fit_is_left_out_whole_told_and_counted) {
   EXPECT_EQ(30u, reply.records.size()) << "29 long ones, and the short one that still fits behind them";
   EXPECT_EQ("x", reply.texts('P').back());
   EXPECT_EQ(71u, board.counter(javino::Counter::PERCEPTS_LEFT_OUT));
+  board.hold(1, 100);
+  board.pass(100);
+  EXPECT_FALSE(board.takeReply().reading);
+  EXPECT_EQ(71u, board.counter(javino::Counter::PERCEPTS_LEFT_OUT)) << "only readings that are told count";
+}
+
+TEST(Percepts, writes_numbers_of_each_length) {
+  static unsigned long number;
+  TestBoard board;
+  board.start();
+  board.board->onPercepts([](Percepts &percepts) {
+    percepts.add(F("n"), number);
+    percepts.add(F("n"), -static_cast<long>(number));
+  });
+  for (const uint64_t middle : {0ULL, 10ULL, 100ULL, 1000ULL, 10000ULL, 65536ULL, 100000ULL, 655360ULL, 1000000ULL,
+                                10000000ULL, 100000000ULL, 1000000000ULL, 2147483640ULL}) {
+    for (uint64_t value = middle < 3 ? 0 : middle - 3; value < middle + 3; value++) {
+      number = static_cast<unsigned long>(value);
+      const std::string text = std::to_string(value);
+      const std::string negative = value == 0 ? "n(0)" : "n(-" + text + ")";
+      ASSERT_EQ((Texts{"n(" + text + ")", negative}), board.poll(true).texts('P'));
+    }
+  }
 }

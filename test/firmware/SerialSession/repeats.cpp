@@ -108,6 +108,21 @@ TEST_F(SerialSessionTest, damage_is_counted_and_not_answered) {
   EXPECT_EQ(4u, board.counter(Counter::SERIAL_DAMAGED));
 }
 
+TEST_F(SerialSessionTest, a_zero_tells_the_host_of_damage_but_not_within_a_reply) {
+  board.port.arrive({2, 1, 0});
+  board.board->run();
+  EXPECT_EQ(Bytes{0}, board.port.takeWritten());
+  board.port.setRoom(5);
+  board.port.arrive(request(1, "Acount"));
+  board.port.arrive({2, 1, 0});
+  board.board->run();
+  board.port.setRoom(SIZE_MAX);
+  board.board->run();
+  const Bytes reply = board.port.takeWritten();
+  EXPECT_EQ(1, std::count(reply.begin(), reply.end(), 0));
+  EXPECT_EQ(2u, board.counter(Counter::SERIAL_DAMAGED));
+}
+
 TEST_F(SerialSessionTest, packets_that_hold_no_frame_are_counted_and_not_answered) {
   EXPECT_TRUE(board.sendRaw(reference::packet(1, bytesOf("++++++++AB"))).empty());
   EXPECT_TRUE(board.sendRaw(reference::packet(1, bytesOf("++++++++AI"))).empty());

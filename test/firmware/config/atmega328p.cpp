@@ -17,15 +17,17 @@ static_assert(config::TRANSMIT_BYTES == 96, "");
 static_assert(config::REASSEMBLIES == 0, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
+static_assert(config::BROADCAST_ORIGINS == 2, "");
 static_assert(config::RADIO_PACKETS == 2, "");
 static_assert(config::ACKNOWLEDGEMENTS == 3, "");
 static_assert(config::ACTIONS == 8, "");
+static_assert(config::DEAD_BANDS == 2, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 static_assert(config::EEPROM_START == 0, "");
 
 static_assert(MAX_CONTENT_LENGTH == 67, "a broadcast of one packet");
 static_assert(EEPROM_END == 1016, "of 1024 bytes");
 static_assert(sizeof(TakenNonces) == 84, "retained RAM, beside the board's");
-static_assert(sizeof(Board) <= 890, "the protocol's part of static RAM");
+static_assert(sizeof(Board) <= 944, "the protocol's part of static RAM");
 
 }  // namespace javino

@@ -14,6 +14,16 @@ void SerialPort::write(uint8_t byte) { static_cast<FakePort &>(serial_).put(byte
 
 }  // namespace javino
 
+bool FakePort::canRead() {
+  if (looksLeft_ != 0 && --looksLeft_ == 0) arrive(late_);
+  return !in_.empty();
+}
+
+void FakePort::arriveAtLook(int look, const Bytes &bytes) {
+  looksLeft_ = look;
+  late_ = bytes;
+}
+
 uint8_t FakePort::take() {
   if (in_.empty()) throw std::logic_error("take() without canRead()");
   const uint8_t byte = in_.front();

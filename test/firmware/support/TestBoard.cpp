@@ -10,6 +10,19 @@ using javino::Status;
 
 namespace {
 
+const uint8_t PERCEPTS_NOW = 3;
+
+// The body of a poll, as SPEC 4.3 defines it.
+Bytes pollBody(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
+  return {'P',
+          flags,
+          static_cast<uint8_t>(holdMillis >> 8),
+          static_cast<uint8_t>(holdMillis),
+          static_cast<uint8_t>(leastMillis >> 16),
+          static_cast<uint8_t>(leastMillis >> 8),
+          static_cast<uint8_t>(leastMillis)};
+}
+
 BoardReply parse(const Bytes &packet, uint8_t sequence) {
   const Bytes inner = reference::cobsDecoded(packet);
   if (inner.size() < 14 || inner[0] != sequence) throw std::runtime_error("not the reply: " + toHex(inner));
@@ -22,6 +35,21 @@ BoardReply parse(const Bytes &packet, uint8_t sequence) {
     throw std::runtime_error("reply with a wrong header: " + toHex(inner));
   }
   return {static_cast<Status>(message[0]), Bytes(message.begin() + 1, message.end())};
+}
+
+PollReply parsePoll(const BoardReply &reply) {
+  if (reply.status != Status::OK) throw std::runtime_error("poll failed");
+  PollReply parsed;
+  parsed.more = (reply.body.at(0) & 1) != 0;
+  parsed.leftOut = (reply.body.at(0) & 2) != 0;
+  parsed.reading = (reply.body.at(0) & 4) != 0;
+  for (size_t i = 1; i < reply.body.size();) {
+    const size_t length = static_cast<size_t>(reply.body.at(i + 1) << 8 | reply.body.at(i + 2));
+    const Bytes value(reply.body.begin() + i + 3, reply.body.begin() + i + 3 + length);
+    parsed.records.push_back({static_cast<char>(reply.body[i]), value});
+    i += 3 + length;
+  }
+  return parsed;
 }
 
 }  // namespace
@@ -77,24 +105,19 @@ BoardReply TestBoard::transmit(const std::string &destination, const std::string
   return exchange(plain(destination, origin, content));
 }
 
-PollReply TestBoard::poll(bool percepts) { return pollWith({static_cast<uint8_t>(percepts)}); }
+PollReply TestBoard::poll(bool percepts) { return parsePoll(request(pollBody(percepts ? PERCEPTS_NOW : 0, 0, 0))); }
 
-PollReply TestBoard::pollTaking(uint8_t taken) { return pollWith({0, taken}); }
+PollReply TestBoard::pollTaking(uint8_t taken) { return parsePoll(request(pollBody(0, 0, 0) + Bytes{taken})); }
 
-PollReply TestBoard::pollWith(const Bytes &body) {
-  const BoardReply reply = request('P', body);
-  if (reply.status != Status::OK) throw std::runtime_error("poll failed");
-  PollReply parsed;
-  parsed.more = (reply.body.at(0) & 1) != 0;
-  parsed.leftOut = (reply.body.at(0) & 2) != 0;
-  parsed.airActive = (reply.body.at(0) & 4) != 0;
-  for (size_t i = 1; i < reply.body.size();) {
-    const size_t length = static_cast<size_t>(reply.body.at(i + 1) << 8 | reply.body.at(i + 2));
-    const Bytes value(reply.body.begin() + i + 3, reply.body.begin() + i + 3 + length);
-    parsed.records.push_back({static_cast<char>(reply.body[i]), value});
-    i += 3 + length;
-  }
-  return parsed;
+void TestBoard::hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
+  port.arrive(packet(reference::frame("++++", "++++", pollBody(flags, holdMillis, leastMillis))));
+  board->run();
+}
+
+PollReply TestBoard::takeReply() {
+  const std::vector<Bytes> replies = takePackets();
+  if (replies.size() != 1) throw std::runtime_error(std::to_string(replies.size()) + " replies");
+  return parsePoll(parse(replies[0], sequence_));
 }
 
 std::vector<PolledMessage> TestBoard::messages() {
@@ -115,7 +138,9 @@ uint32_t TestBoard::counter(javino::Counter counter) {
 }
 
 BoardReply TestBoard::exchange(const Bytes &frame) {
-  const std::vector<Bytes> replies = sendRaw(reference::packet(++sequence_, frame));
+  std::vector<Bytes> replies = sendRaw(packet(frame));
+  const bool isPoll = frame.size() > 10 && frame[0] == '+' && frame[10] == 'P';
+  if (replies.empty() && isPoll) replies = sendRaw({0});
   if (replies.size() != 1) throw std::runtime_error(std::to_string(replies.size()) + " replies");
   return parse(replies[0], sequence_);
 }
@@ -123,12 +148,18 @@ BoardReply TestBoard::exchange(const Bytes &frame) {
 std::vector<Bytes> TestBoard::sendRaw(const Bytes &bytes) {
   port.arrive(bytes);
   board->run();
+  return takePackets();
+}
+
+Bytes TestBoard::packet(const Bytes &frame) { return reference::packet(++sequence_, frame); }
+
+std::vector<Bytes> TestBoard::takePackets() {
   std::vector<Bytes> packets;
   Bytes packet;
   for (uint8_t byte : port.takeWritten()) {
     if (byte != 0) {
       packet.push_back(byte);
-    } else {
+    } else if (!packet.empty()) {
       packets.push_back(packet);
       packet.clear();
     }

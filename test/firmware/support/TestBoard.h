@@ -21,7 +21,7 @@ struct PollRecord {
 struct PollReply {
   bool more = false;
   bool leftOut = false;
-  bool airActive = false;
+  bool reading = false;
   std::vector<PollRecord> records;
 
   /// The values of all records of a type, as text.
@@ -67,7 +67,8 @@ class TestBoard {
 
   BoardReply hello();
 
-  /// Sends a message to the board itself under a new sequence byte, and takes its reply.
+  /// Sends a message to the board itself under a new sequence byte, and takes its reply; a poll that is held for it is
+  /// released at once.
   BoardReply request(const Bytes &message);
   BoardReply request(char command, const Bytes &body = Bytes()) { return request(Bytes(1, command) + body); }
 
@@ -76,8 +77,19 @@ class TestBoard {
 
   BoardReply setKey(const std::string &address, const Bytes &key) { return request('K', bytesOf(address) + key); }
 
+  /// Polls without a hold. A reading is told only if nothing else waits, but then even if nothing has changed.
   PollReply poll(bool percepts = false);
   PollReply pollTaking(uint8_t taken);
+
+  /// Begins a poll that the board may hold.
+  void hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis = 0);
+
+  /// Whether the board has replied to this poll.
+  bool replies() const { return !port.written().empty(); }
+
+  /// Takes its reply; throws where there is none.
+  PollReply takeReply();
+
   std::vector<PolledMessage> messages();
 
   uint32_t counter(javino::Counter counter);
@@ -118,7 +130,8 @@ class TestBoard {
 
  private:
   javino::Radio *const other_;
-  PollReply pollWith(const Bytes &body);
+  Bytes packet(const Bytes &frame);
+  std::vector<Bytes> takePackets();
 
   uint8_t sequence_ = 0;
 };

@@ -65,12 +65,23 @@ class Scene {
   }
 
   void poll() {
-    const bool takes = input_.byte() % 2 != 0;
+    const uint8_t how = input_.byte();
+    const bool takes = how % 2 != 0;
     board_.hello();  // a request may have been one of another version
+    if (how % 4 >= 2) hold(how);
     for (const PolledMessage &message : board_.messages()) {
       if (message.destination != "////") checkGenuine(message);
       if (takes) take(message);
     }
+  }
+
+  // A poll that may wait for something, and is ended by a byte or by the end of its time.
+  void hold(uint8_t how) {
+    board_.hold(how % 8 >= 4 ? 1 : 0, how, how / 16);
+    board_.pass(how / 2);
+    if (!board_.replies()) board_.port.arrive({0});
+    board_.board->run();
+    board_.takeReply();
   }
 
   void checkGenuine(const PolledMessage &message) {

@@ -1,6 +1,6 @@
 // Bytes of a serial line: PacketDecoder judges each packet as SPEC 4.1 does, and Frame::parse reads what write makes.
 
-#include <framing/CobsEncoder.h>
+#include <framing/PacketEncoder.h>
 #include <framing/Frame.h>
 #include <framing/PacketDecoder.h>
 
@@ -42,10 +42,9 @@ void checkHeader(const uint8_t *bytes, uint16_t length) {
 void checkPacket(const PacketDecoder &decoder) {
   const Bytes frame(decoder.frame(), decoder.frame() + decoder.frameLength());
   checkHeader(frame.data(), decoder.frameLength());
-  const Bytes inner = Bytes{decoder.sequence()} + frame +
-                      Bytes{static_cast<uint8_t>(decoder.crc()), static_cast<uint8_t>(decoder.crc() >> 8)};
-  CobsEncoder encoder;
-  encoder.start(inner.data(), static_cast<uint16_t>(inner.size()));
+  Bytes inner = Bytes{decoder.sequence()} + frame + Bytes(2, 0);
+  PacketEncoder encoder;
+  encoder.start(inner.data(), static_cast<uint16_t>(inner.size() - 2));
   PacketDecoder again;
   PacketEvent event = PacketEvent::NONE;
   while (!encoder.done()) event = again.add(encoder.next());

@@ -129,6 +129,25 @@ TEST(AskRadio, needsNoLoopToFinishAPacketWhoseEndHasNoEdge) {
   }
 }
 
+TEST(AskRadio, hasAPacketABitAfterItsEndWhereTheLoopLooks) {
+  std::mt19937 random(27);
+  for (double skew : {-0.03, 0.0, 0.03}) {
+    Modem modem;
+    for (int i = 0; i < PACKETS; i++) {
+      const Bytes payload = randomPayload(random);
+      Bytes taken;
+      for (bool bit : reference::packetBits(payload)) {
+        modem.hardware.play(AirLine().bits({bit}, Modem::BIT * (1 + skew)));
+        const Bytes early = modem.take();
+        if (!early.empty()) taken = early;
+      }
+      modem.hardware.wait(Modem::BIT);
+      EXPECT_EQ(taken.empty() ? modem.take() : taken, payload) << "skew " << skew;
+      modem.hardware.wait(12 * Modem::BIT);
+    }
+  }
+}
+
 TEST(AskRadio, takesNoInterruptInQuietAirAndOneAnEdgeOtherwise) {
   Modem modem;
   modem.hardware.wait(10000000);

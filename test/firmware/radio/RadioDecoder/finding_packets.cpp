@@ -8,7 +8,7 @@ TEST(RadioDecoder, decodesTheVectors) {
     Decoder decoder;
     decoder.add(vector.bits);
     EXPECT_EQ(decoder.takeIntact(), vector.payload);
-    EXPECT_EQ(decoder.counters.damaged, 0u);
+    EXPECT_EQ(decoder.counters().damaged, 0u);
   }
 }
 
@@ -40,7 +40,7 @@ TEST(RadioDecoder, decodesAPacketRightAfterAnother) {
 TEST(RadioDecoder, countsAsMissedWhatFindsNoSlotAndKeepsTheOldest) {
   Decoder decoder;
   for (uint8_t i = 0; i < 5; i++) decoder.add(reference::packetBits({i}));
-  EXPECT_EQ(decoder.counters.missed, 2u);
+  EXPECT_EQ(decoder.counters().missed, 2u);
   for (uint8_t i = 0; i < 3; i++) EXPECT_EQ(decoder.takeIntact(), Bytes{i});
   EXPECT_EQ(decoder.takeIntact(), Bytes{});
 }
@@ -52,8 +52,8 @@ TEST(RadioDecoder, countsAsDamagedAndNotAsMissedABrokenPacketWithoutASlot) {
   broken[60] = !broken[60];
   broken[66] = !broken[66];
   decoder.add(broken);
-  EXPECT_EQ(decoder.counters.missed, 0u);
-  EXPECT_EQ(decoder.counters.damaged, 1u);
+  EXPECT_EQ(decoder.counters().missed, 0u);
+  EXPECT_EQ(decoder.counters().damaged, 1u);
 }
 
 TEST(RadioDecoder, countsAsMissedThePacketThatItAbandons) {
@@ -62,7 +62,7 @@ TEST(RadioDecoder, countsAsMissedThePacketThatItAbandons) {
   decoder.add(Bits(bits.begin(), bits.begin() + 70));
   decoder.abandon();
   decoder.add(Bits(bits.begin() + 70, bits.end()));
-  EXPECT_EQ(decoder.counters.missed, 1u);
+  EXPECT_EQ(decoder.counters().missed, 1u);
   decoder.add(bits);
   EXPECT_EQ(decoder.takeIntact(), (Bytes{1, 2, 3, 4}));
 }
@@ -70,5 +70,5 @@ TEST(RadioDecoder, countsAsMissedThePacketThatItAbandons) {
 TEST(RadioDecoder, abandonsNothingBetweenPackets) {
   Decoder decoder;
   decoder.abandon();
-  EXPECT_EQ(decoder.counters.missed, 0u);
+  EXPECT_EQ(decoder.counters().missed, 0u);
 }

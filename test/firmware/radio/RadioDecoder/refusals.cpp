@@ -16,7 +16,7 @@ void expectRefused(const Bits &bits, const std::string &what) {
   decoder.add(Bits(10, false));
   decoder.endOfSignal();
   EXPECT_EQ(decoder.take().bytes[0], 0) << what;
-  EXPECT_GE(decoder.counters.damaged, 1u) << what;
+  EXPECT_GE(decoder.counters().damaged, 1u) << what;
   decoder.add(reference::packetBits(GOOD));
   EXPECT_EQ(decoder.takeIntact(), GOOD) << what;
 }
@@ -87,7 +87,7 @@ TEST(RadioDecoder, hasCountedATruncatedPacketOnceAtTheEndOfTheSignal) {
       decoder.add(Bits(whole.begin(), whole.begin() + length));
       decoder.add(Bits(10, level));
       decoder.endOfSignal();
-      EXPECT_EQ(decoder.counters.damaged + (decoder.take().bytes[0] != 0), 1u) << "cut after bit " << length;
+      EXPECT_EQ(decoder.counters().damaged + (decoder.take().bytes[0] != 0), 1u) << "cut after bit " << length;
     }
   }
 }
@@ -96,7 +96,7 @@ TEST(RadioDecoder, countsNothingAtTheEndOfASignalBetweenPackets) {
   Decoder decoder;
   decoder.add(reference::packetBits(GOOD));
   decoder.endOfSignal();
-  EXPECT_EQ(decoder.counters.damaged, 0u);
+  EXPECT_EQ(decoder.counters().damaged, 0u);
   EXPECT_EQ(decoder.takeIntact(), GOOD);
 }
 

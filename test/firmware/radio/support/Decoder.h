@@ -3,10 +3,10 @@
 #include "radio/RadioDecoder.h"
 #include "support/ReferencePacket.h"
 
-// A decoder with its queue and its counters.
+// A decoder, and what it has found.
 class Decoder {
  public:
-  Decoder() : counters(), carrier(1000), decoder_(queue_, carrier, counters) {}
+  Decoder() : decoder_(1000) {}
 
   void add(const Bits &bits) {
     for (bool bit : bits) decoder_.add(bit);
@@ -18,9 +18,10 @@ class Decoder {
   // The oldest packet that waits; one whose count is 0 where none does.
   javino::RadioPacket take() {
     javino::RadioPacket packet = javino::RadioPacket();
-    if (!queue_.empty()) {
-      packet = *queue_.oldest();
-      queue_.release();
+    javino::RadioQueue &queue = decoder_.queue();
+    if (!queue.empty()) {
+      packet = *queue.oldest();
+      queue.release();
     }
     return packet;
   }
@@ -33,10 +34,9 @@ class Decoder {
     return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }
 
-  javino::RadioCounters counters;
-  javino::CarrierSense carrier;
+  const javino::RadioCounters &counters() const { return decoder_.counters(); }
+  javino::CarrierSense &carrier() { return decoder_.carrier(); }
 
  private:
-  javino::RadioQueue queue_;
   javino::RadioDecoder decoder_;
 };

@@ -30,7 +30,13 @@ import javino.protocol.Status;
 /** A board in memory that speaks SPEC 4, does as scripted, and records what it was asked. */
 final class FakeBoard implements LinkOpener {
 
-    private static final Duration TICK = Duration.ofMillis(50);
+    /** No test lasts so long. */
+    private static final Duration LONG = Duration.ofMinutes(10);
+    /** In the body of a poll, and of its flags and its reply's (SPEC 4.3). */
+    private static final int TAKEN_AT = 6;
+    private static final int WANTED = 1;
+    private static final int AT_ONCE = 2;
+    private static final int READING = 4;
     /** The most outcomes in a poll reply. */
     private static final int MOST_OUTCOMES = 32;
 
@@ -61,6 +67,11 @@ final class FakeBoard implements LinkOpener {
     private volatile Link link;
     private volatile Bytes lastRequest;
     private volatile Bytes lastReply;
+    private volatile Packet heldPoll;
+    private long heldSince;
+    /** What it told last that it perceives; null if nothing since it was greeted. */
+    private List<String> reading;
+    private long readAt;
     private int messageCount;
     private final AtomicInteger openLinks = new AtomicInteger();
     private final AtomicInteger mostOpen = new AtomicInteger();
@@ -122,6 +133,11 @@ final class FakeBoard implements LinkOpener {
         }
 
         @Override
+        public void wake() {
+            line.wake();
+        }
+
+        @Override
         public void close() {
             closing.countDown();
             awaitUninterrupted(mayClose);
@@ -142,6 +158,7 @@ final class FakeBoard implements LinkOpener {
 
     FakeBoard perceiving(String... literals) {
         percepts = List.of(literals);
+        wake();
         return this;
     }
 
@@ -187,6 +204,7 @@ final class FakeBoard implements LinkOpener {
     /** A transmission ends, whoever has asked for it. */
     void end(int number, Outcome outcome) {
         outcomes.add(Bytes.of(number, outcome.ordinal()));
+        wake();
     }
 
     /** The board boots: it knows nothing of what was under way, and wants to be greeted. */
@@ -272,6 +290,7 @@ final class FakeBoard implements LinkOpener {
 
     synchronized void receive(String destination, String origin, String content) {
         messages.add(new Message(messageCount++ & 0xFF, destination, origin, content));
+        wake();
     }
 
     Address rfId() {
@@ -283,15 +302,17 @@ final class FakeBoard implements LinkOpener {
     private void serve(Link line) {
         PacketDecoder decoder = new PacketDecoder();
         byte[] buffer = new byte[1024];
+        heldPoll = null;
         try {
             while (true) {
-                int count = line.read(buffer, TICK);
-                for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
+                int count = line.read(buffer, heldPoll == null ? LONG : untilTold(heldPoll));
+                List<PacketDecoder.Result> results = decoder.feed(buffer, count);
+                if (heldPoll != null) {
+                    write(line, pollReply(heldPoll, count > 0));
+                }
+                for (PacketDecoder.Result result : results) {
                     if (!silent && result instanceof PacketDecoder.Found found) {
-                        Bytes answer = answer(found.packet());
-                        if (!silent) {
-                            line.write(answer.toArray());
-                        }
+                        write(line, answer(found.packet()));
                     }
                 }
             }
@@ -301,13 +322,32 @@ final class FakeBoard implements LinkOpener {
         }
     }
 
+    private void write(Link line, Bytes answer) throws LinkException {
+        if (answer != null && !silent) {
+            line.write(answer.toArray());
+        }
+    }
+
+    /** The answer; null where it is held. */
     private Bytes answer(Packet request) {
         Bytes encoded = request.encode();
-        if (!encoded.equals(lastRequest)) {
-            lastRequest = encoded;
-            Frame reply = new Frame(Address.SERIAL, Address.SERIAL, reply(request.frame()));
-            lastReply = new Packet(request.sequence(), reply).encode();
+        if (encoded.equals(lastRequest)) {
+            return lastReply;
         }
+        Frame frame = request.frame();
+        if (greeted && frame.destination().equals(Address.SERIAL) && frame.message().at(0) == 'P') {
+            takePoll(frame.message().from(1));
+            heldSince = System.nanoTime();
+            heldPoll = request;
+            return pollReply(request, false);
+        }
+        return remember(request, reply(frame));
+    }
+
+    private Bytes remember(Packet request, Bytes message) {
+        heldPoll = null;
+        lastRequest = request.encode();
+        lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
         return lastReply;
     }
 
@@ -324,7 +364,6 @@ final class FakeBoard implements LinkOpener {
         }
         Bytes body = request.message().from(1);
         return switch (request.message().at(0)) {
-            case 'P' -> ok(poll(body));
             case 'A' -> act(text(body));
             case 'C' -> ok(actions((int) body.number(0, 2)));
             case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
@@ -347,6 +386,7 @@ final class FakeBoard implements LinkOpener {
 
     private Bytes hello() {
         greeted = true;
+        reading = null;
         return ok(Bytes.join(Bytes.of(1), rfId.toBytes(), Bytes.ofNumber(boots, 3), Bytes.ofText("fake")));
     }
 
@@ -396,19 +436,64 @@ final class FakeBoard implements LinkOpener {
         return ok(Bytes.join(Bytes.of(Counter.RADIO_RECEIVED.number()), Bytes.ofNumber(packetsHeard, 4)));
     }
 
-    private Bytes poll(Bytes body) {
-        if (body.length() > 1) {
-            messages.removeIf(message -> message.number() == body.at(1));
+    private void takePoll(Bytes body) {
+        if (body.length() > TAKEN_AT) {
+            messages.removeIf(message -> message.number() == body.at(TAKEN_AT));
         }
-        List<Bytes> parts = new ArrayList<>(List.of(Bytes.of(0)));
+        if ((body.at(0) & WANTED) == 0) {
+            reading = null;
+        }
+    }
+
+    /** How long nothing is to be done about a poll unless something happens. */
+    private Duration untilTold(Packet poll) {
+        Bytes body = poll.frame().message().from(1);
+        long end = heldSince + millis(body.number(1, 3));
+        long mayTell = readAt + millis(body.number(3, 6));
+        boolean waits = (body.at(0) & WANTED) != 0 && !percepts.equals(reading);
+        long next = waits ? Math.min(end, mayTell) : end;
+        return Duration.ofNanos(Math.max(1, next - System.nanoTime()));
+    }
+
+    private static long millis(long milliseconds) {
+        return Duration.ofMillis(milliseconds).toNanos();
+    }
+
+    /** Has the board look whether it has something to tell. */
+    private void wake() {
+        Link open = link;
+        if (open != null) {
+            open.wake();
+        }
+    }
+
+    /** The reply to a poll, or null while there is nothing to tell and it may be held. */
+    private Bytes pollReply(Packet poll, boolean byteCame) {
+        Bytes body = poll.frame().message().from(1);
+        List<Bytes> parts = new ArrayList<>();
         for (int i = 0; i < MOST_OUTCOMES && !outcomes.isEmpty(); i++) {
             parts.add(record('T', outcomes.remove()));
         }
-        if ((body.at(0) & 1) != 0) {
-            percepts.forEach(literal -> parts.add(record('P', Bytes.ofText(literal))));
-        }
         messages.stream().limit(1).forEach(message -> parts.add(record('M', message.value())));
-        return Bytes.join(parts.toArray(Bytes[]::new));
+        int flags = 0;
+        List<String> now = percepts;
+        if (parts.isEmpty() && (body.at(0) & WANTED) != 0 && isToBeTold(body, now)) {
+            reading = now;
+            readAt = System.nanoTime();
+            flags = READING;
+            now.forEach(literal -> parts.add(record('P', Bytes.ofText(literal))));
+        }
+        boolean over = byteCame || System.nanoTime() - heldSince >= millis(body.number(1, 3));
+        if (parts.isEmpty() && flags == 0 && !over) {
+            return null;
+        }
+        parts.add(0, Bytes.of(flags));
+        return remember(poll, ok(Bytes.join(parts.toArray(Bytes[]::new))));
+    }
+
+    private boolean isToBeTold(Bytes body, List<String> now) {
+        return reading == null || (body.at(0) & AT_ONCE) != 0
+                || !now.equals(reading) && System.nanoTime() - readAt >= millis(body.number(3, 6));
     }
 
     private static Bytes record(char type, Bytes value) {

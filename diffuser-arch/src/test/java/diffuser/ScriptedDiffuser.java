@@ -49,7 +49,7 @@ public class ScriptedDiffuser extends Diffuser {
     /** Settings with which little is waited for. */
     static BoardConfig quick() {
         return BoardConfig.create(config -> config
-                .setPollInterval(Duration.ofMillis(5))
+                .setHold(Duration.ofMillis(50))
                 .setReplyTimeout(Duration.ofMillis(50))
                 .setHelloInterval(Duration.ofMillis(10))
                 .setReopenInterval(Duration.ofMillis(10))

@@ -10,9 +10,9 @@ import diffuser.DiffuserAction;
 /**
  * <p>Internal action: <b><code>.limit(<i>Ms</i>)</code></b>.
  *
- * <p>Description: sets the least time between two readings of the board's sensors, so that sensors that change all the
- * time do not keep the agent busy. The default is 0: they are read at each poll of the board. The action can be called
- * before there is a board.
+ * <p>Description: sets the least time between two readings that the board tells, so that sensors that change all the
+ * time do not keep the agent busy. The default is 0: the board tells each change. The action can be called before
+ * there is a board.
  *
  * <p>Parameters:<ul>
  * <li>+ Ms (number): milliseconds, 0 to 3600000.

@@ -46,8 +46,7 @@ public final class Board implements AutoCloseable {
     private Board(LinkOpener opener, BoardConfig config, BoardListener listener) {
         context = Context.of(opener.name(), config, listener);
         session = new Session(opener, context);
-        thread = new Thread(this::run, "javino " + opener.name());
-        thread.setDaemon(true);
+        thread = SessionThread.of("javino " + opener.name(), this::run);
     }
 
     private void run() {
@@ -197,9 +196,9 @@ public final class Board implements AutoCloseable {
     }
 
     /**
-     * Limits how often the session asks for percepts.
+     * Limits how often the board tells percepts.
      *
-     * @param least the least time between two sets; zero, the default, for each poll.
+     * @param least the least time between two sets; zero, the default, for each change.
      * @throws IllegalArgumentException if it is negative.
      */
     public void perceptInterval(Duration least) {
@@ -207,6 +206,7 @@ public final class Board implements AutoCloseable {
             throw new IllegalArgumentException("the least time between percepts cannot be negative: " + least);
         }
         context.perception().setInterval(least);
+        context.queue().wake();
     }
 
     /**

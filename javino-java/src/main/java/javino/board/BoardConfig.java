@@ -2,12 +2,14 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.function.Consumer;
+import javino.protocol.Request;
 
 /**
  * The settings of a session. All times are positive.
  *
- * @param pollInterval   from one poll to the next while there are no other requests; 35 ms by default. While the board
- *                       receives or sends by radio it is at most 15 ms.
+ * @param hold           how long the board may hold its reply to a poll while it has nothing to tell, at most
+ *                       65 535 ms; 2 s by default. A board that hangs is noticed so much later; not
+ *                       one that was reset.
  * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more if
  *                       the board writes to its EEPROM (SPEC 4.2).
  * @param attempts       how many times a request is sent before the board counts as offline, at least 1; 5 by default.
@@ -17,12 +19,17 @@ import java.util.function.Consumer;
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
  * @param queueCapacity  how many requests may wait, at least 1; 64 by default.
  */
-public record BoardConfig(Duration pollInterval, Duration replyTimeout, int attempts, Duration helloInterval,
+public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration helloInterval,
         Duration reopenInterval, Duration patience, int queueCapacity) {
+
+    private static final Duration MAX_HOLD = Duration.ofMillis(Request.MAX_HOLD_MILLIS);
 
     /** @throws IllegalArgumentException if a value is out of its range. */
     public BoardConfig {
-        checkPositive("pollInterval", pollInterval);
+        checkPositive("hold", hold);
+        if (hold.compareTo(MAX_HOLD) > 0) {
+            throw new IllegalArgumentException("hold must be at most " + MAX_HOLD.toMillis() + " ms, not " + hold);
+        }
         checkPositive("replyTimeout", replyTimeout);
         checkPositive("helloInterval", helloInterval);
         checkPositive("reopenInterval", reopenInterval);
@@ -58,7 +65,7 @@ public record BoardConfig(Duration pollInterval, Duration replyTimeout, int atte
     /** Collects settings; see {@link BoardConfig} for their meanings. */
     public static final class Builder {
 
-        private Duration pollInterval = Duration.ofMillis(35);
+        private Duration hold = Duration.ofSeconds(2);
         private Duration replyTimeout = Duration.ofMillis(200);
         private int attempts = 5;
         private Duration helloInterval = Duration.ofMillis(100);
@@ -69,9 +76,9 @@ public record BoardConfig(Duration pollInterval, Duration replyTimeout, int atte
         private Builder() {
         }
 
-        /** Sets {@link BoardConfig#pollInterval()}. */
-        public Builder setPollInterval(Duration interval) {
-            pollInterval = interval;
+        /** Sets {@link BoardConfig#hold()}. */
+        public Builder setHold(Duration longest) {
+            hold = longest;
             return this;
         }
 
@@ -112,7 +119,7 @@ public record BoardConfig(Duration pollInterval, Duration replyTimeout, int atte
         }
 
         private BoardConfig build() {
-            return new BoardConfig(pollInterval, replyTimeout, attempts, helloInterval, reopenInterval, patience,
+            return new BoardConfig(hold, replyTimeout, attempts, helloInterval, reopenInterval, patience,
                     queueCapacity);
         }
     }

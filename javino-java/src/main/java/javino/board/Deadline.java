@@ -13,6 +13,10 @@ record Deadline(long nanos) {
         return nanos - System.nanoTime();
     }
 
+    Deadline orBefore(Deadline other) {
+        return nanos - other.nanos < 0 ? this : other;
+    }
+
     boolean passed() {
         return nanosLeft() <= 0;
     }

@@ -14,8 +14,9 @@ import javino.protocol.Request;
 import javino.protocol.Status;
 
 /**
- * Finds out who is at the other end of an open link: says hello, and now and then asks in the older protocol, at its
- * speed. Which of them is answered is how the board is then spoken with. For the session's thread only.
+ * Finds out who is at the other end of an open link, and at which speed: says hello, now and then at 1 000 000 baud,
+ * and asks in the older protocol at its speed. Which of them is answered is how the board is then spoken with. For the
+ * session's thread only.
  */
 final class Greeting {
 
@@ -29,6 +30,11 @@ final class Greeting {
      * sensors.
      */
     private static final int LEGACY_INTERVALS = 20;
+
+    /** The other speed that a sketch may have. */
+    private static final int FAST_BAUD = 1_000_000;
+    /** How many hellos at it. */
+    private static final int FAST_HELLOS = 5;
 
     private final Link link;
     private final Context context;
@@ -67,7 +73,10 @@ final class Greeting {
     Optional<BoardInfo> greet() throws LinkException, ProtocolException {
         Optional<BoardInfo> board = Optional.empty();
         while (board.isEmpty() && goOn.getAsBoolean()) {
-            board = hello();
+            board = hello(baud, HELLOS);
+            if (board.isEmpty() && baud != 0 && goOn.getAsBoolean()) {
+                board = hello(FAST_BAUD, FAST_HELLOS);
+            }
             if (board.isEmpty() && goOn.getAsBoolean()) {
                 board = askInLegacy();
             }
@@ -75,10 +84,20 @@ final class Greeting {
         return board;
     }
 
-    private Optional<BoardInfo> hello() throws LinkException, ProtocolException {
-        link.setBaud(baud);
-        Optional<Reply> reply = exchange.ask(Request.hello(), context.config().helloInterval(),
-                attempts -> attempts < HELLOS && goOn.getAsBoolean());
+    private Optional<BoardInfo> hello(int speed, int hellos) throws LinkException, ProtocolException {
+        link.setBaud(speed);
+        try {
+            return hello(hellos);
+        } catch (ProtocolException e) {
+            // It may be for a poll of the program before, which a hello ends: one in 256 has the same sequence byte.
+            context.counters().count(SessionCounter.BAD_REPLIES);
+            return hello(hellos);
+        }
+    }
+
+    private Optional<BoardInfo> hello(int hellos) throws LinkException, ProtocolException {
+        Optional<Reply> reply = exchange.ask(Request.hello(), context.config().helloInterval(), () -> false,
+                attempts -> attempts < hellos && goOn.getAsBoolean());
         return reply.isEmpty() ? Optional.empty() : Optional.of(boardInfo(reply.get()));
     }
 

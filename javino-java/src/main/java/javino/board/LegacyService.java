@@ -89,19 +89,14 @@ final class LegacyService {
 
     private void look() throws LinkException, LostException {
         perception.followWish();
-        if (perception.isDue()) {
+        if (perception.isWanted() && perception.dueIn().isZero()) {
             perception.asked();
             askPercepts();
         } else if (!perception.isWanted()) {
             exchange.listen();
         }
         tellOfDamage();
-        next = Deadline.in(perception.isWanted() ? pause() : LOOK_INTERVAL);
-    }
-
-    private Duration pause() {
-        Duration usual = context.config().pollInterval();
-        return usual.compareTo(PAUSE) > 0 ? usual : PAUSE;
+        next = Deadline.in(perception.isWanted() ? PAUSE : LOOK_INTERVAL);
     }
 
     private void askPercepts() throws LinkException, LostException {
@@ -109,7 +104,7 @@ final class LegacyService {
         Optional<LegacyMessage> answer = exchange.askPercepts(timeout, () -> !context.queue().isClosed());
         if (answer.isPresent()) {
             silences = 0;
-            perception.take(answer.get().percepts(), false);
+            perception.take(answer.get().percepts(), false, false);
         } else if (++silences == MOST_SILENCES && !context.queue().isClosed()) {
             context.counters().count(SessionCounter.SILENCES);
             throw new LostException(context.name() + ": the board left " + MOST_SILENCES + " requests unanswered");

@@ -10,8 +10,8 @@ import javino.protocol.Bytes;
 import javino.protocol.ProtocolException;
 
 /**
- * Knows when percepts are due, tells the listener when they have changed, and those who wait for a reading that it was
- * taken. What is wanted is set by any thread; the rest is for the session's.
+ * Knows what is wanted of percepts, tells the listener when they have changed, and those who wait for a reading that it
+ * was taken. What is wanted is set by any thread; the rest is for the session's.
  */
 final class Perception {
 
@@ -24,8 +24,8 @@ final class Perception {
     /** What was told last; null where nothing holds. */
     private List<Bytes> percepts;
     private boolean leftOut;
-    /** When they were asked for last, on the monotonic clock. */
-    private long asked;
+    /** When they came last, on the monotonic clock. */
+    private long told;
 
     /** Percepts for which somebody waits, but not if they are due later than that. */
     private record Reading(Duration within, CompletableFuture<Void> taken) {
@@ -65,7 +65,7 @@ final class Perception {
     /** Tells that nothing is perceived, once percepts are wanted no longer, and lets go who would wait in vain. */
     void followWish() {
         if (wanted) {
-            Duration due = Duration.ofNanos(nanosUntilDue());
+            Duration due = dueIn();
             List<Reading> inVain = waiting.stream().filter(reading -> reading.within().compareTo(due) < 0).toList();
             waiting.removeAll(inVain);
             inVain.forEach(reading -> reading.taken().complete(null));
@@ -78,27 +78,31 @@ final class Perception {
         end();
     }
 
-    boolean isDue() {
-        return wanted && nanosUntilDue() <= 0;
+    /** How long percepts are not to be told yet; zero if they may be. */
+    Duration dueIn() {
+        long nanos = percepts == null ? 0 : interval.toNanos() - (System.nanoTime() - told);
+        return Duration.ofNanos(Math.max(0, nanos));
     }
 
-    private long nanosUntilDue() {
-        return percepts == null ? 0 : interval.toNanos() - (System.nanoTime() - asked);
+    /** The least time between two sets of percepts. */
+    Duration interval() {
+        return interval;
     }
 
-    /** They are asked for now. */
+    /** Whether somebody waits for a reading. */
+    boolean isAwaited() {
+        return !waiting.isEmpty() || !underWay.isEmpty();
+    }
+
+    /** A reading that is made after this is asked for now. */
     void asked() {
-        asked = System.nanoTime();
-        beginReadings();
-    }
-
-    private void beginReadings() {
         for (Reading reading = waiting.poll(); reading != null; reading = waiting.poll()) {
             underWay.add(reading);
         }
     }
 
-    void take(List<Bytes> literals, boolean someLeftOut) {
+    /** @param late whether those who wait for a reading may wait for a later one. */
+    void take(List<Bytes> literals, boolean someLeftOut, boolean late) {
         if (someLeftOut && !leftOut) {
             listener.warn("the board has more percepts than fit one reply; the last ones are left out");
         }
@@ -107,12 +111,15 @@ final class Perception {
             tell(literals);
             percepts = literals;
         }
-        letGo();
+        told = System.nanoTime();
+        if (!late) {
+            letGo();
+        }
     }
 
     /** There will be none: nobody waits any more. */
     void end() {
-        beginReadings();
+        asked();
         letGo();
     }
 

@@ -1,5 +1,6 @@
 package javino.board;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,6 +17,10 @@ import javino.protocol.Request;
 /** Makes polls, and turns what they bring into calls of the listener. For the session's thread only. */
 final class Polling {
 
+    /** From one reading to the next at least: for a board whose readings differ all the time. */
+    private static final long LEAST_MILLIS = 10;
+    private static final Duration LONGEST_LEAST = Duration.ofMillis(Request.MAX_LEAST_MILLIS);
+
     private final Context context;
     private final Perception perception;
     /** The ends that the board is yet to tell, by numbers, which hold for one boot of the board. */
@@ -25,11 +30,7 @@ final class Polling {
     private BoardInfo source;
     private int taken = Request.NOTHING_TAKEN;
     private boolean owesTaken;
-    /** Whether the last poll asked for percepts. */
-    private boolean asksPercepts;
     private boolean isLast;
-    /** Whether percepts came just now, so that the next poll, made at once, is for what may have had no room. */
-    private boolean perceptsCrowd;
 
     Polling(Context context) {
         this.context = context;
@@ -44,7 +45,6 @@ final class Polling {
             repeats.booted();
             abandonAll();
         }
-        perceptsCrowd = false;
         source = board;
         perception.forget();
     }
@@ -97,17 +97,42 @@ final class Polling {
         return owesTaken;
     }
 
-    Request nextPoll() {
+    /**
+     * The poll to make now.
+     *
+     * @param hold      how long the board may hold its reply at most.
+     * @param lastReply what became of the replies to the polls before.
+     */
+    Request nextPoll(Duration hold, Request.LastReply lastReply) {
         perception.followWish();
-        asksPercepts = perception.isDue() && !perceptsCrowd;
-        if (asksPercepts) {
-            perception.asked();
+        Duration due = perception.dueIn();
+        // For longer than a poll can say, they are not asked for; the board then tells them anew.
+        if (!perception.isWanted() || due.compareTo(LONGEST_LEAST) > 0) {
+            return poll(Request.Percepts.NONE, hold, lastReply);
         }
-        return Request.poll(asksPercepts, taken);
+        if (!perception.isAwaited()) {
+            return poll(Request.Percepts.CHANGED, hold, lastReply);
+        }
+        if (due.isZero()) {
+            perception.asked();
+            return poll(Request.Percepts.NOW, Duration.ZERO, lastReply);
+        }
+        return poll(Request.Percepts.CHANGED, due.compareTo(hold) < 0 ? due : hold, lastReply);
     }
 
-    /** Takes over all that the poll brought. */
-    void take(PollReply reply) {
+    private Request poll(Request.Percepts percepts, Duration hold, Request.LastReply lastReply) {
+        // Rounded up, so that what is due is due when the reply comes.
+        int holdMillis = (int) hold.plusNanos(999_999).toMillis();
+        long least = Math.max(LEAST_MILLIS, perception.interval().toMillis());
+        return Request.poll(percepts, holdMillis, (int) Math.min(least, Request.MAX_LEAST_MILLIS), taken, lastReply);
+    }
+
+    /**
+     * Takes over all that the poll brought.
+     *
+     * @param late whether there was another poll after it.
+     */
+    void take(PollReply reply, boolean late) {
         owesTaken = false;
         repeats.confirmed();
         List<Bytes> literals = new ArrayList<>();
@@ -120,19 +145,17 @@ final class Polling {
                 end(transmission);
             }
         }
-        if (asksPercepts) {
-            perception.take(literals, reply.leftOut());
+        if (reply.reading()) {
+            perception.take(literals, reply.leftOut(), late);
         }
-        perceptsCrowd = asksPercepts && (reply.more() || owesTaken);
     }
 
     /**
      * A poll that only says what is taken: messages that it brings stay with the board, for the next run of the host.
      */
-    Request lastPoll() {
-        asksPercepts = false;
+    Request lastPoll(Request.LastReply lastReply) {
         isLast = true;
-        return Request.poll(false, taken);
+        return Request.poll(Request.Percepts.NONE, 0, 0, taken, lastReply);
     }
 
     private void takeMessage(PollReply.Message message) {

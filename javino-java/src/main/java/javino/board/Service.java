@@ -2,12 +2,12 @@ package javino.board;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import javino.link.LinkException;
 import javino.protocol.ActionNames;
 import javino.protocol.BoardInfo;
-import javino.protocol.Bytes;
-import javino.protocol.PollReply;
+import javino.protocol.Frame;
 import javino.protocol.ProtocolError;
 import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
@@ -20,23 +20,22 @@ final class Service {
     /** What a board may take to write to its EEPROM, beyond the time for a reply (SPEC 4.2). */
     private static final Duration EEPROM_TIME = Duration.ofMillis(400);
 
-    /** From one poll to the next while the board receives or sends. */
-    private static final Duration ACTIVE_INTERVAL = Duration.ofMillis(15);
+    /** From one poll to the next at most, while requests follow each other. */
+    private static final Duration MOST_INTERVAL = Duration.ofMillis(35);
 
     private final Context context;
     private final Exchange exchange;
     private final Polling polling;
-    private Deadline nextPoll = Deadline.in(Duration.ZERO);
+    private Deadline latestPoll = Deadline.in(Duration.ZERO);
     private boolean pollsFail;
     /** Whether to poll before the next request: acknowledgements wait for the board to know what was taken. */
     private boolean pollFirst;
-    /** What the radio was told since the board was greeted; null if nothing yet. */
-    private Request radioTold;
 
     Service(Context context, Exchange exchange, Polling polling) {
         this.context = context;
         this.exchange = exchange;
         this.polling = polling;
+        exchange.setLateReplies(this::takeLate);
     }
 
     /** Opens or blocks the radio as it was wished, since boards start with it blocked. */
@@ -47,7 +46,7 @@ final class Service {
         }
         Request request = Request.radio(wanted);
         try {
-            Status status = tell(request).status();
+            Status status = ask(request).status();
             if (status != Status.OK) {
                 context.listener().warn(new RequestFailedException(request.toString(), status).getMessage());
             }
@@ -82,12 +81,11 @@ final class Service {
     void run(Supplier<BoardInfo> present) throws LinkException, LostException {
         pollFirst = polling.owesTaken();
         while (!context.queue().isClosed()) {
-            Pending<?> request = pollFirst ? null : context.queue().next(nextPoll);
+            Pending<?> request = pollFirst ? null : context.queue().next(Deadline.in(Duration.ZERO));
             if (request != null && !request.result().isDone()) {
                 perform(request, present.get());
             }
-            // No request: it is time, a wish has changed, or messages were taken.
-            if (request == null || nextPoll.passed()) {
+            if (request == null || latestPoll.passed()) {
                 poll();
             }
         }
@@ -98,7 +96,7 @@ final class Service {
 
     private void perform(Pending<?> pending, BoardInfo board) throws LinkException, LostException {
         try {
-            pending.answer(tell(pending.source().request(board)));
+            pending.answer(ask(pending.source().request(board)));
         } catch (RequestFailedException e) {
             pending.fail(e);
         } catch (ProtocolException e) {
@@ -110,49 +108,49 @@ final class Service {
         }
     }
 
-    /** Asks, but for what a radio was told already: what was wished before the greeting also waits in the queue. */
-    private Reply tell(Request request) throws LinkException, LostException, ProtocolException {
-        if (request.equals(radioTold)) {
-            return new Reply(Status.OK, Bytes.EMPTY);
-        }
-        boolean toRadio = request.command() == Request.Command.RADIO;
-        radioTold = toRadio ? null : radioTold;
-        Reply reply = ask(request);
-        if (toRadio && reply.status() == Status.OK) {
-            radioTold = request;
-        }
-        return reply;
-    }
-
+    /** The board holds its reply until it has something to tell, or somebody here has. */
     private void poll() throws LinkException, LostException {
-        Duration interval = context.config().pollInterval();
         boolean first = pollFirst;
         pollFirst = false;
+        Duration hold = context.queue().hasNews() ? Duration.ZERO : context.config().hold();
         try {
-            PollReply reply = pollReply(ask(polling.nextPoll()));
-            polling.take(reply);
-            interval = polling.owesTaken() ? Duration.ZERO : intervalAfter(reply);
-            // Once: a board that has a message each time shall not keep all requests waiting.
-            pollFirst = polling.owesTaken() && !first;
-            pollsFail = false;
+            Optional<Reply> reply = askOrLeave(polling.nextPoll(hold, exchange.takeLastReply()));
+            if (reply.isPresent()) {
+                take(reply.get(), false);
+                // Once: a board that has a message each time shall not keep all requests waiting.
+                pollFirst = pollFirst && !first;
+            }
         } catch (ProtocolException e) {
             badPollReply(e);
         }
-        nextPoll = Deadline.in(interval);
+        latestPoll = Deadline.in(MOST_INTERVAL);
     }
 
-    private Duration intervalAfter(PollReply reply) {
-        Duration usual = context.config().pollInterval();
-        if (reply.more()) {
-            return Duration.ZERO;
+    private void take(Reply reply, boolean late) throws ProtocolException {
+        if (reply.status() != Status.OK) {
+            throw new ProtocolException(ProtocolError.BAD_REPLY, "poll answered with " + reply.status());
         }
-        return reply.airActive() && usual.compareTo(ACTIVE_INTERVAL) > 0 ? ACTIVE_INTERVAL : usual;
+        polling.take(reply.poll(), late);
+        pollsFail = false;
+        pollFirst = polling.owesTaken();
+    }
+
+    private void takeLate(Frame frame) {
+        try {
+            Reply reply = Reply.decode(frame);
+            // A board that has forgotten the greeting says so in the next reply too.
+            if (reply.status() != Status.NOT_GREETED) {
+                take(reply, true);
+            }
+        } catch (ProtocolException e) {
+            badPollReply(e);
+        }
     }
 
     /** Says at the end what was taken, so that its sender learns of it and the next run does not get it again. */
     private void confirm() throws LinkException, LostException {
         try {
-            polling.take(pollReply(ask(polling.lastPoll())));
+            take(ask(polling.lastPoll(exchange.takeLastReply())), false);
         } catch (ProtocolException e) {
             badPollReply(e);
         }
@@ -167,31 +165,35 @@ final class Service {
         pollsFail = true;
     }
 
-    private static PollReply pollReply(Reply reply) throws ProtocolException {
-        if (reply.status() != Status.OK) {
-            throw new ProtocolException(ProtocolError.BAD_REPLY, "poll answered with " + reply.status());
-        }
-        return reply.poll();
+    private Reply ask(Request request) throws LinkException, LostException, ProtocolException {
+        return askOrLeave(request).orElseThrow(() -> new IllegalStateException(request + " was held"));
     }
 
-    private Reply ask(Request request) throws LinkException, LostException, ProtocolException {
+    /** Asks; nothing if this is a poll whose reply {@link #takeLate} will take, as there is something else to ask. */
+    private Optional<Reply> askOrLeave(Request request) throws LinkException, LostException, ProtocolException {
         // A listener or a future's dependant may have interrupted this thread; that is no reason to drop the link.
         Thread.interrupted();
         Duration timeout = context.config().replyTimeout();
-        Reply reply = exchange.ask(request, request.command().writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout,
-                attempts -> attempts < context.config().attempts() && !context.queue().isClosed()).orElse(null);
-        if (reply == null && context.queue().isClosed()) {
-            throw new LostException(context.name() + ": the session was closed");
-        }
-        if (reply == null) {
-            context.counters().count(SessionCounter.SILENCES);
-            throw new LostException(context.name() + ": the board left a request unanswered");
-        }
-        if (reply.status() == Status.NOT_GREETED) {
+        Optional<Reply> reply = exchange.ask(request,
+                request.command().writesEeprom() ? timeout.plus(EEPROM_TIME) : timeout, this::hasMore,
+                attempts -> attempts < context.config().attempts() && !context.queue().isClosed());
+        if (reply.isPresent() && reply.get().status() == Status.NOT_GREETED) {
             context.counters().count(SessionCounter.RESETS);
             polling.reset();
             throw new LostException(context.name() + ": the board was reset");
         }
-        return reply;
+        if (reply.isPresent() || exchange.hasLeft()) {
+            return reply;
+        }
+        if (context.queue().isClosed()) {
+            throw new LostException(context.name() + ": the session was closed");
+        }
+        context.counters().count(SessionCounter.SILENCES);
+        throw new LostException(context.name() + ": the board left a request unanswered");
+    }
+
+    /** Whether there is more to ask; also while a long reading comes, so that the next one may follow it at once. */
+    private boolean hasMore() {
+        return context.queue().hasNews() || !context.perception().isAwaited() && exchange.readingComes();
     }
 }

@@ -77,6 +77,7 @@ final class Session implements Runnable {
 
     private void connect() {
         try (Link link = opener.open()) {
+            context.queue().setWaker(link::wake);
             use(link);
         } catch (LinkException e) {
             goOffline(e.getMessage());

@@ -76,7 +76,7 @@ final class Doctor {
     private boolean isReached(Board board, Watched link) throws InterruptedException {
         try {
             BoardInfo info = Await.result(board.greeted());
-            findings.ok("port", port.name());
+            examinePort();
             findings.ok("board", info.firmware());
             if (info.isLegacy()) {
                 findings.trouble("protocol", "older protocol: percepts and actions work, the radio does not; for that "
@@ -88,7 +88,7 @@ final class Doctor {
         } catch (JavinoException e) {
             boolean incompatible = board.state() == BoardState.INCOMPATIBLE;
             if (link.opened) {
-                findings.ok("port", port.name());
+                examinePort();
             }
             if (incompatible) {
                 findings.ok("board", "answers");
@@ -96,5 +96,10 @@ final class Doctor {
             findings.trouble(!link.opened ? "port" : incompatible ? "protocol" : "board", e.getMessage());
             return false;
         }
+    }
+
+    private void examinePort() {
+        findings.ok("port", port.name());
+        port.latencyTimer().examine(findings);
     }
 }

@@ -1,5 +1,6 @@
 package javino.cli;
 
+import java.nio.file.Path;
 import java.util.function.Function;
 import javino.JavinoException;
 import javino.board.Board;
@@ -15,6 +16,7 @@ final class PortOption {
 
     private final Function<String, LinkOpener> links;
     private final BoardConfig config;
+    private final Path sysfs;
 
     @Option(names = "--port", required = true, paramLabel = "PORT",
             description = "The board's serial port, such as /dev/ttyACM0 or COM5.")
@@ -23,10 +25,12 @@ final class PortOption {
     /**
      * @param links  the way to the board, by the port's name.
      * @param config of the sessions.
+     * @param sysfs  where the system shows its devices.
      */
-    PortOption(Function<String, LinkOpener> links, BoardConfig config) {
+    PortOption(Function<String, LinkOpener> links, BoardConfig config, Path sysfs) {
         this.links = links;
         this.config = config;
+        this.sysfs = sysfs;
     }
 
     /** Makes commands whose boards are at serial ports. */
@@ -36,11 +40,16 @@ final class PortOption {
 
     /** Makes commands whose boards are where these links lead. */
     static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config) {
+        return factory(links, config, Path.of("/sys"));
+    }
+
+    /** As {@link #factory(Function, BoardConfig)}, with another folder than {@code /sys}. */
+    static CommandLine.IFactory factory(Function<String, LinkOpener> links, BoardConfig config, Path sysfs) {
         CommandLine.IFactory rest = CommandLine.defaultFactory();
         return new CommandLine.IFactory() {
             @Override
             public <K> K create(Class<K> type) throws Exception {
-                return type == PortOption.class ? type.cast(new PortOption(links, config)) : rest.create(type);
+                return type == PortOption.class ? type.cast(new PortOption(links, config, sysfs)) : rest.create(type);
             }
         };
     }
@@ -48,6 +57,10 @@ final class PortOption {
     /** The port's name, as it was given. */
     String name() {
         return port;
+    }
+
+    LatencyTimer latencyTimer() {
+        return new LatencyTimer(port, sysfs);
     }
 
     LinkOpener link() {

@@ -2,7 +2,7 @@ package javino.link;
 
 import java.time.Duration;
 
-/** An open two-way stream of bytes to a board. One thread reads and writes; any may close. */
+/** An open two-way stream of bytes to a board. One thread reads and writes; any may wake it, or close. */
 public interface Link extends AutoCloseable {
 
     /**
@@ -16,14 +16,17 @@ public interface Link extends AutoCloseable {
      * Waits until at least one byte is there, and reads all that are.
      *
      * @param into    filled from its start.
-     * @param timeout how long to wait at most; implementations may round it up to 100 ms.
-     * @return how many bytes were read, or 0 if none came in time.
+     * @param timeout how long to wait at most.
+     * @return how many bytes were read, or 0 if none came in time, or {@link #wake} was called.
      * @throws LinkException if the link is broken or closed.
      */
     int read(byte[] into, Duration timeout) throws LinkException;
 
+    /** Ends a {@link #read} that waits, or the coming one. Never waits; does nothing if the link is closed. */
+    void wake();
+
     /**
-     * How long bytes take on the line, so that a reader can collect them instead of waking for each few.
+     * How long bytes take on the line.
      *
      * @return zero, unless the link is slow and knows its speed.
      */

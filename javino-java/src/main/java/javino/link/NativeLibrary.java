@@ -2,6 +2,7 @@ package javino.link;
 
 import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -94,7 +95,7 @@ final class NativeLibrary {
             for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
                 Files.delete(each);
             }
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             // A network's file system may keep a file that is in use. Nobody else can enter its folder.
         }
     }

@@ -7,9 +7,11 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.locks.LockSupport;
 import javino.JavinoException;
 
 /** A serial port: 8 data bits, no parity, one stop bit, no flow control (SPEC 4). */
@@ -20,7 +22,14 @@ public final class SerialLink implements Link {
 
     /** A start bit, eight of data, a stop bit. */
     private static final int BITS_A_BYTE = 10;
-    private static final int TIMEOUT_STEP_MILLIS = 100;
+    /** The shortest reply of a board (SPEC 4): a reader that waits for so many bytes delays none. */
+    private static final int SHORTEST_REPLY = 17;
+    /** How many further bytes are collected, so that the reader does not wake for each. */
+    private static final int SOME_BYTES = 4;
+    /** After so many milliseconds without a byte, the next one begins a reply. */
+    private static final int QUIET_MILLIS = 3;
+    /** How long the end of the reader is waited for. */
+    private static final int ENDING_MILLIS = 100;
     /** ENOTTY of Linux, macOS and the BSDs. */
     private static final int NOT_A_TERMINAL = 25;
     /** EACCES of the same. */
@@ -31,13 +40,20 @@ public final class SerialLink implements Link {
 
     private final String name;
     private final SerialPort port;
-    private int baud;
-    private int timeoutMillis = -1;
+    private final Incoming incoming;
+    private final Thread reader;
+    private volatile int baud;
+    private volatile boolean closed;
 
     private SerialLink(String name, SerialPort port, int baud) {
         this.name = name;
         this.port = port;
         this.baud = baud;
+        incoming = new Incoming(name);
+        // Not a virtual thread, as it waits in the system.
+        reader = new Thread(this::read, "javino " + name + " reader");
+        reader.setDaemon(true);
+        reader.start();
     }
 
     /** An opener at {@link #DEFAULT_BAUD}; see {@link #opener(String, int)}. */
@@ -94,6 +110,8 @@ public final class SerialLink implements Link {
         if (!port.openPort(0)) {
             throw new LinkException(name, whyNotOpened(port.getLastErrorCode()));
         }
+        // A read ends when a byte comes, or the port is closed.
+        port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
         return new SerialLink(name, port, baud);
     }
 
@@ -149,23 +167,44 @@ public final class SerialLink implements Link {
         }
     }
 
-    @Override
-    public int read(byte[] into, Duration timeout) throws LinkException {
-        int millis = roundedUp(timeout);
-        if (millis != timeoutMillis) {
-            port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, millis, 0);
-            timeoutMillis = millis;
+    /** The reader: waits in the system until bytes come. */
+    private void read() {
+        byte[] buffer = new byte[1024];
+        long last = System.nanoTime();
+        while (true) {
+            int count = port.readBytes(buffer, 1);
+            if (count == 1) {
+                // A serial line gives a few bytes at a time; being woken for each would be most of what a board costs.
+                long now = System.nanoTime();
+                boolean first = now - last > QUIET_MILLIS * 1_000_000L;
+                LockSupport.parkNanos(timeFor(first ? SHORTEST_REPLY - 1 : SOME_BYTES).toNanos());
+                count = readWhatIsThere(buffer);
+                last = System.nanoTime();
+            }
+            // Nothing, from a read without end: the other side has gone.
+            if (closed || count <= 0) {
+                incoming.end("cannot be read" + cause(port) + "; was the board unplugged?");
+                return;
+            }
+            incoming.add(Arrays.copyOf(buffer, count));
         }
-        int count = port.readBytes(into, into.length);
-        if (count < 0) {
-            throw new LinkException(name, "cannot be read" + cause(port) + "; was the board unplugged?");
-        }
-        return count;
     }
 
-    /** In steps of 100 ms: POSIX counts in them, and each other value costs a system call or two. Never 0: for ever. */
-    private static int roundedUp(Duration timeout) {
-        return (int) (timeout.toMillis() / TIMEOUT_STEP_MILLIS + 1) * TIMEOUT_STEP_MILLIS;
+    /** Behind the byte that was read already. */
+    private int readWhatIsThere(byte[] buffer) {
+        int there = port.bytesAvailable();
+        int more = there <= 0 ? there : port.readBytes(buffer, Math.min(there, buffer.length - 1), 1);
+        return more < 0 ? more : 1 + more;
+    }
+
+    @Override
+    public int read(byte[] into, Duration timeout) throws LinkException {
+        return incoming.read(into, timeout);
+    }
+
+    @Override
+    public void wake() {
+        incoming.wake();
     }
 
     @Override
@@ -189,6 +228,12 @@ public final class SerialLink implements Link {
 
     @Override
     public void close() {
+        closed = true;
         port.closePort();
+        try {
+            reader.join(ENDING_MILLIS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

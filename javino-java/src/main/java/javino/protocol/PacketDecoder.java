@@ -58,6 +58,11 @@ public final class PacketDecoder {
         return results;
     }
 
+    /** The first bytes of a packet that has begun, as far as they are here; they may be damaged. */
+    public Bytes begun(int most) {
+        return begun ? Bytes.owning(Arrays.copyOf(decoded, Math.min(length, most))) : Bytes.EMPTY;
+    }
+
     /**
      * Forgets a packet that has begun and is not expected to end.
      *

@@ -8,14 +8,17 @@ import java.util.List;
  *
  * @param more    whether more is waiting, so that the host should poll again at once.
  * @param leftOut whether some percepts did not fit.
- * @param airActive whether the board is receiving or sending, so that more may come soon.
- * @param records in the order of the reply: transmissions, percepts, messages.
+ * @param reading whether the percepts of this reply are all that the board perceives now; otherwise there are none, and
+ *                the last ones told still hold.
+ * @param records in the order of the reply: transmissions and messages, or percepts.
  */
-public record PollReply(boolean more, boolean leftOut, boolean airActive, List<Item> records) {
+public record PollReply(boolean more, boolean leftOut, boolean reading, List<Item> records) {
 
+    /** Where the flags of a poll's reply end in its packet. */
+    public static final int FLAGS_END = 1 + Frame.HEADER_LENGTH + 2;
     private static final int MORE = 1;
     private static final int LEFT_OUT = 2;
-    private static final int AIR_ACTIVE = 4;
+    private static final int READING = 4;
     private static final int RECORD_HEADER_LENGTH = 3;
     private static final int ID_OFFSET = 1 + 2 * Address.LENGTH;
     private static final int MESSAGE_HEADER_LENGTH = ID_OFFSET + 3;
@@ -55,6 +58,12 @@ public record PollReply(boolean more, boolean leftOut, boolean airActive, List<I
     public record Transmission(int number, Outcome outcome) implements Item {
     }
 
+    /** Whether a packet that begins so seems to be a reply of this sequence byte that carries a reading. */
+    public static boolean isReading(int sequence, Bytes begun) {
+        return begun.length() >= FLAGS_END && begun.at(0) == sequence
+                && begun.at(FLAGS_END - 2) == Status.OK.ordinal() && (begun.at(FLAGS_END - 1) & READING) != 0;
+    }
+
     static PollReply decode(Bytes body) throws ProtocolException {
         Reply.expect(body.length() >= 1, "a poll is answered with flags", body);
         List<Item> records = new ArrayList<>();
@@ -68,7 +77,7 @@ public record PollReply(boolean more, boolean leftOut, boolean airActive, List<I
             at = end;
         }
         int flags = body.at(0);
-        return new PollReply((flags & MORE) != 0, (flags & LEFT_OUT) != 0, (flags & AIR_ACTIVE) != 0, records);
+        return new PollReply((flags & MORE) != 0, (flags & LEFT_OUT) != 0, (flags & READING) != 0, records);
     }
 
     private static Item decodeItem(int type, Bytes value) throws ProtocolException {

@@ -1,5 +1,7 @@
 package javino.protocol;
 
+import java.time.Duration;
+
 /**
  * A request of a host to its board (SPEC 4.3). {@code toString} describes it for error lines and never shows a key.
  *
@@ -13,8 +15,14 @@ public record Request(Command command, Frame frame, String description) {
     public static final int PROTOCOL_VERSION = 1;
     /** Instead of a message's number: no message was taken yet. */
     public static final int NOTHING_TAKEN = -1;
+    /** The longest hold that a poll can allow, in ms. */
+    public static final int MAX_HOLD_MILLIS = 0xFFFF;
+    /** The longest least time between two readings that a poll can ask for, in ms: more than 4 hours. */
+    public static final int MAX_LEAST_MILLIS = 0xFFFFFF;
 
     static final int MAX_OFFSET = 0xFFFF;
+    /** In the message of a poll, behind command and flags. */
+    private static final int HOLD_AT = 2;
 
     /** All requests, with their letters on the line. */
     public enum Command {
@@ -80,17 +88,62 @@ public record Request(Command command, Frame frame, String description) {
         return Command.HELLO.with(Bytes.of(PROTOCOL_VERSION), "hello");
     }
 
+    /** What a poll asks of percepts. */
+    public enum Percepts {
+        /** None. */
+        NONE(0),
+        /** A reading as soon as it differs from the last one that the board told. */
+        CHANGED(1),
+        /** A reading at once, even if it is the same. */
+        NOW(3);
+
+        private final int flags;
+
+        Percepts(int flags) {
+            this.flags = flags;
+        }
+    }
+
+    /** What a host knows of the replies to its polls before. */
+    public enum LastReply {
+        /** All are here: what they told may be forgotten. */
+        HERE(0),
+        /** One is lost: what it told is to be told again. */
+        LOST(4),
+        /** One may still come: neither. */
+        COMING(8);
+
+        private final int flag;
+
+        LastReply(int flag) {
+            this.flag = flag;
+        }
+    }
+
     /**
      * {@link Command#POLL}.
      *
-     * @param percepts whether percepts are wanted.
-     * @param taken    the number 0…255 of the last message taken, or {@link #NOTHING_TAKEN}.
-     * @throws IllegalArgumentException if the number is out of range.
+     * @param percepts  what is wanted of them.
+     * @param holdMillis how long the board may hold its reply while it has nothing to tell, 0…65 535 ms.
+     * @param leastMillis the least time from one reading told to the next, 0…16 777 215 ms.
+     * @param taken     the number of the last message that the host has taken, 0…255, or {@link #NOTHING_TAKEN}.
+     * @param lastReply what became of the replies to the polls before.
+     * @throws IllegalArgumentException if a number is out of its range.
      */
-    public static Request poll(boolean percepts, int taken) {
+    public static Request poll(Percepts percepts, int holdMillis, int leastMillis, int taken, LastReply lastReply) {
         check(taken >= NOTHING_TAKEN && taken <= 0xFF, "a message's number is 0…255", taken);
-        Bytes flags = Bytes.of(percepts ? 1 : 0);
-        return Command.POLL.with(taken == NOTHING_TAKEN ? flags : Bytes.join(flags, Bytes.of(taken)), "poll");
+        check(holdMillis >= 0 && holdMillis <= MAX_HOLD_MILLIS, "a reply is held for 0…65 535 ms", holdMillis);
+        check(leastMillis >= 0 && leastMillis <= MAX_LEAST_MILLIS,
+                "the least time between readings is 0…16 777 215 ms", leastMillis);
+        Bytes body = Bytes.join(Bytes.of(percepts.flags | lastReply.flag), Bytes.ofNumber(holdMillis, 2),
+                Bytes.ofNumber(leastMillis, 3));
+        return Command.POLL.with(taken == NOTHING_TAKEN ? body : Bytes.join(body, Bytes.of(taken)), "poll");
+    }
+
+    /** How long the board may wait before it replies: zero, but for a poll. */
+    public Duration hold() {
+        return command() == Command.POLL
+                ? Duration.ofMillis(frame.message().number(HOLD_AT, HOLD_AT + 2)) : Duration.ZERO;
     }
 
     /**

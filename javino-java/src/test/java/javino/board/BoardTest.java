@@ -24,7 +24,10 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Counter;
+import javino.protocol.Frame;
 import javino.protocol.Key;
+import javino.protocol.Packet;
+import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -32,6 +35,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class BoardTest extends BoardFixture {
+
+    /** A hold that no test waits for. */
+    private static final Duration LONG = Duration.ofMinutes(1);
+    private static final Duration HOUR = Duration.ofHours(1);
 
     private void open() {
         open(listener);
@@ -55,6 +62,11 @@ class BoardTest extends BoardFixture {
         CompletableFuture<Void> underWay = board.act(action);
         sent.await();
         return underWay;
+    }
+
+    /** So that a busy machine has nothing repeated, hello included. */
+    private static BoardConfig.Builder withoutHurry(BoardConfig.Builder config) {
+        return config.setReplyTimeout(Duration.ofSeconds(30)).setHelloInterval(Duration.ofSeconds(30));
     }
 
     @Test
@@ -110,6 +122,24 @@ class BoardTest extends BoardFixture {
         open();
         assertEquals("offline fake: the device answers hello, but not as a Javino board does: BAD_REPLY: "
                 + "list actions answered with UNKNOWN_COMMAND", listener.next());
+    }
+
+    /** The hello ends the hold of a poll of the program before; one time in 256 both have the same sequence byte. */
+    @Test
+    void open_replyToAPollOfTheProgramBefore_isNotTakenForAGreeting() throws Exception {
+        AtomicInteger replies = new AtomicInteger();
+        fake.setFault(reply -> {
+            if (replies.getAndIncrement() > 0) {
+                return reply;
+            }
+            PacketDecoder.Result toHello = new PacketDecoder().feed(reply.toArray(), reply.length()).get(0);
+            int sequence = ((PacketDecoder.Found) toHello).packet().sequence();
+            Frame polled = new Frame(Address.SERIAL, Address.SERIAL, Bytes.of(0, 0));
+            return new Packet(sequence, polled).encode();
+        });
+        open();
+        assertEquals("online 1", listener.next());
+        assertEquals(1, board.counters().get(SessionCounter.BAD_REPLIES));
     }
 
     @Test
@@ -252,6 +282,16 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void act_damageComesWithTheReply_takesTheReply() throws Exception {
+        open(listener, config -> withoutHurry(config));
+        listener.until("online");
+        fake.setFault(reply -> Bytes.join(reply, Bytes.of(5, 5, 0)));
+        board.act("one").get();
+        assertEquals(0, board.counters().get(SessionCounter.REPEATS));
+        assertTrue(board.counters().get(SessionCounter.DAMAGED_PACKETS) > 0);
+    }
+
+    @Test
     void act_staleReplies_areCountedAndIgnored() throws Exception {
         openAndAwaitOnline();
         fake.setFault(reply -> Bytes.join(reply, reply));
@@ -263,10 +303,136 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
-    void poll_whileTheAirIsActive_comesBeforeItsInterval() throws Exception {
-        fake.setAirActive(true);
-        open(listener, config -> config.setPollInterval(Duration.ofHours(1)));
+    void poll_held_isEndedByARequestAndByTheEnd() throws Exception {
+        open(listener, config -> withoutHurry(config).setHold(LONG));
+        listener.until("online");
+        fake.awaitHeld();
+        for (int i = 0; i < 20; i++) {
+            board.act("step(" + i + ")").get();
+        }
+        board.end().get();
+        assertEquals(20, fake.performed().size());
+        assertEquals(0, board.counters().get(SessionCounter.REPEATS));
+        assertEquals(0, board.counters().get(SessionCounter.SILENCES));
+    }
+
+    @Test
+    void poll_held_bringsWhatHappensMeanwhile() throws Exception {
+        open(listener, config -> config.setHold(LONG));
+        listener.until("online");
+        board.percepts(true);
+        assertEquals("percepts []", listener.next());
+        fake.setPercepts("dark");
+        assertEquals("percepts [dark]", listener.next());
+        fake.receive("tell;help");
+        assertEquals("message ROMA tell;help", listener.next());
+    }
+
+    @Test
+    void poll_heldAndTheBoardIsReset_isAskedAgain() throws Exception {
+        open(listener, config -> withoutHurry(config).setHold(LONG));
+        listener.until("online");
+        fake.awaitHeld();
+        fake.reset();
+        listener.until("offline");
+        listener.until("online");
+    }
+
+    @Test
+    void poll_replyIsDamaged_isAskedAgainBeforeTheHoldIsOver() throws Exception {
+        open(listener, config -> config.setHold(LONG));
+        listener.until("online");
+        fake.awaitHeld();
+        AtomicInteger replies = new AtomicInteger();
+        fake.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 2, 3) : reply);
+        fake.receive("tell;help");
+        assertEquals("message ROMA tell;help", listener.next());
+    }
+
+    /** A line that carries readings shall not wait for the host between them. */
+    @Test
+    void poll_readingComes_isFollowedByTheNextPollBeforeItsEnd() throws Exception {
+        open(listener, config -> withoutHurry(config).setHold(LONG));
+        listener.until("online");
+        board.percepts(true);
+        assertEquals("percepts []", listener.next());
+        // A poll with no hold, as percepts(true) may cause, is not left while its reply comes.
+        fake.awaitHeld();
+        fake.setHaltsReadings(true);
+        for (int i = 0; i < 20; i++) {
+            fake.setPercepts("light(" + i + ")");
+            assertEquals("percepts [light(" + i + ")]", listener.next());
+        }
+        assertTrue(lastPoll().startsWith("5009"), lastPoll());
+        board.act("go").get();
+        fake.receive("tell;help");
+        assertEquals("message ROMA tell;help", listener.next());
+        assertEquals(0, board.counters().get(SessionCounter.REPEATS));
+        assertEquals(0, board.counters().get(SessionCounter.STALE_REPLIES));
+    }
+
+    @Test
+    void poll_readingIsDamagedAndTheNextPollSent_isToldAgain() throws Exception {
+        open(listener, config -> config.setHold(LONG));
+        listener.until("online");
+        board.percepts(true);
+        assertEquals("percepts []", listener.next());
+        // A poll with no hold, as percepts(true) may cause, is not left while its reply comes.
+        fake.awaitHeld();
+        fake.setHaltsReadings(true);
+        AtomicInteger replies = new AtomicInteger();
+        fake.setFault(reply -> replies.getAndIncrement() == 0
+                ? Bytes.join(reply.slice(0, 20), Bytes.of(reply.at(20) ^ 1), reply.from(21)) : reply);
+        fake.setPercepts("dark");
+        assertEquals("percepts [dark]", listener.next());
+        assertTrue(board.counters().get(SessionCounter.DAMAGED_PACKETS) > 0);
+    }
+
+    /** The board replies to the poll that it holds, then to the request that ends the hold; one reply is damaged. */
+    @Test
+    void poll_heldReplyIsLost_isSaidInTheNextOne() throws Exception {
+        open(listener, config -> withoutHurry(config).setHold(LONG));
+        listener.until("online");
+        fake.awaitHeld();
+        AtomicInteger replies = new AtomicInteger();
+        fake.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 0) : reply);
+        board.act("go").get();
+        fake.awaitHeld();
+        assertEquals(List.of("go"), fake.performed());
+        assertEquals(0, board.counters().get(SessionCounter.REPEATS));
+        assertTrue(lastPoll().startsWith("5004"), lastPoll());
+    }
+
+    private String lastPoll() {
+        List<String> polls = fake.requests().stream().filter(request -> request.startsWith("50")).toList();
+        return polls.get(polls.size() - 1);
+    }
+
+    /** The request that ends a hold got lost: it is repeated after the time for a reply, and not after the hold. */
+    @Test
+    void poll_whatEndsItIsLost_isRepeated() throws Exception {
+        open(listener, config -> withoutHurry(config).setHold(LONG).setReplyTimeout(Duration.ofSeconds(1)));
+        listener.until("online");
+        fake.awaitHeld();
+        fake.setDeaf(1);
+        board.act("go").get();
+        assertEquals(List.of("go"), fake.performed());
+        assertEquals(1, board.counters().get(SessionCounter.REPEATS));
+    }
+
+    @Test
+    void open_boardOfAnotherSpeed_isFound() throws Exception {
+        port.setBaud(1_000_000);
+        openAndAwaitOnline();
+        board.act("go").get();
+        assertEquals(List.of("go"), fake.performed());
+    }
+
+    @Test
+    void poll_nothingHappens_isMadeAgainAfterItsHold() throws Exception {
+        open(listener, config -> withoutHurry(config));
         fake.awaitPolls(5);
+        assertEquals(0, board.counters().get(SessionCounter.REPEATS));
     }
 
     @Test
@@ -353,7 +519,7 @@ class BoardTest extends BoardFixture {
     @Test
     void percepts_longInterval_areAskedForOnce() throws Exception {
         openAndAwaitOnline();
-        board.perceptInterval(Duration.ofHours(1));
+        board.perceptInterval(HOUR);
         fake.setPercepts("dark");
         board.percepts(true);
         assertEquals("percepts [dark]", listener.next());
@@ -365,7 +531,7 @@ class BoardTest extends BoardFixture {
     @Test
     void percepts_intervalMadeShorter_areAskedForAtOnce() throws Exception {
         openAndAwaitOnline();
-        board.perceptInterval(Duration.ofHours(1));
+        board.perceptInterval(HOUR);
         fake.setPercepts("dark");
         board.percepts(true);
         assertEquals("percepts [dark]", listener.next());
@@ -375,8 +541,8 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
-    void reading_polledSeldom_asksAtOnceAndCompletesAfterThePerceptsWereTold() throws Exception {
-        open(listener, config -> config.setPollInterval(Duration.ofHours(1)));
+    void reading_pollHeld_asksAtOnceAndCompletesAfterThePerceptsWereTold() throws Exception {
+        open(listener, config -> config.setHold(LONG));
         listener.until("online");
         board.percepts(true);
         assertEquals("percepts []", listener.next());
@@ -392,7 +558,7 @@ class BoardTest extends BoardFixture {
     @Test
     void reading_intervalLetsItComeLater_completesWithoutItUnlessItIsToWait() throws Exception {
         openAndAwaitOnline();
-        board.perceptInterval(Duration.ofHours(1));
+        board.perceptInterval(HOUR);
         board.percepts(true);
         assertEquals("percepts []", listener.next());
         fake.setPercepts("dark");
@@ -409,7 +575,7 @@ class BoardTest extends BoardFixture {
     /** A reading that is waited for longer than the test lasts, unless it is given up. */
     private CompletableFuture<Void> readingInAnHour() throws Exception {
         openAndAwaitOnline();
-        board.perceptInterval(Duration.ofHours(1));
+        board.perceptInterval(HOUR);
         board.percepts(true);
         assertEquals("percepts []", listener.next());
         CompletableFuture<Void> reading = board.reading(Duration.ofHours(2));
@@ -614,7 +780,7 @@ class BoardTest extends BoardFixture {
     void close_noPort_endsAtOnce() {
         port.unplug();
         board = Board.open(port, BoardConfig.create(
-                builder -> builder.setReopenInterval(Duration.ofHours(1))), listener);
+                builder -> builder.setReopenInterval(HOUR)), listener);
         board.close();
         assertEquals(BoardState.CLOSED, board.state());
     }
@@ -641,7 +807,7 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
-    void radio_wishedBeforeThePortIsThere_isAskedForOnce() throws Exception {
+    void radio_wishedBeforeThePortIsThere_isAskedFor() throws Exception {
         port.unplug();
         open();
         CompletableFuture<Void> radio = board.radio(true);
@@ -649,7 +815,8 @@ class BoardTest extends BoardFixture {
         radio.get();
         board.radio(false).get();
         board.radio(true).get();
-        assertEquals(List.of("radio 1", "radio 0", "radio 1"), fake.performed());
+        // The first one is the wish that each greeting restores.
+        assertEquals(List.of("radio 1", "radio 1", "radio 0", "radio 1"), fake.performed());
     }
 
     @Test
@@ -679,6 +846,6 @@ class BoardTest extends BoardFixture {
     void config_valuesOutOfRange_throw() {
         assertThrows(IllegalArgumentException.class, () -> BoardConfig.create(config -> config.setAttempts(0)));
         assertThrows(IllegalArgumentException.class,
-                () -> BoardConfig.create(config -> config.setPollInterval(Duration.ZERO)));
+                () -> BoardConfig.create(config -> config.setHold(Duration.ZERO)));
     }
 }

@@ -18,11 +18,12 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
+import javino.protocol.PollReply;
 import javino.protocol.Status;
 
 /**
  * A board as SPEC 4.2 and 4.3 want it, at the far end of an in-memory link, with faults to order.
- * It answers on a thread of its own, which ends with the link.
+ * It answers on a thread of its own, which ends with the link, and holds its replies to polls.
  */
 public final class FakeBoard {
 
@@ -37,6 +38,9 @@ public final class FakeBoard {
 
     /** What the boot loader answers to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */
     private static final Bytes PROGRAMMING_LEFT = Bytes.of(0x1B, 0x01, 0x00, 0x02, 0x0E, 0x11, 0x00, 0x07);
+
+    /** How often it looks whether it has something to tell, while nobody says so. */
+    private static final Duration TICK = Duration.ofMillis(10);
 
     private final List<String> performed = new ArrayList<>();
 
@@ -68,6 +72,13 @@ public final class FakeBoard {
     private Predicate<Bytes> loses = message -> false;
     private Bytes lastRequest = Bytes.EMPTY;
     private Bytes lastReply = Bytes.EMPTY;
+    private Packet held;
+    private long heldSince;
+    private int deaf;
+    private boolean haltsReadings;
+    /** The end of a reading: its last byte waits for the host's next one. */
+    private Bytes rest = Bytes.EMPTY;
+    private boolean booted;
 
     /** Changes the bytes of a reply on their way. */
     interface Fault {
@@ -86,11 +97,17 @@ public final class FakeBoard {
         byte[] buffer = new byte[1024];
         try {
             while (true) {
-                int count = link.read(buffer, Duration.ofSeconds(60));
+                int count = link.read(buffer, TICK);
+                if (isDeaf(count)) {
+                    continue;
+                }
+                announce(count > 0, link);
+                answerHeld(count > 0, link);
                 if (isLoading(buffer, count, link)) {
                     continue;
                 }
                 for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
+                    answerHeld(true, link);
                     if (result instanceof PacketDecoder.Found found) {
                         answer(found.packet(), link);
                     }
@@ -99,6 +116,40 @@ public final class FakeBoard {
         } catch (LinkException e) {
             // The link's end is the board's.
             return;
+        }
+    }
+
+    private synchronized boolean isDeaf(int count) {
+        boolean lost = count > 0 && deaf > 0;
+        deaf -= lost ? 1 : 0;
+        return lost;
+    }
+
+    /** The zero of a board that has booted, or the rest of a reading. */
+    private synchronized void announce(boolean byteCame, InMemoryLink link) throws LinkException {
+        if (booted) {
+            booted = false;
+            link.write(new byte[1]);
+        }
+        if (byteCame || rest.length() > 1) {
+            int end = byteCame ? rest.length() : 1;
+            link.write(rest.slice(0, end).toArray());
+            rest = rest.from(end);
+        }
+    }
+
+    /** Answers the poll that is held, if there is one and it is time. */
+    private synchronized void answerHeld(boolean byteCame, InMemoryLink link) throws LinkException {
+        if (held == null) {
+            return;
+        }
+        FakeMail.Poll poll = FakeMail.Poll.of(held.frame().message());
+        boolean over = byteCame || System.nanoTime() - heldSince >= poll.hold() * 1_000_000L;
+        Bytes message = mail.answer(poll, percepts.stream()
+                .map(percept -> Bytes.copyOf(percept.getBytes(StandardCharsets.ISO_8859_1))).toList(), over);
+        if (message != null) {
+            reply(held, message, link);
+            held = null;
         }
     }
 
@@ -119,16 +170,39 @@ public final class FakeBoard {
         if (!request.encode().equals(lastRequest)) {
             requests.add(request.frame().message().hex());
             Bytes message = perform(request.frame());
-            lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
-            lastRequest = request.encode();
+            if (message == null) {
+                held = request;
+                heldSince = System.nanoTime();
+                notifyAll();
+                answerHeld(false, link);
+            } else {
+                reply(request, message, link);
+            }
+            return;
         }
         link.write(fault.apply(lastReply).toArray());
     }
 
+    private void reply(Packet request, Bytes message, InMemoryLink link) throws LinkException {
+        lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
+        lastRequest = request.encode();
+        Bytes bytes = fault.apply(lastReply);
+        boolean halts = haltsReadings && PollReply.isReading(request.sequence(), begun(bytes));
+        int end = halts ? bytes.length() - 4 : bytes.length();
+        rest = bytes.from(end);
+        link.write(bytes.slice(0, end).toArray());
+    }
+
+    private static Bytes begun(Bytes reply) {
+        PacketDecoder decoder = new PacketDecoder();
+        decoder.feed(reply.toArray(), reply.length() - 1);
+        return decoder.begun(PollReply.FLAGS_END);
+    }
+
+    /** The reply; null where it is held. */
     private Bytes perform(Frame frame) {
         Bytes message = frame.message();
         if (!frame.destination().equals(Address.SERIAL)) {
-            mail.replyArrived();
             return greeted ? transmit(frame) : status(Status.NOT_GREETED);
         }
         int command = message.at(0);
@@ -140,7 +214,6 @@ public final class FakeBoard {
             return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(bootEpoch, 3),
                     Bytes.ofText(firmware));
         }
-        mail.replyArrived();
         if (!greeted) {
             return status(Status.NOT_GREETED);
         }
@@ -282,12 +355,15 @@ public final class FakeBoard {
         if (badPolls) {
             return Bytes.of(0, 0, 'P');
         }
-        if (message.length() == 3) {
-            mail.taken(message.at(2));
+        if ((message.at(1) & 4) != 0) {
+            mail.hostArrived();
+        } else if ((message.at(1) & 8) == 0) {
+            mail.replyArrived();
         }
-        boolean perceptsWanted = (message.at(1) & 1) != 0;
-        return mail.answer(perceptsWanted ? percepts.stream()
-                .map(percept -> Bytes.copyOf(percept.getBytes(StandardCharsets.ISO_8859_1))).toList() : List.of());
+        if (message.length() == 8) {
+            mail.taken(message.at(7));
+        }
+        return null;
     }
 
     private Bytes record(String what, Bytes reply) {
@@ -313,9 +389,19 @@ public final class FakeBoard {
         silent = isSilent;
     }
 
+    /** Has so many of the host's writes get lost. */
+    synchronized void setDeaf(int writes) {
+        deaf = writes;
+    }
+
     /** Has the boot loader wait for a sketch, and what runs there wait for its end. */
     public synchronized void setLoading() {
         loading = true;
+    }
+
+    /** Has each reading stop before its end until the host sends something. */
+    public synchronized void setHaltsReadings(boolean halts) {
+        haltsReadings = halts;
     }
 
     /** Has the board answer polls with half a record. */
@@ -430,17 +516,14 @@ public final class FakeBoard {
         bootEpoch = Math.min(bootEpoch + 1, MAX_BOOT_EPOCH);
         transmissions = 0;
         mail.boot();
+        held = null;
+        booted = true;
         lastRequest = Bytes.EMPTY;
     }
 
     /** The requests that came, without repeats, each as the message's hexadecimal digits. */
     synchronized List<String> requests() {
         return List.copyOf(requests);
-    }
-
-    /** Has the board say that it hears a carrier, or not. */
-    synchronized void setAirActive(boolean active) {
-        mail.setAirActive(active);
     }
 
     /** Waits until the host has taken all messages. */
@@ -459,6 +542,13 @@ public final class FakeBoard {
     synchronized void awaitPolls(int more) throws InterruptedException {
         int wanted = polls + more;
         while (polls < wanted) {
+            wait();
+        }
+    }
+
+    /** Waits until a poll is held. */
+    synchronized void awaitHeld() throws InterruptedException {
+        while (held == null) {
             wait();
         }
     }

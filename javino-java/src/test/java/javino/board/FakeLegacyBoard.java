@@ -78,6 +78,11 @@ public final class FakeLegacyBoard implements LinkOpener {
         }
 
         @Override
+        public void wake() {
+            line.wake();
+        }
+
+        @Override
         public int baud() {
             return speed;
         }

@@ -15,7 +15,8 @@ final class FakeMail {
     private int told;
     private final List<Bytes> messages = new ArrayList<>();
     private int firstNumber;
-    private boolean airActive;
+    private List<Bytes> reading;
+    private long readAt;
     /** How many of the messages a reply has brought: only these can be taken, whatever numbers come again later. */
     private int offered;
 
@@ -47,6 +48,7 @@ final class FakeMail {
     /** The host may not have had the last reply. */
     void hostArrived() {
         told = 0;
+        reading = null;
     }
 
     /** Loses outcomes, and numbers messages anew: their senders repeat those that were not taken. */
@@ -55,29 +57,52 @@ final class FakeMail {
         told = 0;
         firstNumber = 0;
         offered = 0;
-    }
-
-    void setAirActive(boolean active) {
-        airActive = active;
+        reading = null;
     }
 
     boolean isEmpty() {
         return messages.isEmpty();
     }
 
-    /** The whole reply: outcomes, percepts, messages, while they fit. */
-    Bytes answer(List<Bytes> percepts) {
-        int flags = airActive ? 4 : 0;
+    /** The message of a poll. */
+    record Poll(boolean percepts, boolean now, int hold, int least) {
+
+        static Poll of(Bytes message) {
+            return new Poll((message.at(1) & 1) != 0, (message.at(1) & 2) != 0, (int) message.number(2, 4),
+                    (int) message.number(4, 7));
+        }
+    }
+
+    /**
+     * The reply if there is something to tell, or it must not be held any longer; otherwise null.
+     *
+     * @param percepts what the board perceives.
+     * @param over     whether the hold is over, or a byte has come.
+     */
+    Bytes answer(Poll poll, List<Bytes> percepts, boolean over) {
+        if (!poll.percepts()) {
+            reading = null;
+        }
+        if (told < outcomes.size() || !messages.isEmpty()) {
+            return tellWhatWaits();
+        }
+        boolean due = reading == null || poll.now()
+                || !percepts.equals(reading) && System.nanoTime() - readAt >= poll.least() * 1_000_000L;
+        if (poll.percepts() && due) {
+            reading = List.copyOf(percepts);
+            readAt = System.nanoTime();
+            return tellReading();
+        }
+        return over ? Bytes.of(0, 0) : null;
+    }
+
+    private Bytes tellWhatWaits() {
+        int flags = 0;
         Bytes records = Bytes.EMPTY;
-        for (Bytes outcome : outcomes) {
+        for (Bytes outcome : outcomes.subList(told, outcomes.size())) {
             records = Bytes.join(records, record('T', outcome));
         }
         told = outcomes.size();
-        for (Bytes percept : percepts) {
-            Bytes longer = Bytes.join(records, record('P', percept));
-            flags |= longer.length() > ROOM ? 2 : 0;
-            records = longer.length() > ROOM ? records : longer;
-        }
         for (int i = 0; i < messages.size(); i++) {
             Bytes longer = Bytes.join(records, record('M', Bytes.join(Bytes.of(firstNumber + i), messages.get(i))));
             if (longer.length() > ROOM) {
@@ -86,6 +111,17 @@ final class FakeMail {
             }
             records = longer;
             offered = Math.max(offered, i + 1);
+        }
+        return Bytes.join(Bytes.of(0, flags), records);
+    }
+
+    private Bytes tellReading() {
+        int flags = 4;
+        Bytes records = Bytes.EMPTY;
+        for (Bytes percept : reading) {
+            Bytes longer = Bytes.join(records, record('P', percept));
+            flags |= longer.length() > ROOM ? 2 : 0;
+            records = longer.length() > ROOM ? records : longer;
         }
         return Bytes.join(Bytes.of(0, flags), records);
     }

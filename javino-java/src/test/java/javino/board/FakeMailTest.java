@@ -15,10 +15,11 @@ class FakeMailTest {
         for (int i = 0; i < 300; i++) {
             mail.receive("SUPO", "ROMA", i, "tell;x");
         }
-        mail.answer(List.of());
+        FakeMail.Poll poll = new FakeMail.Poll(false, false, 0, 0);
+        mail.answer(poll, List.of(), true);
         mail.taken(3);
-        Bytes left = mail.answer(List.of());
+        Bytes left = mail.answer(poll, List.of(), true);
         mail.taken(3);
-        assertEquals(left, mail.answer(List.of()));
+        assertEquals(left, mail.answer(poll, List.of(), true));
     }
 }

@@ -13,6 +13,7 @@ public final class FakePort implements LinkOpener {
     private boolean plugged = true;
     private InMemoryLink open;
     private int openLinks;
+    private int baud;
 
     /** @param board plugged at first. */
     public FakePort(FakeBoard board) {
@@ -29,14 +30,32 @@ public final class FakePort implements LinkOpener {
         open = pair.board();
         openLinks++;
         return new Link() {
+            private int speed = baud == 0 ? 0 : 115_200;
+
             @Override
             public void write(byte[] bytes) throws LinkException {
-                pair.host().write(bytes);
+                // At another speed than the board's all bytes are spoiled.
+                pair.host().write(speed == baud ? bytes : new byte[bytes.length]);
+            }
+
+            @Override
+            public int baud() {
+                return speed;
+            }
+
+            @Override
+            public void setBaud(int newSpeed) {
+                speed = newSpeed;
             }
 
             @Override
             public int read(byte[] into, Duration timeout) throws LinkException {
                 return pair.host().read(into, timeout);
+            }
+
+            @Override
+            public void wake() {
+                pair.host().wake();
             }
 
             @Override
@@ -66,6 +85,11 @@ public final class FakePort implements LinkOpener {
         if (open != null) {
             open.close();
         }
+    }
+
+    /** Has the board have a speed; without one, that of the host does not matter. */
+    synchronized void setBaud(int speed) {
+        baud = speed;
     }
 
     public synchronized void plug() {

@@ -43,7 +43,7 @@ class LegacyBoardTest {
         assertEquals(BoardInfo.legacy(), board.greeted().get());
         assertTrue(board.info().orElseThrow().isLegacy());
         assertEquals(BoardState.ONLINE, board.state());
-        assertEquals(List.of(9600), fake.speeds(1));
+        assertEquals(List.of(1_000_000, 9600), fake.speeds(2));
     }
 
     @Test
@@ -51,7 +51,7 @@ class LegacyBoardTest {
         fake.setSilent(true);
         board = Board.open(fake, BoardFixture.quick(config -> config.setPatience(Duration.ofMillis(500))), listener);
         assertTrue(listener.next().contains("no Javino board answers"));
-        assertEquals(List.of(9600, 115_200), fake.speeds(2).subList(0, 2));
+        assertEquals(List.of(1_000_000, 9600, 115_200), fake.speeds(3).subList(0, 3));
         fake.setSilent(false);
         listener.until("online 0");
     }

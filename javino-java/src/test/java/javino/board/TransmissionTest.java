@@ -24,14 +24,14 @@ import org.junit.jupiter.api.Test;
 /** What a session tells of the ends of transmissions (SPEC 4.3, 7.2). */
 class TransmissionTest extends BoardFixture {
 
-    private void openAndAwaitOnline(Duration pollInterval) throws Exception {
-        open(listener, config -> config.setPollInterval(pollInterval));
+    private void openAndAwaitOnline(Duration hold) throws Exception {
+        open(listener, config -> config.setHold(hold));
         listener.until("online");
         board.setRfId(Address.parse("ROMA")).get();
     }
 
     private void openAndAwaitOnline() throws Exception {
-        openAndAwaitOnline(Duration.ofMillis(2));
+        openAndAwaitOnline(Duration.ofMillis(20));
     }
 
     /** Has a message transmitted, whose end is noted among what the listener is told. */
@@ -168,13 +168,14 @@ class TransmissionTest extends BoardFixture {
 
     @Test
     void link_lostWhileARequestWasUnanswered_leavesWhatIsUnderWay() throws Exception {
-        openAndAwaitOnline(Duration.ofHours(1));
+        openAndAwaitOnline(Duration.ofMinutes(1));
         transmit();
-        fake.end(0, Outcome.DELIVERED);
         fake.setLoses(message -> message.at(0) == 'A');
         failure(OutcomeUnknownException.class, board.act("stop"));
-        assertEquals(List.of("offline fake: the board left a request unanswered", "online 1",
-                "ended DELIVERED"), listener.until("ended"));
+        assertEquals(List.of("offline fake: the board left a request unanswered", "online 1"),
+                listener.until("online"));
+        fake.end(0, Outcome.DELIVERED);
+        assertEquals("ended DELIVERED", listener.next());
         assertEquals(0, board.counters().get(SessionCounter.ABANDONED_TRANSMISSIONS));
     }
 

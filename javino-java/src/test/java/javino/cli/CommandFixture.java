@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -36,15 +37,17 @@ abstract class CommandFixture {
     Ansi ansi = Ansi.OFF;
     /** Shorter where a board is to be waited for in vain. */
     Duration patience = Duration.ofSeconds(30);
+    /** What stands for {@code /sys}. */
+    Path sysfs = Path.of("/nowhere");
     private Running running;
 
     final int run(String... args) {
-        BoardConfig config = BoardConfig.create(builder -> builder.setPollInterval(Duration.ofMillis(2))
+        BoardConfig config = BoardConfig.create(builder -> builder.setHold(Duration.ofMillis(20))
                 .setReplyTimeout(Duration.ofMillis(20)).setAttempts(20)
                 .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
                 .setPatience(patience));
         CommandLine commandLine =
-                Main.commandLine(PortOption.factory(name -> name.equals(older.name()) ? older : port, config));
+                Main.commandLine(PortOption.factory(name -> name.equals(older.name()) ? older : port, config, sysfs));
         commandLine.setColorScheme(Help.defaultColorScheme(ansi));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));

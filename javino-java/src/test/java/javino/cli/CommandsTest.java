@@ -240,7 +240,7 @@ class CommandsTest {
 
     @Test
     void port_boardThere_opens() throws JavinoException, InterruptedException {
-        try (Board board = new PortOption(name -> new FakePort(fake), BoardConfig.create()).open()) {
+        try (Board board = new PortOption(name -> new FakePort(fake), BoardConfig.create(), Path.of("none")).open()) {
             assertEquals(BoardState.ONLINE, board.state());
         }
     }
@@ -250,7 +250,7 @@ class CommandsTest {
         fake.setSilent(true);
         BoardConfig config = BoardConfig.create(builder -> builder.setPatience(Duration.ofMillis(50)));
         JavinoException e = assertThrows(JavinoException.class,
-                () -> new PortOption(name -> new FakePort(fake), config).open());
+                () -> new PortOption(name -> new FakePort(fake), config, Path.of("none")).open());
         assertTrue(e.getMessage().contains("no Javino board answers"), e.getMessage());
     }
 

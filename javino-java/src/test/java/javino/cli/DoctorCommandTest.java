@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -15,6 +16,8 @@ import javino.protocol.Counter;
 import javino.protocol.Key;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -44,6 +47,14 @@ class DoctorCommandTest extends CommandFixture {
         Path file = folder.resolve("keys");
         PrivateFile.create(file, String.join("\n", lines));
         return file;
+    }
+
+    /** What Linux shows of an FTDI chip at the port {@code device}: a file with its latency timer. */
+    private Path ftdi(String device, String millis) throws IOException {
+        sysfs = folder.resolve("sys");
+        Path timer = sysfs.resolve("bus/usb-serial/devices").resolve(device).resolve("latency_timer");
+        Files.createDirectories(timer.getParent());
+        return Files.writeString(timer, millis + "\n");
     }
 
     /** All was ok but for one thing, of which the line says this. */
@@ -107,6 +118,67 @@ class DoctorCommandTest extends CommandFixture {
                         + "sketch "
                         + "with the Javino library"),
                 lines());
+    }
+
+    @Test
+    void latency_short_isOk() throws IOException {
+        Path timer = ftdi("fake", "1");
+        assertEquals(0, examine(), out.toString());
+        assertEquals(List.of("port                ok, fake", "latency             ok, 1 ms",
+                "board               ok, fake"), lines().subList(0, 3));
+        assertEquals("1\n", Files.readString(timer));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"2", "16", "255"})
+    void latency_long_isShortened(String millis) throws IOException {
+        Path timer = ftdi("fake", millis);
+        assertEquals(0, examine(), out.toString());
+        assertEquals("latency             ok, set from " + millis + " to 1 ms until the board is plugged in again; for "
+                + "good by a udev rule (docs/errors.md)", lines().get(1));
+        assertEquals("1", Files.readString(timer));
+    }
+
+    @Test
+    void latency_portIsALink_isFollowed() throws IOException {
+        Path timer = ftdi("ttyUSB7", "16");
+        Path device = Files.createFile(folder.resolve("ttyUSB7"));
+        Path name = Files.createSymbolicLink(folder.resolve("usb-FTDI"), Path.of("ttyUSB7"));
+        Path alias = Files.createSymbolicLink(folder.resolve("robot"), name);
+        assertEquals(0, run("doctor", "--port", alias.toString(), "--listen", "0"), out.toString());
+        assertTrue(lines().get(1).startsWith("latency             ok, set from 16"), out.toString());
+        assertEquals("1", Files.readString(timer));
+        assertEquals(0, Files.size(device));
+    }
+
+    /** The kernel's own number stands for a timer that may not be written: even root cannot change it. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void latency_mayNotBeWritten_saysWhatToDo() throws IOException {
+        Path number = Path.of("/proc/sys/kernel/cap_last_cap");
+        Path timer = ftdi("fake", "16");
+        Files.delete(timer);
+        Files.createSymbolicLink(timer, number);
+        assertTrouble("latency", "the port's FTDI chip holds bytes back for " + Files.readString(number).strip()
+                + " ms; sudo setserial fake low_latency, or for good a udev rule (docs/errors.md)");
+        Files.delete(timer);  // JUnit warns of links out of its folder
+    }
+
+    @Test
+    void latency_boardSilent_isToldNevertheless() throws IOException {
+        ftdi("fake", "1");
+        patience = Duration.ofMillis(50);
+        fake.setSilent(true);
+        assertTrouble("board", "no Javino board answers");
+        assertEquals("latency             ok, 1 ms", lines().get(1));
+    }
+
+    @Test
+    void latency_portMissing_isLeftAlone() throws IOException {
+        Path timer = ftdi("fake", "16");
+        port.unplug();
+        assertTrouble("port", "there is no such port");
+        assertEquals("16\n", Files.readString(timer));
     }
 
     @Test

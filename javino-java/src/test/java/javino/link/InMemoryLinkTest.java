@@ -31,6 +31,17 @@ class InMemoryLinkTest {
     }
 
     @Test
+    void wake_noBytes_endsOneReadThatWaitsOrTheComingOne() throws LinkException {
+        pair.board().wake();
+        pair.board().wake();
+        assertEquals(0, pair.board().read(buffer, Duration.ofDays(1)));
+        pair.host().write(new byte[] {7});
+        assertEquals(1, pair.board().read(buffer, Duration.ofDays(1)));
+        new Thread(pair.board()::wake).start();
+        assertEquals(0, pair.board().read(buffer, Duration.ofDays(1)));
+    }
+
+    @Test
     void close_afterWriting_leavesWhatWasWritten() throws LinkException {
         pair.host().write(new byte[] {7});
         pair.host().close();

@@ -12,6 +12,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
@@ -39,8 +40,11 @@ class CommandTest {
     private static Request requestOf(JsonObject vector) throws ProtocolException {
         return switch (VectorFile.text(vector, "name")) {
             case "hello" -> Request.hello();
-            case "poll" -> Request.poll(vector.get("percepts").getAsBoolean(),
-                    vector.get("taken").isJsonNull() ? Request.NOTHING_TAKEN : vector.get("taken").getAsInt());
+            case "poll" -> Request.poll(
+                    Request.Percepts.valueOf(VectorFile.text(vector, "percepts").toUpperCase(Locale.ROOT)),
+                    vector.get("hold").getAsInt(), vector.get("least").getAsInt(),
+                    vector.get("taken").isJsonNull() ? Request.NOTHING_TAKEN : vector.get("taken").getAsInt(),
+                    Request.LastReply.valueOf(VectorFile.text(vector, "lastReply").toUpperCase(Locale.ROOT)));
             case "act" -> Request.act(VectorFile.text(vector, "action"));
             case "listActions" -> Request.listActions(vector.get("offset").getAsInt());
             case "setRfId" -> Request.setRfId(VectorFile.address(vector, "address"));
@@ -82,7 +86,7 @@ class CommandTest {
                 PollReply poll = reply.poll();
                 fields.addProperty("more", poll.more());
                 fields.addProperty("leftOut", poll.leftOut());
-                fields.addProperty("airActive", poll.airActive());
+                fields.addProperty("reading", poll.reading());
                 JsonArray records = new JsonArray();
                 for (PollReply.Item item : poll.records()) {
                     records.add(describe(item));
@@ -222,7 +226,12 @@ class CommandTest {
         Key key = Key.ofHex("00".repeat(16));
         assertThrows(IllegalArgumentException.class, () -> Request.act(""));
         assertThrows(IllegalArgumentException.class, () -> Request.act("\u00e9".repeat(256)));
-        assertThrows(IllegalArgumentException.class, () -> Request.poll(false, 256));
+        assertThrows(IllegalArgumentException.class,
+                () -> Request.poll(Request.Percepts.NONE, 0, 0, 256, Request.LastReply.HERE));
+        assertThrows(IllegalArgumentException.class,
+                () -> Request.poll(Request.Percepts.NONE, 0x10000, 0, 0, Request.LastReply.HERE));
+        assertThrows(IllegalArgumentException.class,
+                () -> Request.poll(Request.Percepts.NONE, 0, 0x1000000, 0, Request.LastReply.HERE));
         assertThrows(IllegalArgumentException.class, () -> Request.act("x".repeat(511)));
         assertThrows(IllegalArgumentException.class, () -> Request.listActions(0x10000));
         assertThrows(IllegalArgumentException.class, () -> Request.raiseEpoch(-1));

@@ -35,7 +35,9 @@ final class CommandVectors {
         byte[] key = counting(0, 16);
         return List.of(
                 vector("name", "hello", "version", 1, "message", "4801"),
-                poll(false, null), poll(true, null), poll(false, 0), poll(true, 255),
+                poll("none", 0, 0, null, "here"), poll("changed", 1000, 0, null, "here"),
+                poll("now", 0xFFFF, 0xFFFFFF, 0, "here"), poll("changed", 1000, 500, 255, "lost"),
+                poll("none", 1000, 0, 7, "lost"), poll("changed", 1000, 0, 8, "coming"),
                 vector("name", "act", "action", "stop", "message", Wire.hex(text("Astop"))),
                 vector("name", "act", "action", "goTo(12,\"\u00e9\")",
                         "message", Wire.hex(text("AgoTo(12,\"\u00e9\")"))),
@@ -66,10 +68,13 @@ final class CommandVectors {
                 transmit("////", "ROMA", "tell;" + "x".repeat(489)));
     }
 
-    private static Map<String, Object> poll(boolean percepts, Integer taken) {
-        byte[] flags = bytes('P', percepts ? 1 : 0);
-        return vector("name", "poll", "percepts", percepts, "taken", taken,
-                "message", Wire.hex(taken == null ? flags : join(flags, bytes(taken))));
+    private static Map<String, Object> poll(String percepts, int hold, int least, Integer taken, String lastReply) {
+        int flags = List.of("none", "changed", "", "now").indexOf(percepts)
+                + 4 * List.of("here", "lost", "coming").indexOf(lastReply);
+        byte[] body = bytes('P', flags, hold >> 8, hold & 0xFF,
+                least >> 16, least >> 8 & 0xFF, least & 0xFF);
+        return vector("name", "poll", "percepts", percepts, "hold", hold, "least", least, "taken", taken, "lastReply",
+                lastReply, "message", Wire.hex(taken == null ? body : join(body, bytes(taken))));
     }
 
     private static Map<String, Object> transmit(String destination, String origin, String content) {
@@ -84,7 +89,11 @@ final class CommandVectors {
                 badRequest(bytes(0), "UNKNOWN_COMMAND"),
                 badRequest(bytes('h', 1), "UNKNOWN_COMMAND"),
                 badRequest(bytes('P'), "BAD_ARGUMENT"),
-                badRequest(bytes('P', 0, 1, 2), "BAD_ARGUMENT"),
+                badRequest(bytes('P', 0, 0, 0, 0, 0), "BAD_ARGUMENT"),
+                badRequest(bytes('P', 0, 0, 0, 0, 0, 0, 1, 2), "BAD_ARGUMENT"),
+                badRequest(bytes('P', 2, 0, 0, 0, 0, 0), "BAD_ARGUMENT"),
+                badRequest(bytes('P', 6, 0, 0, 0, 0, 0), "BAD_ARGUMENT"),
+                badRequest(bytes('P', 16, 0, 0, 0, 0, 0), "BAD_ARGUMENT"),
                 badRequest(bytes('R'), "BAD_ARGUMENT"),
                 badRequest(bytes('R', 2), "BAD_ARGUMENT"),
                 badRequest(bytes('C'), "BAD_ARGUMENT"),
@@ -129,24 +138,24 @@ final class CommandVectors {
                         vector("version", 1, "rfId", null, "bootEpoch", 1, "firmware", "blink 1.0")),
                 ok("hello", join(bytes(2), text("ROMA"), bytes(0xFF, 0xFF, 0xFE)),
                         vector("version", 2, "rfId", "ROMA", "bootEpoch", 0xFFFFFE, "firmware", "")),
-                ok("poll", bytes(0), vector("more", false, "leftOut", false, "airActive", false, "records", List.of())),
-                ok("poll", bytes(4), vector("more", false, "leftOut", false, "airActive", true, "records", List.of())),
-                ok("poll", join(bytes(7), bytes('T', 0, 2, 9, 0), bytes('T', 0, 2, 10, 1),
-                        bytes('T', 0, 2, 255, 2), record('P', text("proximity(17)")),
-                        record('P', text("dark")),
+                ok("poll", bytes(0), vector("more", false, "leftOut", false, "reading", false, "records", List.of())),
+                ok("poll", bytes(4), vector("more", false, "leftOut", false, "reading", true, "records", List.of())),
+                ok("poll", join(bytes(1), bytes('T', 0, 2, 9, 0), bytes('T', 0, 2, 10, 1), bytes('T', 0, 2, 255, 2),
                         record('M', join(bytes(255), text("////ROMA"), bytes(0, 0, 0), text("tell;help"))),
                         record('M', join(bytes(0), text("SUPOROMA"), bytes(0xFF, 0, 1), text("tell;x(\"\u00e9\")")))),
-                        vector("more", true, "leftOut", true, "airActive", true, "records", List.of(
+                        vector("more", true, "leftOut", false, "reading", false, "records", List.of(
                                 transmission(9, 0), transmission(10, 1), transmission(255, 2),
-                                percept("proximity(17)"), percept("dark"),
                                 message(255, "////", "ROMA", 0, "tell;help"),
                                 message(0, "SUPO", "ROMA", 0xFF0001, "tell;x(\"\u00e9\")")))),
-                ok("poll", join(bytes(1), record('P', text("x".repeat(300))), record('P', new byte[0])),
-                        vector("more", true, "leftOut", false, "airActive", false, "records",
+                ok("poll", join(bytes(6), record('P', text("proximity(17)")), record('P', text("dark"))),
+                        vector("more", false, "leftOut", true, "reading", true, "records",
+                                List.of(percept("proximity(17)"), percept("dark")))),
+                ok("poll", join(bytes(4), record('P', text("x".repeat(300))), record('P', new byte[0])),
+                        vector("more", false, "leftOut", false, "reading", true, "records",
                                 List.of(percept("x".repeat(300)), percept("")))),
                 ok("poll", join(bytes(1), record('M', join(bytes(7), text("9///AAAA"), bytes(0xFF, 0xFF, 0xFF),
                         text("tell;" + "x".repeat(489))))),
-                        vector("more", true, "leftOut", false, "airActive", false, "records",
+                        vector("more", true, "leftOut", false, "reading", false, "records",
                                 List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
                 ok("act", new byte[0], vector()),
                 ok("listActions", bytes(0), actions(0, "", true)),

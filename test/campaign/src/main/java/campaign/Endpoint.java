@@ -1,7 +1,6 @@
 package campaign;
 
 import harness.Host;
-import java.time.Duration;
 import java.util.Map;
 import javino.board.Board;
 import javino.board.BoardConfig;
@@ -21,12 +20,11 @@ final class Endpoint implements AutoCloseable {
     private final Board board;
 
     /**
-     * @param poll     from one poll to the next.
      * @param peer     the only device that sends to here.
      * @param incoming where what it sends is entered.
      */
-    Endpoint(LinkOpener link, Duration poll, Address peer, Ledger incoming) {
-        board = Board.open(link, config(poll), new BoardListener() {
+    Endpoint(LinkOpener link, Address peer, Ledger incoming) {
+        board = Board.open(link, config(), new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
                 if (message.from().equals(peer)) {
@@ -39,8 +37,8 @@ final class Endpoint implements AutoCloseable {
     }
 
     /** As users have it, but for machines that have so much to do that boards fall behind: a lost port shows anyway. */
-    static BoardConfig config(Duration poll) {
-        return BoardConfig.create(config -> config.setPollInterval(poll).setAttempts(ATTEMPTS));
+    static BoardConfig config() {
+        return BoardConfig.create(config -> config.setAttempts(ATTEMPTS));
     }
 
     Board board() {

@@ -5,7 +5,6 @@ import harness.Host;
 import harness.TestKeys;
 import harness.TraceEvent;
 import java.io.IOException;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -21,7 +20,6 @@ import javino.protocol.Reply;
 final class FaultField implements AutoCloseable {
 
     private static final Address SPARE = Address.parse("SPAR");
-    private static final Duration POLL = Duration.ofMillis(20);
 
     private final Closing closing = new Closing();
     private final AirUsage air = new AirUsage();
@@ -75,7 +73,7 @@ final class FaultField implements AutoCloseable {
     }
 
     private Endpoint endpoint(Field.Post of, Field.Post peer) {
-        return new Endpoint(field.link(of), POLL, peer.address(), new Ledger(Contents.SHORTEST));
+        return new Endpoint(field.link(of), peer.address(), new Ledger(Contents.SHORTEST));
     }
 
     private synchronized void traced(TraceEvent event) {

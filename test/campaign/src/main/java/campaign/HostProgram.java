@@ -23,7 +23,6 @@ import javino.protocol.Key;
  */
 final class HostProgram implements BoardListener {
 
-    private static final Duration POLL = Duration.ofMillis(20);
     private static final int WINDOW = 2;
     private static final int NUMBERS_A_RUN = 1_000_000;
     private static final int LENGTH = 16;
@@ -48,7 +47,7 @@ final class HostProgram implements BoardListener {
         this.to = to;
         this.log = log;
         next = log.begin() * NUMBERS_A_RUN;
-        board = Board.open(SerialLink.opener(port), Endpoint.config(POLL), this);
+        board = Board.open(SerialLink.opener(port), Endpoint.config(), this);
     }
 
     /** Arguments: port, the device to send to, the device whose key is replaced, the log. */

@@ -1,7 +1,6 @@
 package campaign;
 
 import harness.Emulator;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,7 +14,6 @@ final class Load implements Campaign {
     private static final double BIT_RATE = 2000;
     /** A sealed content of 16 bytes and its acknowledgement: 40 and 18 bytes of payload (SPEC 6). */
     private static final double AIRTIME_SECONDS = (84 + 12 * 40 + 84 + 12 * 18) / BIT_RATE;
-    private static final Duration POLL = Duration.ofMillis(20);
     private static final long PATIENCE_SECONDS = 180;
     private static final double CAMPAIGN_SECONDS = 40;
     private static final double TEST_SECONDS = 8;
@@ -100,7 +98,7 @@ final class Load implements Campaign {
             Field field = closing.add(Field.start(scenario, group.stream().map(Case::cell).toList()));
             List<Ring> rings = new ArrayList<>();
             for (int cell = 0; cell < group.size(); cell++) {
-                rings.add(closing.add(new Ring(field, cell, LENGTH, POLL)));
+                rings.add(closing.add(new Ring(field, cell, LENGTH)));
             }
             double seconds = settings.choose(CAMPAIGN_SECONDS, TEST_SECONDS);
             double end = timetable.now() + seconds;

@@ -1,15 +1,12 @@
 package campaign;
 
 import harness.TestKeys;
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 
 /** Two endpoints in a cell of their own, of which one sends to the other, and what became of it. */
 final class Pair implements AutoCloseable {
-
-    private static final Duration POLL = Duration.ofMillis(20);
 
     private final List<Field.Post> posts;
     private final Ledger ledger;
@@ -22,8 +19,8 @@ final class Pair implements AutoCloseable {
         ledger = new Ledger(length);
         Field.Post from = posts.get(0);
         Field.Post to = posts.get(1);
-        sender = new Endpoint(field.link(from), POLL, to.address(), new Ledger(length));
-        receiver = new Endpoint(field.link(to), POLL, from.address(), ledger);
+        sender = new Endpoint(field.link(from), to.address(), new Ledger(length));
+        receiver = new Endpoint(field.link(to), from.address(), ledger);
         sender.as(from.address(), Map.of(to.address(), TestKeys.PAIR));
         receiver.as(to.address(), Map.of(from.address(), TestKeys.PAIR));
     }

@@ -1,7 +1,6 @@
 package campaign;
 
 import harness.TestKeys;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -14,7 +13,7 @@ final class Ring implements AutoCloseable {
     private final List<Endpoint> endpoints = new ArrayList<>();
 
     /** @param length of each content, in bytes. */
-    Ring(Field field, int cell, int length, Duration poll) {
+    Ring(Field field, int cell, int length) {
         posts = field.cell(cell);
         for (int i = 0; i < posts.size(); i++) {
             ledgers.add(new Ledger(length));
@@ -22,7 +21,7 @@ final class Ring implements AutoCloseable {
         for (int i = 0; i < posts.size(); i++) {
             Field.Post before = posts.get((i + posts.size() - 1) % posts.size());
             Ledger incoming = ledgers.get((i + posts.size() - 1) % posts.size());
-            endpoints.add(new Endpoint(field.link(posts.get(i)), poll, before.address(), incoming));
+            endpoints.add(new Endpoint(field.link(posts.get(i)), before.address(), incoming));
             endpoints.get(i).as(posts.get(i).address(), keys(before, next(i)));
         }
     }

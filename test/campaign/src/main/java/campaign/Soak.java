@@ -4,7 +4,6 @@ import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
 import harness.TraceEvent;
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -14,7 +13,6 @@ import javino.protocol.Counter;
 final class Soak implements Campaign {
 
     private static final String SPEED = "8";
-    private static final Duration POLL = Duration.ofMillis(2);
     private static final int SHORT = 16;
     private static final int LONG = 100;
     private static final int WINDOW = 2;
@@ -56,8 +54,8 @@ final class Soak implements Campaign {
             Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
             Field.Post one = field.cell(0).get(0);
             Field.Post two = field.cell(0).get(1);
-            Endpoint first = closing.add(new Endpoint(field.link(one), POLL, two.address(), longs));
-            Endpoint second = closing.add(new Endpoint(field.link(two), POLL, one.address(), shorts));
+            Endpoint first = closing.add(new Endpoint(field.link(one), two.address(), longs));
+            Endpoint second = closing.add(new Endpoint(field.link(two), one.address(), shorts));
             first.as(one.address(), Map.of(two.address(), TestKeys.PAIR));
             second.as(two.address(), Map.of(one.address(), TestKeys.PAIR));
 
@@ -96,11 +94,11 @@ final class Soak implements Campaign {
 
     private void describe(Memory memory, Report report) {
         report.text("""
-            Two boards (`Station`) at %s times real time, hosts that poll every %d ms, each sending to the other without
-            a pause: contents of 16 bytes one way, of 100, in pieces, the other way. The air is clean, so each packet
-            that was not received has a known reason: the board was itself sending when the packet began (*crossed*), or
-            began to send while it came, or two packets were on the air.
-            """.formatted(SPEED, POLL.toMillis()));
+            Two boards (`Station`) at %s times real time, each sending to the other without a pause: contents of 16
+            bytes one way, of 100, in pieces, the other way. The air is clean, so each packet that was not received has
+            a known reason: the board was itself sending when the packet began (*crossed*), or began to send while it
+            came, or two packets were on the air.
+            """.formatted(SPEED));
         report.table(new Table("memory", "hosts' heap, emulator").row("at a quarter of the time", memory.at(0.25))
                 .row("at the end", memory.at(1)));
         report.table(new Table("longest time without a delivery, emulated", "one way", "the other").row("",

@@ -33,9 +33,9 @@ class NumbersTest {
     private static final int EXPIRY = firmware("EXPIRY_MILLIS") / 1000;
     private static final int AHEAD = firmware("MORE_PER_WRITE");
     private static final int FLOORS = firmware("JAVINO_FLOOR_SLOTS");
+    private static final int SAMPLE = firmware("DEFAULT_SAMPLE_MILLIS");
     private static final int BIT_RATE = 2000;
     private static final BoardConfig SESSION = BoardConfig.create();
-    private static final int ACTIVE = constant("javino-java/src/main", "ACTIVE_INTERVAL");
 
     static Stream<Arguments> sayings() {
         return Stream.of(
@@ -73,7 +73,7 @@ class NumbersTest {
                 says("DESIGN.md", "Three digits cost 4 of the %d bytes of a packet", SEALED),
                 says("DESIGN.md", "**%d bytes of nonce instead of", NONCE),
                 says("DESIGN.md", "**A tag of %d bytes.**", TAG),
-                says("DESIGN.md", "every %d ms, and every %d while", SESSION.pollInterval().toMillis(), ACTIVE),
+                says("DESIGN.md", "until it has something to tell, at most %d s", SESSION.hold().toSeconds()),
                 says("DESIGN.md", "Floors ahead of what was accepted, %d messages a write", AHEAD + 1),
                 says("DESIGN.md", "| content | %d bytes | what fits a sealed %d-byte message", Content.MAX_LENGTH,
                         Frame.MAX_MESSAGE_LENGTH),
@@ -81,10 +81,13 @@ class NumbersTest {
                 says("DESIGN.md", "| slot | %d bits, %d ms |", SLOT, 1000 * SLOT / BIT_RATE),
                 says("DESIGN.md", "| reply time | %d ms, %d times |", SESSION.replyTimeout().toMillis(),
                         SESSION.attempts()),
-                says("DESIGN.md", "| poll interval | %d ms; %d ms while the air is active",
-                        SESSION.pollInterval().toMillis(), ACTIVE),
+                says("DESIGN.md", "| hold | %d s |", SESSION.hold().toSeconds()),
                 says("SECURITY.md", "a proof of %d bytes under the key", firmware("PROOF_LENGTH")),
                 says("SECURITY.md", "each free again %d s after its last piece", EXPIRY),
+                says("javino-firmware/README.md", "it is called every %d ms", SAMPLE),
+                says("javino-firmware/README.md", "remembers %d such percepts", firmware("JAVINO_DEAD_BANDS")),
+                says("docs/how-to/add-a-sensor.md", "calls the function every %d ms", SAMPLE),
+                says("SPEC.md", "as often as its sketch says (%d ms by default)", SAMPLE),
                 says("javino-firmware/README.md", "sends 1…%d bytes", PART),
                 says("javino-firmware/README.md", "a sealed content of %d bytes or a broadcast of %d", SEALED, PART),
                 says("javino-firmware/README.md", "a unicast up to %d times", ATTEMPTS),

@@ -55,7 +55,7 @@ public final class ReplyTarget {
     }
 
     private static Bytes encode(PollReply poll) {
-        Bytes flags = Bytes.of((poll.more() ? 1 : 0) | (poll.leftOut() ? 2 : 0) | (poll.airActive() ? 4 : 0));
+        Bytes flags = Bytes.of((poll.more() ? 1 : 0) | (poll.leftOut() ? 2 : 0) | (poll.reading() ? 4 : 0));
         return poll.records().stream().map(ReplyTarget::encode).reduce(flags, Bytes::join);
     }
 

@@ -72,6 +72,11 @@ final class DamagedLink implements Link {
     }
 
     @Override
+    public void wake() {
+        link.wake();
+    }
+
+    @Override
     public void close() {
         link.close();
     }

@@ -22,7 +22,7 @@ class SeveralBoardsTest {
     void twoAgentsOfOneMas_talkByRadioAndWithoutAndHaveOnlyTheirOwnBoards(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = new Emulator.Scenario()
                 .board("scout", "Vehicle", light(List.of(List.of(0, 100))))
-                .board("base", "Vehicle", light(List.of(List.of(0, 900), List.of(3, 900), List.of(3.1, 950))))
+                .board("base", "Vehicle", light(List.of(List.of(0, 900), List.of(3, 900), List.of(3.00001, 950))))
                 .fault(Map.of("t", 1, "board", "scout", "do", "unplug", "after", HEADLIGHTS));
         try (Emulator emulator = scenario.start(folder)) {
             Host.of(emulator, "scout").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).close();

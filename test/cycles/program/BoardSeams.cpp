@@ -1,0 +1,32 @@
+// The seams of a board: a line in memory, a clock that stands still, an EEPROM that is erased and keeps nothing.
+
+#include <avr/io.h>
+
+#include "Line.h"
+#include "board/SerialPort.h"
+#include "storage/Eeprom.h"
+#include "storage/Retained.h"
+#include "support/Clock.h"
+
+Line line;
+
+namespace javino {
+
+static TakenNonces nonces;
+
+bool SerialPort::canRead() const { return line.in != line.end; }
+uint8_t SerialPort::read() { return *line.in++; }
+bool SerialPort::canWrite() const { return true; }
+
+void SerialPort::write(uint8_t byte) {
+  if (line.measured) GPIOR0 = 0;
+  line.measured = false;
+  if (line.out != nullptr) *line.out++ = byte;
+}
+
+uint8_t eeprom::read(uint16_t) { return 0xFF; }
+void eeprom::write(uint16_t, uint8_t) {}
+TakenNonces &retained::takenNonces() { return nonces; }
+uint32_t clock::millis() { return 0; }
+
+}  // namespace javino
