@@ -356,8 +356,6 @@ class BoardTest extends BoardFixture {
         listener.until("online");
         board.percepts(true);
         assertEquals("percepts []", listener.next());
-        // A poll with no hold, as percepts(true) may cause, is not left while its reply comes.
-        fake.awaitHeld();
         fake.setHaltsReadings(true);
         for (int i = 0; i < 20; i++) {
             fake.setPercepts("light(" + i + ")");
@@ -377,8 +375,6 @@ class BoardTest extends BoardFixture {
         listener.until("online");
         board.percepts(true);
         assertEquals("percepts []", listener.next());
-        // A poll with no hold, as percepts(true) may cause, is not left while its reply comes.
-        fake.awaitHeld();
         fake.setHaltsReadings(true);
         AtomicInteger replies = new AtomicInteger();
         fake.setFault(reply -> replies.getAndIncrement() == 0

@@ -187,10 +187,15 @@ public final class FakeBoard {
         lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
         lastRequest = request.encode();
         Bytes bytes = fault.apply(lastReply);
-        boolean halts = haltsReadings && PollReply.isReading(request.sequence(), begun(bytes));
+        boolean halts = haltsReadings && isHolding(request.frame().message())
+                && PollReply.isReading(request.sequence(), begun(bytes));
         int end = halts ? bytes.length() - 4 : bytes.length();
         rest = bytes.from(end);
         link.write(bytes.slice(0, end).toArray());
+    }
+
+    private static boolean isHolding(Bytes request) {
+        return request.at(0) == 'P' && FakeMail.Poll.of(request).hold() > 0;
     }
 
     private static Bytes begun(Bytes reply) {
@@ -399,7 +404,7 @@ public final class FakeBoard {
         loading = true;
     }
 
-    /** Has each reading stop before its end until the host sends something. */
+    /** Has each reading that a poll with a hold brings stop before its end until the host sends something. */
     public synchronized void setHaltsReadings(boolean halts) {
         haltsReadings = halts;
     }
