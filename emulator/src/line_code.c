@@ -98,6 +98,12 @@ void line_decoder_advance(line_decoder *decoder, cycles_t now) {
   }
 }
 
+void line_decoder_finish(line_decoder *decoder) {
+  bool last_byte = decoder->byte_count > 0 && decoder->byte_count + 1 == decoder->bytes[0];
+  if (decoder->receiving && last_byte && decoder->bit_count == WINDOW_BITS - 1)
+    line_decoder_advance(decoder, (cycles_t)decoder->next_sample + 1);
+}
+
 void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at) {
   line_decoder_advance(decoder, at);
   if (level == decoder->level) return;

@@ -56,6 +56,9 @@ void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at);
 // Nothing else happens before `now`.
 void line_decoder_advance(line_decoder *decoder, cycles_t now);
 
+// Takes the last bit of a packet of which only the middle of that bit has not come yet, by the level that it has now.
+void line_decoder_finish(line_decoder *decoder);
+
 // What to call the error in the trace.
 const char *line_error_text(line_error error);
 

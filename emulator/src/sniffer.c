@@ -96,10 +96,20 @@ static int find_expected(const sniffer_station *station, const line_packet *pack
   return -1;
 }
 
+// Where something else begins on the air just before a packet's last bit, a receiver reads that bit up to half a bit
+// before its sender has sent its middle.
+static int find_sent_just_now(sniffer_station *station, const line_packet *packet) {
+  sniffer *s = station->owner;
+  for (size_t i = 0; i < s->config->board_count; i++)
+    if (rf_bus_hears(s->bus, station->board, i)) line_decoder_finish(&s->stations[i].tx);
+  return find_expected(station, packet);
+}
+
 static void rx_packet(void *context, const line_packet *packet) {
   sniffer_station *station = context;
   sniffer *s = station->owner;
   int index = find_expected(station, packet);
+  if (index < 0) index = find_sent_just_now(station, packet);
   station->counters.received++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-rx");
   if (index >= 0) {

@@ -52,6 +52,34 @@ Event sniffed(const std::string &payload) {
 
 }  // namespace
 
+// A jam that begins just before the last bit has a receiver read that bit up to half a bit early.
+TEST(Sniffer, tells_that_a_packet_was_sent_before_it_tells_that_it_was_heard) {
+  std::string bits;
+  for (char last = 'a'; bits.empty() || bits.substr(bits.size() - 2) != "01"; last++)
+    bits = line_bits(std::string("////CAFEAwHello") + last);
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"},{"name":"b","firmware":"@blink"}]})");
+  sniffer *listener = &run.e.listener;
+  const cycles_t bit = CYCLES_PER_SECOND / 2000;
+  cycles_t at = CYCLES_PER_MS;
+  for (size_t i = 0; i < bits.size(); i++, at += bit) {
+    sniffer_tx_edge(listener, 0, bits[i] == '1', at);
+    if (i + 1 < bits.size()) sniffer_rx_edge(listener, 1, bits[i] == '1', at + RF_DELAY);
+  }
+  const cycles_t jam = at - bit - bit / 4;
+  sniffer_rx_edge(listener, 1, true, jam);
+  const cycles_t heard = jam + bit / 2 + 1;
+  sniffer_advance_tx(listener, heard);
+  sniffer_advance_rx(listener, heard);
+  ASSERT_EQ(run.events("rf-rx").size(), 1u);
+  EXPECT_EQ(run.events("rf-rx")[0].text("from"), "a");
+  sniffer_tx_edge(listener, 0, false, at);
+  sniffer_advance_tx(listener, at + 20 * bit);
+  sniffer_advance_rx(listener, at + 20 * bit);
+  EXPECT_EQ(run.events("rf-tx").size(), 1u);
+  EXPECT_TRUE(run.events("rf-damaged").empty());
+}
+
 TEST(Sniffer, tells_content_in_the_clear) {
   Event event = sniffed("////CAFEAwHello!");
   EXPECT_EQ(event.text("kind"), "broadcast");
