@@ -1,33 +1,26 @@
 package javino.board;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The bounded queue between those who ask and the session's thread. Completes nothing itself. No monitor: before Java
- * 24 a virtual thread that waits in one keeps its carrier.
+ * The bounded queue between those who ask and the session's thread, which waits here only while no live board is there:
+ * before Java 24 a virtual thread that waits in a monitor keeps its carrier. Completes nothing itself.
  */
 final class RequestQueue {
 
-    /** No request: ends a {@link #next}. */
-    private static final Pending<?> WAKE = new Pending<>("", null, null, null, null);
-
     private final int capacity;
-    private final Semaphore room;
-    private final BlockingQueue<Pending<?>> waiting = new LinkedBlockingQueue<>();
-    private final CountDownLatch closed = new CountDownLatch(1);
-    private volatile String closedWhy;
+    private final Deque<Pending<?>> waiting = new ArrayDeque<>();
+    private boolean woken;
+    private String closedWhy;
     private volatile Runnable waker = () -> {};
 
     RequestQueue(int capacity) {
         this.capacity = capacity;
-        room = new Semaphore(capacity);
     }
 
     /** Has whatever comes here also wake what else the session's thread may wait in. */
@@ -41,94 +34,88 @@ final class RequestQueue {
      * @throws QueueFullException    if too many wait already.
      * @throws BoardOfflineException if the queue was closed.
      */
-    void add(Pending<?> request) throws QueueFullException, BoardOfflineException {
-        if (!isClosed() && !room.tryAcquire()) {
+    synchronized void add(Pending<?> request) throws QueueFullException, BoardOfflineException {
+        if (closedWhy != null) {
+            throw new BoardOfflineException(request.description(), closedWhy);
+        }
+        if (waiting.size() >= capacity) {
             throw new QueueFullException(request.description(), capacity);
         }
         waiting.add(request);
-        // After it was added: if it is closed later, the request is drained.
-        if (isClosed() && waiting.remove(request)) {
-            throw new BoardOfflineException(request.description(), closedWhy);
-        }
-        waker.run();
+        news();
     }
 
     /**
      * The next request; null if the deadline passed, or {@link #wake} or {@link #close} was called, before one came.
      */
-    Pending<?> next(Deadline deadline) {
+    synchronized Pending<?> next(Deadline deadline) {
         try {
-            Pending<?> next = waiting.poll(Math.max(0, deadline.nanosLeft()), TimeUnit.NANOSECONDS);
-            if (next != null && next != WAKE && isClosed()) {
-                waiting.add(next);
+            while (waiting.isEmpty() && closedWhy == null && !woken && !deadline.passed()) {
+                TimeUnit.NANOSECONDS.timedWait(this, deadline.nanosLeft());
             }
-            return next == WAKE || isClosed() ? null : taken(next);
         } catch (InterruptedException e) {
             // A listener or a future's dependant interrupted this thread; the session ends by close() alone.
             return null;
         }
+        woken = false;
+        return closedWhy == null ? waiting.poll() : null;
     }
 
-    private Pending<?> taken(Pending<?> request) {
-        if (request != null) {
-            room.release();
-        }
-        return request;
+    private void news() {
+        notifyAll();
+        waker.run();
     }
 
     /** Whether {@link #next} would not wait. */
-    boolean hasNews() {
-        return !waiting.isEmpty() || isClosed();
+    synchronized boolean hasNews() {
+        return woken || !waiting.isEmpty() || closedWhy != null;
     }
 
     /** Waits, but not after {@link #close}. */
-    void pause(Duration duration) {
+    synchronized void pause(Duration duration) {
+        Deadline end = Deadline.in(duration);
         try {
-            closed.await(duration.toNanos(), TimeUnit.NANOSECONDS);
+            while (closedWhy == null && !end.passed()) {
+                TimeUnit.NANOSECONDS.timedWait(this, end.nanosLeft());
+            }
         } catch (InterruptedException e) {
             // As in next(): the pause is only shorter.
             return;
         }
     }
 
-    /** Ends a {@link #next} that waits, or the coming one if no request waits. */
-    void wake() {
-        if (waiting.isEmpty()) {
-            waiting.add(WAKE);
-        }
-        waker.run();
+    /** Ends a {@link #next} that waits, or the coming one. */
+    synchronized void wake() {
+        woken = true;
+        news();
     }
 
     /** Takes out all requests whose time is over. */
-    List<Pending<?>> expired() {
-        List<Pending<?>> expired = new ArrayList<>(waiting);
-        expired.removeIf(request -> request == WAKE || !request.expiry().passed() || !waiting.remove(request));
-        expired.forEach(this::taken);
+    synchronized List<Pending<?>> expired() {
+        List<Pending<?>> expired = waiting.stream().filter(request -> request.expiry().passed()).toList();
+        waiting.removeAll(expired);
         return expired;
     }
 
     /** Takes out all requests. */
-    List<Pending<?>> drain() {
-        List<Pending<?>> all = new ArrayList<>();
-        waiting.drainTo(all);
-        all.removeIf(request -> request == WAKE);
-        all.forEach(this::taken);
+    synchronized List<Pending<?>> drain() {
+        List<Pending<?>> all = new ArrayList<>(waiting);
+        waiting.clear();
         return all;
     }
 
     /** Refuses all further requests; the first reason given stands. */
     synchronized void close(String why) {
         closedWhy = closedWhy == null ? why : closedWhy;
-        closed.countDown();
-        wake();
+        news();
     }
 
     boolean isClosed() {
-        return closedWhy != null;
+        return closedWhy() != null;
     }
 
     /** Why it was closed; null while it is open. */
-    String closedWhy() {
+    synchronized String closedWhy() {
         return closedWhy;
     }
 }
