@@ -77,10 +77,10 @@ public final class ManyBoards implements Subject {
         online.await();
         Thread.sleep(WARM_UP.toMillis());
         ProcessHandle self = ProcessHandle.current();
-        Duration before = self.info().totalCpuDuration().orElseThrow();
+        long before = Threads.cpuNanos(self);
         Thread.sleep(MEASURED.toMillis());
-        Duration used = self.info().totalCpuDuration().orElseThrow().minus(before);
-        System.out.println(Row.text("%.4f", 100.0 * used.toNanos() / MEASURED.toNanos()) + " " + Threads.count(self)
+        long used = Threads.cpuNanos(self) - before;
+        System.out.println(Row.text("%.4f", 100.0 * used / MEASURED.toNanos()) + " " + Threads.count(self)
                 + " " + Runtime.version().feature());
         System.exit(0);
     }
