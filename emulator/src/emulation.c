@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "firmware.h"
+#include "scenario_fault.h"
 #include "utf8.h"
 
 // Stream numbers of the seed from here on are those of the boards' power.

@@ -84,7 +84,4 @@ int scenario_load(scenario *result, const char *path, const scenario_context *co
 
 void scenario_release(scenario *result);
 
-// The fault's name in the file.
-const char *fault_name(fault_kind kind);
-
 #endif
