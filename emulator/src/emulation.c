@@ -6,11 +6,20 @@
 #include <string.h>
 
 #include "firmware.h"
+#include "scenario_event.h"
 #include "scenario_fault.h"
 #include "utf8.h"
 
 // Stream numbers of the seed from here on are those of the boards' power.
 #define POWER_STREAM 2000
+#define CM_PER_M 100
+
+static bool is_motor(const vehicle_config *vehicle, int pin) {
+  bool found = false;
+  for (int side = MOTOR_LEFT; side <= MOTOR_RIGHT; side++)
+    found |= pin == vehicle->forward[side] || pin == vehicle->backward[side];
+  return vehicle->radius_m > 0 && found;
+}
 
 static void pin_changed(void *context, int pin, bool level, cycles_t at) {
   node *n = context;
@@ -20,6 +29,7 @@ static void pin_changed(void *context, int pin, bool level, cycles_t at) {
     sniffer_tx_edge(&e->listener, n->index, level, at);
   }
   fault_plan_output(&e->faults, n->index, pin, level, at);
+  if (is_motor(&n->config->vehicle, pin)) world_wake(&e->surroundings, at);
   for (size_t i = 0; i < n->config->sensor_count; i++) sensor_output(&n->sensors[i], pin, level, at);
   for (size_t i = 0; i < n->config->watch_count; i++) {
     if (n->config->watches[i].pin != pin) continue;
@@ -83,6 +93,30 @@ static void carriers_overlap(void *context, size_t receiver, uint64_t sources, c
   sniffer_collision(&e->listener, receiver, sources, at);
 }
 
+static int motor_turns(void *context, size_t board, world_motor motor) {
+  const emulation *e = context;
+  const vehicle_config *vehicle = &e->config->boards[board].vehicle;
+  return board_output(&e->nodes[board].arduino, vehicle->forward[motor]) -
+         board_output(&e->nodes[board].arduino, vehicle->backward[motor]);
+}
+
+static void board_placed(void *context, size_t board, bool told, cycles_t at) {
+  emulation *e = context;
+  const world_body *body = &e->surroundings.bodies[board];
+  rf_bus_move(&e->air, board, body->x_m, body->y_m, at);
+  if (!told) return;
+  trace_begin(e->out, at, e->config->boards[board].name, "place");
+  trace_numbers(e->out, "position", (const double[]){body->x_m, body->y_m}, 2);
+  trace_number(e->out, "heading", body->heading_deg);
+  trace_end(e->out);
+}
+
+static double world_value(void *context, sensor_kind kind) {
+  const node *n = context;
+  const world *around = &n->owner->surroundings;
+  return kind == SENSOR_HC_SR04 ? CM_PER_M * world_distance_m(around, n->index) : around->light;
+}
+
 static int plug(emulation *e, node *n) { return pty_plug(&n->port, n->config->port, e->error, sizeof e->error); }
 
 static void observe_pins(node *n) {
@@ -92,6 +126,10 @@ static void observe_pins(node *n) {
   for (size_t i = 0; i < scenario->fault_count; i++)
     if (scenario->faults[i].after_pin >= 0 && scenario->faults[i].board == n->index)
       board_observe(&n->arduino, scenario->faults[i].after_pin);
+  for (int side = MOTOR_LEFT; side <= MOTOR_RIGHT && n->config->vehicle.radius_m > 0; side++) {
+    board_observe(&n->arduino, n->config->vehicle.forward[side]);
+    board_observe(&n->arduino, n->config->vehicle.backward[side]);
+  }
   board_drive(&n->arduino, n->config->rx_pin, false);
 }
 
@@ -113,7 +151,8 @@ static int open_node(emulation *e, node *n) {
   uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
   if (!n->sensors) return out_of_memory(e);
-  for (size_t i = 0; i < n->config->sensor_count; i++) sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i]);
+  for (size_t i = 0; i < n->config->sensor_count; i++)
+    sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i], (sensor_world){n, world_value});
   observe_pins(n);
   if (n->config->eeprom && eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size,
                                             n->config->eeprom, e->error, sizeof e->error) != 0)
@@ -130,10 +169,12 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
   e->next_eeprom_save = EEPROM_INTERVAL;
   e->nodes = calloc(config->board_count, sizeof *e->nodes);
   if (!e->nodes) return out_of_memory(e);
-  if (fault_plan_init(&e->faults, config) != 0) return out_of_memory(e);
+  if (fault_plan_init(&e->faults, config) != 0 ||
+      world_init(&e->surroundings, config, (world_listener){e, motor_turns, board_placed}) != 0)
+    return out_of_memory(e);
   if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
       sniffer_init(&e->listener, config, &e->air, out) != 0) {
-    snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 64 together");
+    snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 63 together");
     return -1;
   }
   for (; e->node_count < config->board_count; e->node_count++) {
@@ -147,6 +188,7 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
     n->power_at = NEVER;
     prng_seed(&n->noise, seed, POWER_STREAM + n->index);
   }
+  scenario_event_write(out, config, seed);
   for (size_t i = 0; i < e->node_count; i++)
     if (open_node(e, &e->nodes[i]) != 0) return -1;
   return 0;
@@ -215,15 +257,18 @@ static int perform_fault(emulation *e, const fault_config *fault) {
       break;
     case FAULT_PLUG: n->plugged = true; return n->arduino.powered ? plug_again(e, n) : 0;
     case FAULT_POWER_CUT: cut_power(n, fault); break;
-    case FAULT_JAM: rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s)); break;
+    case FAULT_JAM: break;
   }
   return 0;
 }
 
 static int perform_faults(emulation *e) {
   const fault_config *fault;
-  while ((fault = fault_plan_take(&e->faults, e->now)) != NULL)
+  while ((fault = fault_plan_take(&e->faults, e->now)) != NULL) {
+    if (fault->kind == FAULT_JAM)
+      rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s));
     if (perform_fault(e, fault) != 0) return -1;
+  }
   for (size_t i = 0; i < e->node_count; i++)
     if (restore_power(e, &e->nodes[i]) != 0) return -1;
   return 0;
@@ -238,6 +283,7 @@ static int save_eeproms(emulation *e) {
 // Faults and EEPROM files come when their time is reached, at the border of two steps.
 static int do_due(emulation *e) {
   if (perform_faults(e) != 0) return -1;
+  world_advance(&e->surroundings, e->now);
   if (e->now < e->next_eeprom_save) return 0;
   e->next_eeprom_save = e->now + EEPROM_INTERVAL;
   return save_eeproms(e);
@@ -253,7 +299,7 @@ static cycles_t node_next_event(const node *n) {
 
 // One step; a longer one while all boards sleep, up to where the first thing happens.
 static cycles_t step_end(const emulation *e, cycles_t until) {
-  cycles_t end = earliest(e->air.next_event, e->faults.next);
+  cycles_t end = earliest(earliest(e->air.next_event, e->faults.next), e->surroundings.next_step);
   for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
     end = earliest(end, node_next_event(&e->nodes[i]));
   end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
@@ -348,6 +394,7 @@ int emulation_close(emulation *e) {
   sniffer_release(&e->listener);
   rf_bus_release(&e->air);
   fault_plan_release(&e->faults);
+  world_release(&e->surroundings);
   free(e->nodes);
   return result;
 }

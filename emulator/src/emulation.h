@@ -20,6 +20,7 @@
 #include "sniffer.h"
 #include "trace.h"
 #include "uart.h"
+#include "world.h"
 
 // How often EEPROM files are brought up to date.
 #define EEPROM_INTERVAL (50 * CYCLES_PER_MS)
@@ -52,6 +53,7 @@ typedef struct emulation {
   size_t node_count;
   fault_plan faults;
   size_t next_jam;
+  world surroundings;
   cycles_t now;
   cycles_t next_eeprom_save;
   char error[512];  // why a call returned -1

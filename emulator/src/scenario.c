@@ -12,6 +12,7 @@
 #include "json_reader.h"
 #include "scenario_board.h"
 #include "scenario_fault.h"
+#include "scenario_world.h"
 
 #define DEFAULT_BIT_RATE 2000
 #define DEFAULT_RANGE_M 100
@@ -28,7 +29,7 @@ static void read_radio(radio_config *radio, const json_node *node) {
   json_node bit_rate = json_member(node, "bitRate");
   *radio = (radio_config){.range_m = DEFAULT_RANGE_M};
   if (json_given(node)) json_check_object(node, KEYS);
-  radio->bit_rate = json_number(&bit_rate, 100, 10000, DEFAULT_BIT_RATE);
+  radio->bit_rate = json_number(&bit_rate, MIN_BIT_RATE, MAX_BIT_RATE, DEFAULT_BIT_RATE);
   radio_read(radio, node);
 }
 
@@ -106,14 +107,16 @@ static void apply_override(json_reader *reader, json_t *root, const char *overri
 }
 
 static void read_root(scenario *s, const json_node *root, const scenario_context *context) {
-  static const char *const KEYS[] = {"radio", "boards", "faults", NULL};
+  static const char *const KEYS[] = {"radio", "boards", "faults", "world", NULL};
   if (!json_check_object(root, KEYS)) return;
   for (size_t i = 0; i < context->override_count; i++) apply_override(root->reader, root->value, context->overrides[i]);
   json_node radio = json_member(root, "radio");
   json_node boards = json_member(root, "boards");
   json_node faults = json_member(root, "faults");
   char *file = strdup(root->reader->file);
+  json_node world = json_member(root, "world");
   read_radio(&s->radio, &radio);
+  world_config_read(&s->world, &world);
   read_boards(s, &boards, dirname(file), context->directory);
   if (!json_failed(root->reader)) read_faults(s, &faults);
   free(file);
@@ -143,5 +146,6 @@ void scenario_release(scenario *result) {
   for (size_t i = 0; i < result->board_count; i++) board_config_release(&result->boards[i]);
   free(result->boards);
   free(result->faults);
+  world_config_release(&result->world);
   memset(result, 0, sizeof *result);
 }
