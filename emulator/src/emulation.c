@@ -117,6 +117,17 @@ static double world_value(void *context, sensor_kind kind) {
   return kind == SENSOR_HC_SR04 ? CM_PER_M * world_distance_m(around, n->index) : around->light;
 }
 
+static void stranger_begins(void *context, const stranger_packet *packet, cycles_t at) {
+  emulation *e = context;
+  rf_bus_move(&e->air, e->config->board_count, packet->x_m, packet->y_m, at);
+}
+
+static void stranger_carrier(void *context, bool carrier, cycles_t at) {
+  emulation *e = context;
+  rf_bus_carrier(&e->air, e->config->board_count, carrier, at);
+  sniffer_tx_edge(&e->listener, e->config->board_count, carrier, at);
+}
+
 static int plug(emulation *e, node *n) { return pty_plug(&n->port, n->config->port, e->error, sizeof e->error); }
 
 static void observe_pins(node *n) {
@@ -167,11 +178,13 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
   e->config = config;
   e->out = out;
   e->next_eeprom_save = EEPROM_INTERVAL;
+  e->speed_asked = -1;
   e->nodes = calloc(config->board_count, sizeof *e->nodes);
   if (!e->nodes) return out_of_memory(e);
   if (fault_plan_init(&e->faults, config) != 0 ||
       world_init(&e->surroundings, config, (world_listener){e, motor_turns, board_placed}) != 0)
     return out_of_memory(e);
+  stranger_init(&e->someone, config->radio.bit_rate, (stranger_listener){e, stranger_begins, stranger_carrier});
   if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
       sniffer_init(&e->listener, config, &e->air, out) != 0) {
     snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 63 together");
@@ -246,7 +259,7 @@ static int restore_power(emulation *e, node *n) {
   return plug_again(e, n);
 }
 
-static int perform_fault(emulation *e, const fault_config *fault) {
+int emulation_fault(emulation *e, const fault_config *fault) {
   node *n = &e->nodes[fault->board];
   if (fault->kind != FAULT_POWER_CUT) trace_fault(e, fault);
   switch (fault->kind) {
@@ -267,7 +280,7 @@ static int perform_faults(emulation *e) {
   while ((fault = fault_plan_take(&e->faults, e->now)) != NULL) {
     if (fault->kind == FAULT_JAM)
       rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s));
-    if (perform_fault(e, fault) != 0) return -1;
+    if (emulation_fault(e, fault) != 0) return -1;
   }
   for (size_t i = 0; i < e->node_count; i++)
     if (restore_power(e, &e->nodes[i]) != 0) return -1;
@@ -299,7 +312,8 @@ static cycles_t node_next_event(const node *n) {
 
 // One step; a longer one while all boards sleep, up to where the first thing happens.
 static cycles_t step_end(const emulation *e, cycles_t until) {
-  cycles_t end = earliest(earliest(e->air.next_event, e->faults.next), e->surroundings.next_step);
+  cycles_t end =
+      earliest(earliest(e->air.next_event, e->faults.next), earliest(e->surroundings.next_step, e->someone.next));
   for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
     end = earliest(end, node_next_event(&e->nodes[i]));
   end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
@@ -324,6 +338,7 @@ int emulation_run(emulation *e, cycles_t until) {
     cycles_t end = step_end(e, until);
     for (size_t i = 0; i < e->node_count; i++)
       if (run_board(e, &e->nodes[i], end) != 0) return -1;
+    stranger_advance(&e->someone, end);
     // In this order a packet is known at its sender before it arrives anywhere.
     sniffer_advance_tx(&e->listener, end);
     rf_bus_advance(&e->air, end);

@@ -18,6 +18,7 @@
 #include "sensor.h"
 #include "serial_sniffer.h"
 #include "sniffer.h"
+#include "stranger.h"
 #include "trace.h"
 #include "uart.h"
 #include "world.h"
@@ -54,6 +55,8 @@ typedef struct emulation {
   fault_plan faults;
   size_t next_jam;
   world surroundings;
+  stranger someone;
+  double speed_asked;  // by a command, below 0 where none has asked; the caller keeps the time
   cycles_t now;
   cycles_t next_eeprom_save;
   char error[512];  // why a call returned -1
@@ -66,6 +69,9 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
 // Runs all boards up to `until`. Returns 0, or -1 with one line in `error`: a program crashed, or
 // a port or file could not be written.
 int emulation_run(emulation *e, cycles_t until);
+
+// A fault comes now. A jam of the scenario is on the air by itself. Returns 0, or -1 with one line in `error`.
+int emulation_fault(emulation *e, const fault_config *fault);
 
 // Moves bytes between boards and hosts, and sees who opened or closed a port. Call it every
 // millisecond or so.

@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "control.h"
 #include "emulation.h"
+#include "emulation_command.h"
 #include "options.h"
 #include "pacing.h"
 #include "scenario.h"
@@ -43,33 +45,62 @@ static void report_debt(const pacing *clock, bool *reported) {
           "emulated time falls behind the wall clock\n");
 }
 
+// A run, and what steers it.
+typedef struct {
+  emulation e;
+  pacing clock;
+  control socket;
+} session;
+
+static int perform(void *context, const char *line, size_t length, char *error, size_t error_size) {
+  session *s = context;
+  command c;
+  int result = command_read(&c, line, length, s->e.config, error, error_size);
+  if (result == 0) result = emulation_command(&s->e, &c, error, error_size);
+  command_release(&c);
+  if (s->e.speed_asked >= 0) pacing_change(&s->clock, s->e.speed_asked, s->e.now);
+  s->e.speed_asked = -1;
+  return result;
+}
+
+static void wait_for_others(session *s) {
+  struct pollfd descriptors[MAX_BOARDS + CONTROL_CLIENTS + 1];
+  size_t count = emulation_descriptors(&s->e, descriptors);
+  count += control_descriptors(&s->socket, descriptors + count);
+  pacing_wait(&s->clock, descriptors, count, emulation_serial_busy(&s->e));
+}
+
 // Runs to the end. Returns an exit status.
-static int run(emulation *e, const options *o, const trace *out) {
-  struct pollfd descriptors[MAX_BOARDS];
+static int run(session *s, const options *o, const trace *out) {
+  emulation *e = &s->e;
   cycles_t end = o->duration_s > 0 ? seconds_to_cycles(o->duration_s) : NEVER;
   bool debt_reported = false;
-  pacing clock;
-  pacing_start(&clock, o->speed);
+  pacing_start(&s->clock, o->speed);
   while (!interrupted && e->now < end) {
-    cycles_t due = pacing_due(&clock, e->now);
+    cycles_t due = pacing_due(&s->clock, e->now);
     bool ahead = due < e->now + PACING_SLICE;
     if (emulation_run(e, due < end ? due : end) != 0) return complain(EXIT_RUN, e->error);
     emulation_exchange(e);
+    control_exchange(&s->socket);
     if (out->failed) return complain(EXIT_RUN, "the trace cannot be written any more");
-    report_debt(&clock, &debt_reported);
-    if (ahead) pacing_wait(descriptors, emulation_descriptors(e, descriptors), emulation_serial_busy(e));
+    report_debt(&s->clock, &debt_reported);
+    if (ahead) wait_for_others(s);
   }
   return EXIT_OK;
 }
 
 static int emulate(const scenario *config, const options *o, trace *out) {
-  emulation e;
+  session s;
+  char error[256];
   int status = EXIT_OK;
-  if (emulation_open(&e, config, o->seed, out) != 0)
-    status = complain(EXIT_USAGE, e.error);
+  if (control_open(&s.socket, o->control_path, (control_listener){&s, perform}, error, sizeof error) != 0)
+    return complain(EXIT_USAGE, error);
+  if (emulation_open(&s.e, config, o->seed, out) != 0)
+    status = complain(EXIT_USAGE, s.e.error);
   else
-    status = run(&e, o, out);
-  if (emulation_close(&e) != 0) status = complain(EXIT_RUN, e.error);
+    status = run(&s, o, out);
+  control_close(&s.socket);
+  if (emulation_close(&s.e) != 0) status = complain(EXIT_RUN, s.e.error);
   if (simulator_log_suppressed() > 0)
     fprintf(stderr, "javino-emulator: %lu more warnings of simavr\n", simulator_log_suppressed());
   return status;

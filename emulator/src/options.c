@@ -16,10 +16,11 @@ const char OPTIONS_USAGE[] =
     "  --seed N             start of all random numbers (default 1)\n"
     "  --trace FILE|-       write the trace there, - for standard output\n"
     "  --directory DIR      ports and EEPROM files are relative to it (default: here)\n"
+    "  --control PATH       take commands from a Unix domain socket there\n"
     "  --set radio.key=N    override a radio number of the scenario; may be repeated\n";
 
-static const char *const NAMES[] = {"--duration",  "--speed", "--seed", "--trace",
-                                    "--directory", "--set",   "--help", NULL};
+static const char *const NAMES[] = {"--duration", "--speed",   "--seed", "--trace", "--directory",
+                                    "--set",      "--control", "--help", NULL};
 
 typedef struct {
   char *error;
@@ -66,6 +67,8 @@ static int parse_option(options *o, const char *name, const char *value, const c
   if (strcmp(name, "--set") == 0) return add_override(o, value, c);
   if (strcmp(name, "--trace") == 0)
     o->trace_path = value;
+  else if (strcmp(name, "--control") == 0)
+    o->control_path = value;
   else
     o->directory = value;
   return 0;

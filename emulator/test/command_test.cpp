@@ -6,6 +6,9 @@
 #include <csignal>
 #include <fcntl.h>
 #include <memory>
+#include <sstream>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -142,6 +145,44 @@ TEST(Command, help_is_no_mistake) {
   Outcome outcome = run(scratch, {"--help"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.find("usage: javino-emulator SCENARIO.json"), 0u);
+}
+
+// Sends a line to the socket and returns the reply.
+static std::string told(const std::string &path, const std::string &line) {
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  snprintf(address.sun_path, sizeof address.sun_path, "%s", path.c_str());
+  int client = socket(AF_UNIX, SOCK_STREAM, 0);
+  while (connect(client, reinterpret_cast<sockaddr *>(&address), sizeof address) != 0) usleep(1000);
+  EXPECT_EQ(write(client, (line + "\n").data(), line.size() + 1), ssize_t(line.size() + 1));
+  char reply[1024];
+  ssize_t length = read(client, reply, sizeof reply);
+  close(client);
+  return length > 0 ? std::string(reply, static_cast<size_t>(length)) : "";
+}
+
+TEST(Command, the_control_socket_pauses_and_steers_it) {
+  const std::string OK = "{\"ok\":true}\n";
+  Scratch scratch;
+  write_scenario(scratch, "blink");
+  pid_t child = start(scratch, {"s.json", "--control", "control", "--trace", "trace"});
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"speed","value":0})"), OK);
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"reset","board":"a"})"), OK);
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"reset","board":"b"})"),
+            R"({"error":"command: board: expected the name of one of the boards, found \"b\""})"
+            "\n");
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"reset","board":"a"})"), OK);
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"speed","value":100})"), OK);
+  kill(child, SIGTERM);
+  EXPECT_EQ(finish(scratch, child).status, 0);
+  EXPECT_FALSE(exists(scratch.path("control")));
+  std::istringstream lines(read_text(scratch.path("trace")));
+  std::vector<std::string> cycles;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("\"command\"") != std::string::npos)
+      cycles.push_back(line.substr(line.find("\"cycle\""), line.find(",\"do\"") - line.find("\"cycle\"")));
+  ASSERT_EQ(cycles.size(), 4u);
+  for (const std::string &cycle : cycles) EXPECT_EQ(cycle, cycles[0]) << "time stood still";
 }
 
 TEST(Command, a_signal_ends_it_cleanly) {

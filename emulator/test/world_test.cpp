@@ -151,6 +151,17 @@ TEST(World, a_board_drives_and_measures_what_is_ahead) {
   EXPECT_NEAR(places.back().t - places[0].t, 1, 0.03);
 }
 
+TEST(World, a_reset_board_stands_still) {
+  Scratch scratch;
+  Emulation run(scratch, CAR);
+  run.run_until(0.7);
+  EXPECT_EQ(run.command(R"({"do":"power-cut","board":"car","duration":5})"), "");
+  run.run_until(0.8);
+  size_t places = run.events("car", "place").size();
+  run.run_until(2);
+  EXPECT_EQ(run.events("car", "place").size(), places);
+}
+
 TEST(World, the_trace_begins_with_the_scenario) {
   Scratch scratch;
   Emulation run(scratch, CAR, 7);
