@@ -102,10 +102,14 @@ void trace_list_begin(trace *t, const char *key) {
   fputc('[', t->file);
 }
 
-void trace_list_text(trace *t, const char *value, bool first) {
+void trace_list_utf8(trace *t, const uint8_t *bytes, size_t length, bool first) {
   if (!writing(t)) return;
   if (!first) fputc(',', t->file);
-  write_quoted(t->file, (const uint8_t *)value, strlen(value));
+  write_quoted(t->file, bytes, length);
+}
+
+void trace_list_text(trace *t, const char *value, bool first) {
+  trace_list_utf8(t, (const uint8_t *)value, strlen(value), first);
 }
 
 void trace_list_end(trace *t) {

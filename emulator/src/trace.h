@@ -33,6 +33,7 @@ void trace_time(trace *t, const char *key, cycles_t at);
 
 // A list of texts, given one by one.
 void trace_list_begin(trace *t, const char *key);
+void trace_list_utf8(trace *t, const uint8_t *bytes, size_t length, bool first);
 void trace_list_text(trace *t, const char *value, bool first);
 void trace_list_end(trace *t);
 
