@@ -149,7 +149,7 @@ static int out_of_memory(emulation *e) {
   return -1;
 }
 
-static int open_node(emulation *e, node *n) {
+static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   char error[400];
   if (board_init(&n->arduino, n->config->model, n->config->firmware,
                  (board_listener){n, pin_changed, board_was_reset, eeprom_written}, error, sizeof error) != 0 ||
@@ -165,16 +165,19 @@ static int open_node(emulation *e, node *n) {
   for (size_t i = 0; i < n->config->sensor_count; i++)
     sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i], (sensor_world){n, world_value});
   observe_pins(n);
-  if (n->config->eeprom && eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size,
-                                            n->config->eeprom, e->error, sizeof e->error) != 0)
+  if (eeprom) eeprom_load(&n->arduino.memory, eeprom);
+  if (n->config->eeprom && !e->played &&
+      eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size, n->config->eeprom, e->error,
+                       sizeof e->error) != 0)
     return -1;
   if (n->config->port && plug(e, n) != 0) return -1;
   board_power_on(&n->arduino, &n->noise);
   return 0;
 }
 
-int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out) {
+static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
   memset(e, 0, sizeof *e);
+  e->played = eeproms != NULL;
   e->config = config;
   e->out = out;
   e->next_eeprom_save = EEPROM_INTERVAL;
@@ -196,6 +199,7 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
     n->index = e->node_count;
     n->config = &config->boards[n->index];
     n->port.master = -1;
+    n->port.played = e->played;
     n->port.usb.latency = seconds_to_cycles(n->config->bridge_latency_ms / 1000);
     n->plugged = n->config->port != NULL;
     n->power_at = NEVER;
@@ -203,8 +207,16 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
   }
   scenario_event_write(out, config, seed);
   for (size_t i = 0; i < e->node_count; i++)
-    if (open_node(e, &e->nodes[i]) != 0) return -1;
+    if (open_node(e, &e->nodes[i], eeproms ? eeproms[i] : NULL) != 0) return -1;
   return 0;
+}
+
+int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out) {
+  return open_all(e, config, seed, out, NULL);
+}
+
+int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
+  return open_all(e, config, seed, out, eeproms);
 }
 
 static void trace_port(const node *n, const char *state) {
@@ -352,10 +364,12 @@ void emulation_exchange(emulation *e) {
   for (size_t i = 0; i < e->node_count; i++) {
     node *n = &e->nodes[i];
     pty_change change = pty_exchange(&n->port, e->now);
+    if (e->kept) record_port(e->kept, n->config->name, &n->port, change);
     if (change != PTY_SAME) trace_port(n, change == PTY_OPENED ? "open" : "closed");
     if (change == PTY_OPENED && n->config->reset_on_open) reset_node(n, "port opened");
     uart_pump(&n->serial);
   }
+  if (e->kept) record_exchange_end(e->kept);
 }
 
 size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors) {

@@ -13,6 +13,7 @@
 #include "fault_plan.h"
 #include "prng.h"
 #include "pty.h"
+#include "record.h"
 #include "rf_bus.h"
 #include "scenario.h"
 #include "sensor.h"
@@ -56,6 +57,8 @@ typedef struct emulation {
   size_t next_jam;
   world surroundings;
   stranger someone;
+  record *kept;        // what comes from outside; NULL: it is not kept
+  bool played;         // nothing comes from outside but what is played
   double speed_asked;  // by a command, below 0 where none has asked; the caller keeps the time
   cycles_t now;
   cycles_t next_eeprom_save;
@@ -65,6 +68,10 @@ typedef struct emulation {
 // Powers all boards on. `config` and `out` must outlive the emulation; close it either way.
 // Returns 0, or -1 with one line in `error`.
 int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out);
+
+// The same without hosts, to be played: no ports are made and no EEPROM files touched. Boards begin with `eeproms`, each as
+// large as the model's or NULL.
+int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms);
 
 // Runs all boards up to `until`. Returns 0, or -1 with one line in `error`: a program crashed, or
 // a port or file could not be written.
