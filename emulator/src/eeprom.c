@@ -93,6 +93,8 @@ void eeprom_init(eeprom *e, struct avr_t *avr, eeprom_listener listener) {
   avr->io[AVR_DATA_TO_IO(CONTROL)].w.c = control_written;
 }
 
+void eeprom_load(eeprom *e, const uint8_t *bytes) { memcpy(e->part->eeprom, bytes, e->part->size); }
+
 void eeprom_reset(eeprom *e) {
   if (!e->done_at) return;
   avr_cycle_count_t left = e->done_at > e->avr->cycle ? e->done_at - e->avr->cycle : 1;

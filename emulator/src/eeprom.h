@@ -36,6 +36,9 @@ typedef struct {
 // Takes the place of simavr's control register.
 void eeprom_init(eeprom *e, struct avr_t *avr, eeprom_listener listener);
 
+// The chip holds these bytes from now on: as many as it has.
+void eeprom_load(eeprom *e, const uint8_t *bytes);
+
 // The chip was reset: a write under way goes on, as it does in a real chip.
 void eeprom_reset(eeprom *e);
 

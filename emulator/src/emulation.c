@@ -6,10 +6,20 @@
 #include <string.h>
 
 #include "firmware.h"
+#include "scenario_event.h"
+#include "scenario_fault.h"
 #include "utf8.h"
 
 // Stream numbers of the seed from here on are those of the boards' power.
 #define POWER_STREAM 2000
+#define CM_PER_M 100
+
+static bool is_motor(const vehicle_config *vehicle, int pin) {
+  bool found = false;
+  for (int side = MOTOR_LEFT; side <= MOTOR_RIGHT; side++)
+    found |= pin == vehicle->forward[side] || pin == vehicle->backward[side];
+  return vehicle->radius_m > 0 && found;
+}
 
 static void pin_changed(void *context, int pin, bool level, cycles_t at) {
   node *n = context;
@@ -19,6 +29,7 @@ static void pin_changed(void *context, int pin, bool level, cycles_t at) {
     sniffer_tx_edge(&e->listener, n->index, level, at);
   }
   fault_plan_output(&e->faults, n->index, pin, level, at);
+  if (is_motor(&n->config->vehicle, pin)) world_wake(&e->surroundings, at);
   for (size_t i = 0; i < n->config->sensor_count; i++) sensor_output(&n->sensors[i], pin, level, at);
   for (size_t i = 0; i < n->config->watch_count; i++) {
     if (n->config->watches[i].pin != pin) continue;
@@ -82,6 +93,41 @@ static void carriers_overlap(void *context, size_t receiver, uint64_t sources, c
   sniffer_collision(&e->listener, receiver, sources, at);
 }
 
+static int motor_turns(void *context, size_t board, world_motor motor) {
+  const emulation *e = context;
+  const vehicle_config *vehicle = &e->config->boards[board].vehicle;
+  return board_output(&e->nodes[board].arduino, vehicle->forward[motor]) -
+         board_output(&e->nodes[board].arduino, vehicle->backward[motor]);
+}
+
+static void board_placed(void *context, size_t board, bool told, cycles_t at) {
+  emulation *e = context;
+  const world_body *body = &e->surroundings.bodies[board];
+  rf_bus_move(&e->air, board, body->x_m, body->y_m, at);
+  if (!told) return;
+  trace_begin(e->out, at, e->config->boards[board].name, "place");
+  trace_numbers(e->out, "position", (const double[]){body->x_m, body->y_m}, 2);
+  trace_number(e->out, "heading", body->heading_deg);
+  trace_end(e->out);
+}
+
+static double world_value(void *context, sensor_kind kind) {
+  const node *n = context;
+  const world *around = &n->owner->surroundings;
+  return kind == SENSOR_HC_SR04 ? CM_PER_M * world_distance_m(around, n->index) : around->light;
+}
+
+static void stranger_begins(void *context, const stranger_packet *packet, cycles_t at) {
+  emulation *e = context;
+  rf_bus_move(&e->air, e->config->board_count, packet->x_m, packet->y_m, at);
+}
+
+static void stranger_carrier(void *context, bool carrier, cycles_t at) {
+  emulation *e = context;
+  rf_bus_carrier(&e->air, e->config->board_count, carrier, at);
+  sniffer_tx_edge(&e->listener, e->config->board_count, carrier, at);
+}
+
 static int plug(emulation *e, node *n) { return pty_plug(&n->port, n->config->port, e->error, sizeof e->error); }
 
 static void observe_pins(node *n) {
@@ -91,6 +137,10 @@ static void observe_pins(node *n) {
   for (size_t i = 0; i < scenario->fault_count; i++)
     if (scenario->faults[i].after_pin >= 0 && scenario->faults[i].board == n->index)
       board_observe(&n->arduino, scenario->faults[i].after_pin);
+  for (int side = MOTOR_LEFT; side <= MOTOR_RIGHT && n->config->vehicle.radius_m > 0; side++) {
+    board_observe(&n->arduino, n->config->vehicle.forward[side]);
+    board_observe(&n->arduino, n->config->vehicle.backward[side]);
+  }
   board_drive(&n->arduino, n->config->rx_pin, false);
 }
 
@@ -99,7 +149,7 @@ static int out_of_memory(emulation *e) {
   return -1;
 }
 
-static int open_node(emulation *e, node *n) {
+static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
   char error[400];
   if (board_init(&n->arduino, n->config->model, n->config->firmware,
                  (board_listener){n, pin_changed, board_was_reset, eeprom_written}, error, sizeof error) != 0 ||
@@ -112,27 +162,35 @@ static int open_node(emulation *e, node *n) {
   uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);
   if (!n->sensors) return out_of_memory(e);
-  for (size_t i = 0; i < n->config->sensor_count; i++) sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i]);
+  for (size_t i = 0; i < n->config->sensor_count; i++)
+    sensor_init(&n->sensors[i], &n->arduino, &n->config->sensors[i], (sensor_world){n, world_value});
   observe_pins(n);
-  if (n->config->eeprom && eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size,
-                                            n->config->eeprom, e->error, sizeof e->error) != 0)
+  if (eeprom) eeprom_load(&n->arduino.memory, eeprom);
+  if (n->config->eeprom && !e->played &&
+      eeprom_file_open(&n->eeprom, n->arduino.avr, n->config->model->eeprom_size, n->config->eeprom, e->error,
+                       sizeof e->error) != 0)
     return -1;
   if (n->config->port && plug(e, n) != 0) return -1;
   board_power_on(&n->arduino, &n->noise);
   return 0;
 }
 
-int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out) {
+static int open_all(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
   memset(e, 0, sizeof *e);
+  e->played = eeproms != NULL;
   e->config = config;
   e->out = out;
   e->next_eeprom_save = EEPROM_INTERVAL;
+  e->speed_asked = -1;
   e->nodes = calloc(config->board_count, sizeof *e->nodes);
   if (!e->nodes) return out_of_memory(e);
-  if (fault_plan_init(&e->faults, config) != 0) return out_of_memory(e);
+  if (fault_plan_init(&e->faults, config) != 0 ||
+      world_init(&e->surroundings, config, (world_listener){e, motor_turns, board_placed}) != 0)
+    return out_of_memory(e);
+  stranger_init(&e->someone, config->radio.bit_rate, (stranger_listener){e, stranger_begins, stranger_carrier});
   if (rf_bus_init(&e->air, config, seed, (rf_listener){e, level_arrives, carriers_overlap}) != 0 ||
       sniffer_init(&e->listener, config, &e->air, out) != 0) {
-    snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 64 together");
+    snprintf(e->error, sizeof e->error, "boards and jams at one time must not be more than 63 together");
     return -1;
   }
   for (; e->node_count < config->board_count; e->node_count++) {
@@ -141,14 +199,24 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
     n->index = e->node_count;
     n->config = &config->boards[n->index];
     n->port.master = -1;
+    n->port.played = e->played;
     n->port.usb.latency = seconds_to_cycles(n->config->bridge_latency_ms / 1000);
     n->plugged = n->config->port != NULL;
     n->power_at = NEVER;
     prng_seed(&n->noise, seed, POWER_STREAM + n->index);
   }
+  scenario_event_write(out, config, seed);
   for (size_t i = 0; i < e->node_count; i++)
-    if (open_node(e, &e->nodes[i]) != 0) return -1;
+    if (open_node(e, &e->nodes[i], eeproms ? eeproms[i] : NULL) != 0) return -1;
   return 0;
+}
+
+int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out) {
+  return open_all(e, config, seed, out, NULL);
+}
+
+int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
+  return open_all(e, config, seed, out, eeproms);
 }
 
 static void trace_port(const node *n, const char *state) {
@@ -203,7 +271,7 @@ static int restore_power(emulation *e, node *n) {
   return plug_again(e, n);
 }
 
-static int perform_fault(emulation *e, const fault_config *fault) {
+int emulation_fault(emulation *e, const fault_config *fault) {
   node *n = &e->nodes[fault->board];
   if (fault->kind != FAULT_POWER_CUT) trace_fault(e, fault);
   switch (fault->kind) {
@@ -214,15 +282,18 @@ static int perform_fault(emulation *e, const fault_config *fault) {
       break;
     case FAULT_PLUG: n->plugged = true; return n->arduino.powered ? plug_again(e, n) : 0;
     case FAULT_POWER_CUT: cut_power(n, fault); break;
-    case FAULT_JAM: rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s)); break;
+    case FAULT_JAM: break;
   }
   return 0;
 }
 
 static int perform_faults(emulation *e) {
   const fault_config *fault;
-  while ((fault = fault_plan_take(&e->faults, e->now)) != NULL)
-    if (perform_fault(e, fault) != 0) return -1;
+  while ((fault = fault_plan_take(&e->faults, e->now)) != NULL) {
+    if (fault->kind == FAULT_JAM)
+      rf_bus_jam(&e->air, e->next_jam++, e->now, e->now + seconds_to_cycles(fault->duration_s));
+    if (emulation_fault(e, fault) != 0) return -1;
+  }
   for (size_t i = 0; i < e->node_count; i++)
     if (restore_power(e, &e->nodes[i]) != 0) return -1;
   return 0;
@@ -237,6 +308,7 @@ static int save_eeproms(emulation *e) {
 // Faults and EEPROM files come when their time is reached, at the border of two steps.
 static int do_due(emulation *e) {
   if (perform_faults(e) != 0) return -1;
+  world_advance(&e->surroundings, e->now);
   if (e->now < e->next_eeprom_save) return 0;
   e->next_eeprom_save = e->now + EEPROM_INTERVAL;
   return save_eeproms(e);
@@ -252,7 +324,8 @@ static cycles_t node_next_event(const node *n) {
 
 // One step; a longer one while all boards sleep, up to where the first thing happens.
 static cycles_t step_end(const emulation *e, cycles_t until) {
-  cycles_t end = earliest(e->air.next_event, e->faults.next);
+  cycles_t end =
+      earliest(earliest(e->air.next_event, e->faults.next), earliest(e->surroundings.next_step, e->someone.next));
   for (size_t i = 0; i < e->node_count && end > e->now + RF_STEP; i++)
     end = earliest(end, node_next_event(&e->nodes[i]));
   end = end < e->now + RF_STEP ? e->now + RF_STEP : end;
@@ -277,6 +350,7 @@ int emulation_run(emulation *e, cycles_t until) {
     cycles_t end = step_end(e, until);
     for (size_t i = 0; i < e->node_count; i++)
       if (run_board(e, &e->nodes[i], end) != 0) return -1;
+    stranger_advance(&e->someone, end);
     // In this order a packet is known at its sender before it arrives anywhere.
     sniffer_advance_tx(&e->listener, end);
     rf_bus_advance(&e->air, end);
@@ -290,10 +364,12 @@ void emulation_exchange(emulation *e) {
   for (size_t i = 0; i < e->node_count; i++) {
     node *n = &e->nodes[i];
     pty_change change = pty_exchange(&n->port, e->now);
+    if (e->kept) record_port(e->kept, n->config->name, &n->port, change);
     if (change != PTY_SAME) trace_port(n, change == PTY_OPENED ? "open" : "closed");
     if (change == PTY_OPENED && n->config->reset_on_open) reset_node(n, "port opened");
     uart_pump(&n->serial);
   }
+  if (e->kept) record_exchange_end(e->kept);
 }
 
 size_t emulation_descriptors(const emulation *e, struct pollfd *descriptors) {
@@ -347,6 +423,7 @@ int emulation_close(emulation *e) {
   sniffer_release(&e->listener);
   rf_bus_release(&e->air);
   fault_plan_release(&e->faults);
+  world_release(&e->surroundings);
   free(e->nodes);
   return result;
 }

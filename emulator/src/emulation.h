@@ -13,13 +13,16 @@
 #include "fault_plan.h"
 #include "prng.h"
 #include "pty.h"
+#include "record.h"
 #include "rf_bus.h"
 #include "scenario.h"
 #include "sensor.h"
 #include "serial_sniffer.h"
 #include "sniffer.h"
+#include "stranger.h"
 #include "trace.h"
 #include "uart.h"
+#include "world.h"
 
 // How often EEPROM files are brought up to date.
 #define EEPROM_INTERVAL (50 * CYCLES_PER_MS)
@@ -52,6 +55,11 @@ typedef struct emulation {
   size_t node_count;
   fault_plan faults;
   size_t next_jam;
+  world surroundings;
+  stranger someone;
+  record *kept;        // what comes from outside; NULL: it is not kept
+  bool played;         // nothing comes from outside but what is played
+  double speed_asked;  // by a command, below 0 where none has asked; the caller keeps the time
   cycles_t now;
   cycles_t next_eeprom_save;
   char error[512];  // why a call returned -1
@@ -61,9 +69,16 @@ typedef struct emulation {
 // Returns 0, or -1 with one line in `error`.
 int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *out);
 
+// The same without hosts, to be played: no ports are made and no EEPROM files touched. Boards begin with `eeproms`, each as
+// large as the model's or NULL.
+int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms);
+
 // Runs all boards up to `until`. Returns 0, or -1 with one line in `error`: a program crashed, or
 // a port or file could not be written.
 int emulation_run(emulation *e, cycles_t until);
+
+// A fault comes now. A jam of the scenario is on the air by itself. Returns 0, or -1 with one line in `error`.
+int emulation_fault(emulation *e, const fault_config *fault);
 
 // Moves bytes between boards and hosts, and sees who opened or closed a port. Call it every
 // millisecond or so.

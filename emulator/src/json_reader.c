@@ -39,7 +39,7 @@ json_node json_element(const json_node *array, size_t index) {
 void json_fail(const json_node *node, const char *format, ...) {
   json_reader *reader = node->reader;
   if (json_failed(reader)) return;
-  const char *path = node->path[0] ? node->path : "the whole file";
+  const char *path = node->path[0] ? node->path : reader->whole ? reader->whole : "the whole file";
   int used = snprintf(reader->error, sizeof reader->error, "%s: %s: ", reader->file, path);
   if (used < 0 || (size_t)used >= sizeof reader->error) return;
   va_list arguments;

@@ -10,7 +10,8 @@
 
 typedef struct {
   const char *file;
-  char error[512];  // empty while all is well
+  char error[512];    // empty while all is well
+  const char *whole;  // what a mistake of no single key is in; NULL: the whole file
 } json_reader;
 
 // A value and the path that leads to it. The value is NULL where the file has none.

@@ -6,6 +6,10 @@
 // 0x38 and 0x2C, six bits each, least significant bit first.
 #define START_SYMBOL (0x38u | 0x2Cu << 6)
 #define WINDOW_BITS 12
+#define SYMBOL_BITS 6
+#define SYMBOL_MASK 0x3Fu
+#define TRAINING_SYMBOL 0x2Au
+#define TRAINING_SYMBOLS 6
 // From the first carrier of the training to the end of the start symbol: the first bit is a 0.
 #define LEAD_BITS 47
 
@@ -110,6 +114,30 @@ void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at) {
   decoder->level = level;
   // Each edge is the border of two bits, and puts the sampling back into their middle.
   decoder->next_sample = (double)at + decoder->bit_cycles / 2;
+}
+
+static size_t put_symbol(uint8_t *bits, unsigned symbol) {
+  for (int bit = 0; bit < SYMBOL_BITS; bit++) bits[bit] = symbol >> bit & 1;
+  return SYMBOL_BITS;
+}
+
+size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length) {
+  uint8_t bytes[LINE_MAX_COUNT];
+  size_t count = length + 3;
+  size_t written = 0;
+  bytes[0] = (uint8_t)count;
+  memcpy(bytes + 1, payload, length);
+  uint16_t crc = crc_x25(bytes, count - 2);
+  bytes[count - 2] = (uint8_t)crc;
+  bytes[count - 1] = (uint8_t)(crc >> 8);
+  for (int i = 0; i < TRAINING_SYMBOLS; i++) written += put_symbol(bits + written, TRAINING_SYMBOL);
+  written += put_symbol(bits + written, START_SYMBOL & SYMBOL_MASK);
+  written += put_symbol(bits + written, START_SYMBOL >> SYMBOL_BITS);
+  for (size_t i = 0; i < count; i++) {
+    written += put_symbol(bits + written, SYMBOLS[bytes[i] >> 4]);
+    written += put_symbol(bits + written, SYMBOLS[bytes[i] & 0xF]);
+  }
+  return written;
 }
 
 const char *line_error_text(line_error error) {

@@ -15,6 +15,10 @@
 #define LINE_MAX_PAYLOAD (LINE_MAX_COUNT - 3)
 // The silence after which the next carrier begins a new packet.
 #define LINE_IDLE_BITS 16
+// SPEC 6: n bytes of payload take 84 + 12 n bits.
+#define LINE_FRAMING_BITS 84
+#define LINE_BITS_PER_BYTE 12
+#define LINE_MAX_BITS (LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * LINE_MAX_PAYLOAD)
 
 typedef enum { LINE_BAD_SYMBOL, LINE_BAD_COUNT, LINE_BAD_CRC } line_error;
 
@@ -58,6 +62,9 @@ void line_decoder_advance(line_decoder *decoder, cycles_t now);
 
 // Takes the last bit of a packet of which only the middle of that bit has not come yet, by the level that it has now.
 void line_decoder_finish(line_decoder *decoder);
+
+// Writes the bits, 0 or 1 each, with which 1 to LINE_MAX_PAYLOAD bytes are sent. Returns their number.
+size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length);
 
 // What to call the error in the trace.
 const char *line_error_text(line_error error);

@@ -5,9 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "control.h"
 #include "emulation.h"
+#include "emulation_command.h"
 #include "options.h"
 #include "pacing.h"
+#include "record.h"
+#include "replay.h"
 #include "scenario.h"
 #include "simulator_log.h"
 #include "trace.h"
@@ -43,36 +47,104 @@ static void report_debt(const pacing *clock, bool *reported) {
           "emulated time falls behind the wall clock\n");
 }
 
+// A run, and what steers it.
+typedef struct {
+  emulation e;
+  pacing clock;
+  control socket;
+  record kept;
+} session;
+
+static int perform(void *context, const char *line, size_t length, char *error, size_t error_size) {
+  session *s = context;
+  command c;
+  int result = command_read(&c, line, length, s->e.config, error, error_size);
+  if (result == 0) record_command(&s->kept, c.given);
+  if (result == 0) result = emulation_command(&s->e, &c, error, error_size);
+  command_release(&c);
+  if (s->e.speed_asked >= 0) pacing_change(&s->clock, s->e.speed_asked, s->e.now);
+  s->e.speed_asked = -1;
+  return result;
+}
+
+static void wait_for_others(session *s) {
+  struct pollfd descriptors[MAX_BOARDS + CONTROL_CLIENTS + 1];
+  size_t count = emulation_descriptors(&s->e, descriptors);
+  count += control_descriptors(&s->socket, descriptors + count);
+  pacing_wait(&s->clock, descriptors, count, emulation_serial_busy(&s->e));
+}
+
 // Runs to the end. Returns an exit status.
-static int run(emulation *e, const options *o, const trace *out) {
-  struct pollfd descriptors[MAX_BOARDS];
+static int run(session *s, const options *o, const trace *out) {
+  emulation *e = &s->e;
   cycles_t end = o->duration_s > 0 ? seconds_to_cycles(o->duration_s) : NEVER;
   bool debt_reported = false;
-  pacing clock;
-  pacing_start(&clock, o->speed);
+  pacing_start(&s->clock, o->speed);
   while (!interrupted && e->now < end) {
-    cycles_t due = pacing_due(&clock, e->now);
+    cycles_t due = pacing_due(&s->clock, e->now);
     bool ahead = due < e->now + PACING_SLICE;
-    if (emulation_run(e, due < end ? due : end) != 0) return complain(EXIT_RUN, e->error);
+    cycles_t until = due < end ? due : end;
+    if (until > e->now) record_run(&s->kept, until);
+    if (emulation_run(e, until) != 0) return complain(EXIT_RUN, e->error);
     emulation_exchange(e);
+    control_exchange(&s->socket);
     if (out->failed) return complain(EXIT_RUN, "the trace cannot be written any more");
-    report_debt(&clock, &debt_reported);
-    if (ahead) pacing_wait(descriptors, emulation_descriptors(e, descriptors), emulation_serial_busy(e));
+    if (record_failed(&s->kept)) return complain(EXIT_RUN, "the record cannot be written any more");
+    report_debt(&s->clock, &debt_reported);
+    if (ahead) wait_for_others(s);
   }
   return EXIT_OK;
 }
 
-static int emulate(const scenario *config, const options *o, trace *out) {
-  emulation e;
-  int status = EXIT_OK;
-  if (emulation_open(&e, config, o->seed, out) != 0)
-    status = complain(EXIT_USAGE, e.error);
-  else
-    status = run(&e, o, out);
-  if (emulation_close(&e) != 0) status = complain(EXIT_RUN, e.error);
+// Returns the exit status, or that of a failure to end well.
+static int end(emulation *e, int status) {
+  if (emulation_close(e) != 0) status = complain(EXIT_RUN, e->error);
   if (simulator_log_suppressed() > 0)
     fprintf(stderr, "javino-emulator: %lu more warnings of simavr\n", simulator_log_suppressed());
   return status;
+}
+
+static int emulate(const scenario *config, const options *o, trace *out) {
+  session s;
+  char error[256];
+  int status = EXIT_OK;
+  if (control_open(&s.socket, o->control_path, (control_listener){&s, perform}, error, sizeof error) != 0)
+    return complain(EXIT_USAGE, error);
+  if (record_open(&s.kept, o->record_path) != 0) {
+    snprintf(error, sizeof error, "--record %s: %s", o->record_path, strerror(errno));
+    control_close(&s.socket);
+    return complain(EXIT_USAGE, error);
+  }
+  if (emulation_open(&s.e, config, o->seed, out) != 0) {
+    status = complain(EXIT_USAGE, s.e.error);
+  } else {
+    s.e.kept = &s.kept;
+    record_start(&s.kept, &s.e, o->seed);
+    status = run(&s, o, out);
+  }
+  control_close(&s.socket);
+  if (record_close(&s.kept) != 0) status = complain(EXIT_RUN, "the record could not be written");
+  return end(&s.e, status);
+}
+
+// Makes a recorded run again. Returns an exit status.
+static int play(scenario *config, const options *o, trace *out) {
+  emulation e;
+  replay r;
+  char error[1024];
+  int status = EXIT_OK, more = 1;
+  if (replay_open(&r, o->replay_path, config, error, sizeof error) != 0) {
+    replay_close(&r);
+    return complain(EXIT_USAGE, error);
+  }
+  if (emulation_open_played(&e, config, r.seed, out, r.eeproms) != 0) status = complain(EXIT_USAGE, e.error);
+  while (status == EXIT_OK && more > 0 && !interrupted) {
+    more = replay_step(&r, &e, error, sizeof error);
+    if (more < 0) status = complain(EXIT_RUN, error);
+    if (out->failed) status = complain(EXIT_RUN, "the trace cannot be written any more");
+  }
+  replay_close(&r);
+  return end(&e, status);
 }
 
 static int open_trace(trace *out, const char *path) {
@@ -101,7 +173,7 @@ int main(int argc, char **argv) {
     snprintf(error, sizeof error, "--trace %s: %s", o.trace_path, strerror(errno));
     status = complain(EXIT_USAGE, error);
   } else {
-    status = emulate(&config, &o, &out);
+    status = o.replay_path ? play(&config, &o, &out) : emulate(&config, &o, &out);
     if (out.file && out.file != stdout) fclose(out.file);
   }
   scenario_release(&config);

@@ -16,10 +16,13 @@ const char OPTIONS_USAGE[] =
     "  --seed N             start of all random numbers (default 1)\n"
     "  --trace FILE|-       write the trace there, - for standard output\n"
     "  --directory DIR      ports and EEPROM files are relative to it (default: here)\n"
+    "  --control PATH       take commands from a Unix domain socket there\n"
+    "  --record FILE        keep what comes from outside, so that the run can be made again; it holds keys\n"
+    "  --replay FILE        make a recorded run again, without hosts\n"
     "  --set radio.key=N    override a radio number of the scenario; may be repeated\n";
 
-static const char *const NAMES[] = {"--duration",  "--speed", "--seed", "--trace",
-                                    "--directory", "--set",   "--help", NULL};
+static const char *const NAMES[] = {"--duration", "--speed",  "--seed",   "--trace", "--directory", "--set",
+                                    "--control",  "--record", "--replay", "--help",  NULL};
 
 typedef struct {
   char *error;
@@ -60,12 +63,20 @@ static int add_override(options *o, const char *text, const complaint *c) {
 }
 
 static int parse_option(options *o, const char *name, const char *value, const complaint *c) {
+  if (strcmp(name, "--trace") != 0 && strcmp(name, "--directory") != 0 && strcmp(name, "--replay") != 0)
+    o->run_option = name;
   if (strcmp(name, "--duration") == 0) return parse_positive(&o->duration_s, name, value, c);
   if (strcmp(name, "--speed") == 0) return parse_speed(&o->speed, value, c);
   if (strcmp(name, "--seed") == 0) return parse_seed(&o->seed, value, c);
   if (strcmp(name, "--set") == 0) return add_override(o, value, c);
   if (strcmp(name, "--trace") == 0)
     o->trace_path = value;
+  else if (strcmp(name, "--control") == 0)
+    o->control_path = value;
+  else if (strcmp(name, "--record") == 0)
+    o->record_path = value;
+  else if (strcmp(name, "--replay") == 0)
+    o->replay_path = value;
   else
     o->directory = value;
   return 0;
@@ -106,6 +117,13 @@ int options_parse(options *o, int argc, char **argv, char *error, size_t error_s
     }
     if (parse_option(o, argument, argv[++i], &c) != 0) return -1;
   }
-  if (!o->scenario) snprintf(error, error_size, "name a scenario file; try --help");
-  return o->scenario ? 0 : -1;
+  if (!o->scenario) {
+    snprintf(error, error_size, "name a scenario file; try --help");
+    return -1;
+  }
+  if (o->replay_path && o->run_option) {
+    snprintf(error, error_size, "--replay makes the run as it was recorded; leave out %s", o->run_option);
+    return -1;
+  }
+  return 0;
 }

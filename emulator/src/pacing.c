@@ -11,7 +11,14 @@ static int64_t wall_ns(void) {
 
 void pacing_start(pacing *p, double speed) { *p = (pacing){.speed = speed, .origin_ns = wall_ns()}; }
 
+void pacing_change(pacing *p, double speed, cycles_t now) {
+  p->paused = speed <= 0;
+  p->speed = speed;
+  if (!p->paused) p->origin_ns = wall_ns() - (int64_t)((double)now / (speed * CYCLES_PER_SECOND / 1e9));
+}
+
 cycles_t pacing_due(pacing *p, cycles_t now) {
+  if (p->paused) return now;
   if (p->speed <= 0) return now + PACING_SLICE;
   double cycles_per_ns = p->speed * CYCLES_PER_SECOND / 1e9;
   int64_t elapsed_ns = wall_ns() - p->origin_ns;
@@ -26,7 +33,7 @@ cycles_t pacing_due(pacing *p, cycles_t now) {
   return due < now + PACING_SLICE ? due : now + PACING_SLICE;
 }
 
-void pacing_wait(struct pollfd *descriptors, size_t count, bool serial_busy) {
-  struct timespec tick = {0, serial_busy ? PACING_SERIAL_TICK_NS : PACING_TICK_NS};
+void pacing_wait(const pacing *p, struct pollfd *descriptors, size_t count, bool serial_busy) {
+  struct timespec tick = {0, p->paused ? PACING_PAUSED_TICK_NS : serial_busy ? PACING_SERIAL_TICK_NS : PACING_TICK_NS};
   ppoll(descriptors, count, &tick, NULL);
 }

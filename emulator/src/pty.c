@@ -13,6 +13,9 @@
 
 #include "paths.h"
 
+// Stands for the master of a played port.
+#define PLAYED 0
+
 static int fail(char *error, size_t error_size, const char *what, const char *path) {
   snprintf(error, error_size, "port %s: %s: %s", path, what, strerror(errno));
   return -1;
@@ -63,6 +66,10 @@ int pty_plug(pty *p, const char *link, char *error, size_t error_size) {
   p->link = link;
   p->open = false;
   p->in_start = p->in_end = p->out_length = 0;
+  if (p->played) {
+    p->master = PLAYED;
+    return 0;
+  }
   int result = open_master(p);
   if (result != 0) fail(error, error_size, "cannot make a pseudo-terminal", link);
   if (result == 0) {
@@ -76,17 +83,32 @@ int pty_plug(pty *p, const char *link, char *error, size_t error_size) {
   return result;
 }
 
-void pty_unplug(pty *p) {
+static void remove_link_and_master(const pty *p) {
   char target[sizeof p->slave];
-  if (p->master < 0) return;
   // The path may by now be another process's.
   ssize_t length = readlink(p->link, target, sizeof target);
   if (length == (ssize_t)strlen(p->slave) && memcmp(target, p->slave, (size_t)length) == 0) unlink(p->link);
   close(p->master);
-  p->master = -1;
+}
+
+static void forget_host(pty *p) {
   p->open = false;
   p->dropped += p->out_length;
   p->in_start = p->in_end = p->out_length = 0;
+}
+
+void pty_unplug(pty *p) {
+  if (p->master < 0) return;
+  if (!p->played) remove_link_and_master(p);
+  p->master = -1;
+  forget_host(p);
+}
+
+static void given(pty *p, size_t count) {
+  p->gave = count;
+  p->sent += count;
+  p->out_length -= count;
+  memmove(p->out, p->out + count, p->out_length);
 }
 
 static void write_out(pty *p, cycles_t now) {
@@ -94,28 +116,59 @@ static void write_out(pty *p, cycles_t now) {
   if (ready == 0) return;
   ssize_t written = write(p->master, p->out, ready);
   if (written <= 0) return;  // the host does not read now; what does not fit the buffer is counted by pty_put
-  p->sent += (uint64_t)written;
-  p->out_length -= (size_t)written;
-  memmove(p->out, p->out + written, p->out_length);
+  given(p, (size_t)written);
+}
+
+static void taken(pty *p, size_t count) {
+  p->got = count;
+  p->received += count;
+  p->in_end += count;
+}
+
+static void make_room(pty *p) {
+  if (p->in_start == p->in_end) p->in_start = p->in_end = 0;
 }
 
 static void read_in(pty *p) {
-  if (p->in_start == p->in_end) p->in_start = p->in_end = 0;
+  make_room(p);
   if (p->in_end == PTY_BUFFER) return;  // the rest waits in the kernel
   ssize_t length = read(p->master, p->in + p->in_end, PTY_BUFFER - p->in_end);
   if (length <= 0) return;  // nothing there, or no host, which pty_exchange sees by itself
-  p->received += (uint64_t)length;
-  p->in_end += (size_t)length;
+  taken(p, (size_t)length);
 }
 
 static void host_gone(pty *p) {
-  p->open = false;
-  p->dropped += p->out_length;
-  p->in_start = p->in_end = p->out_length = 0;
+  forget_host(p);
   flush_slave(p);
 }
 
+int pty_play(pty *p, pty_change change, const uint8_t *bytes, size_t length, size_t gave) {
+  bool open = change == PTY_SAME ? p->open : change == PTY_OPENED;
+  make_room(p);
+  if (p->master < 0 || (!open && length + gave > 0) || length > PTY_BUFFER - p->in_end || gave > p->out_length)
+    return -1;
+  p->coming = change;
+  memcpy(p->in + p->in_end, bytes, length);
+  taken(p, length);
+  p->gave = gave;
+  return 0;
+}
+
+static pty_change play(pty *p) {
+  pty_change change = p->coming;
+  p->coming = PTY_SAME;
+  if (change == PTY_CLOSED)
+    forget_host(p);
+  else
+    given(p, p->gave);
+  p->gave = 0;
+  if (change == PTY_OPENED) p->open = true;
+  return change;
+}
+
 pty_change pty_exchange(pty *p, cycles_t now) {
+  if (p->master >= 0 && p->played) return play(p);
+  p->got = p->gave = 0;
   if (p->master < 0) return PTY_SAME;
   struct pollfd state = {p->master, POLLIN, 0};
   poll(&state, 1, 0);

@@ -12,6 +12,8 @@
 
 #define PTY_BUFFER 4096
 
+typedef enum { PTY_SAME, PTY_OPENED, PTY_CLOSED } pty_change;
+
 typedef struct {
   const char *link;        // the symlink's path
   char slave[64];          // what it points to
@@ -22,11 +24,12 @@ typedef struct {
   uint8_t out[PTY_BUFFER];  // for the host, not yet written
   size_t out_length;
   bridge usb;               // holds the last bytes of `out` back
+  size_t got, gave;         // bytes of the last exchange; of a played port, of the next one
+  bool played;              // no host: pty_play says what comes, and nothing is made in the file system
+  pty_change coming;        // of a played port, with the next exchange
   uint64_t received, sent;  // bytes
   uint64_t dropped;         // bytes from the board that no host read
 } pty;
-
-typedef enum { PTY_SAME, PTY_OPENED, PTY_CLOSED } pty_change;
 
 // Makes a pty in raw mode and then the symlink, with its folders, in place of an older symlink.
 // Returns 0, or -1 with one line in `error`; anything at `link` that is no symlink is left alone.
@@ -38,6 +41,10 @@ void pty_unplug(pty *p);
 // Moves bytes both ways without waiting, and tells whether a host has opened or closed the pty.
 // A close and an open between two calls are not seen.
 pty_change pty_exchange(pty *p, cycles_t now);
+
+// Says what the next exchange of a played port brings: `length` bytes come, `gave` go. Returns 0, or -1 where a host could
+// not have done so.
+int pty_play(pty *p, pty_change change, const uint8_t *bytes, size_t length, size_t gave);
 
 // The next byte from the host; false when there is none.
 bool pty_take(pty *p, uint8_t *byte);

@@ -11,15 +11,26 @@
 
 static uint64_t bit_of(size_t source) { return (uint64_t)1 << source; }
 
-static bool near(const rf_bus *bus, const board_config *board, double x_m, double y_m) {
-  return hypot(board->x_m - x_m, board->y_m - y_m) <= bus->range_m;
+static bool near(const rf_bus *bus, size_t receiver, const rf_source *source) {
+  const rf_source *own = &bus->sources[receiver];
+  return source->everywhere || hypot(own->x_m - source->x_m, own->y_m - source->y_m) <= bus->range_m;
 }
 
-static uint64_t heard_by(const rf_bus *bus, const scenario *config, const fault_config *jam) {
-  uint64_t receivers = 0;
-  for (size_t r = 0; r < bus->board_count; r++)
-    if (!jam->has_position || near(bus, &config->boards[r], jam->x_m, jam->y_m)) receivers |= bit_of(r);
-  return receivers;
+// Says anew whether a receiver hears a source; a level that changes by it changes at `now`.
+static void find_hearing(rf_bus *bus, size_t receiver, size_t index, cycles_t now) {
+  uint64_t *hears = &bus->receivers[receiver].hears;
+  bool heard = index != receiver && near(bus, receiver, &bus->sources[index]);
+  if (heard == ((*hears & bit_of(index)) != 0)) return;
+  *hears ^= bit_of(index);
+  if (now < bus->next_event) bus->next_event = now;
+}
+
+static void find_hearers(rf_bus *bus, size_t index, cycles_t now) {
+  for (size_t r = 0; r < bus->board_count; r++) find_hearing(bus, r, index, now);
+}
+
+static void find_all_hearers(rf_bus *bus, cycles_t now) {
+  for (size_t i = 0; i < bus->source_count; i++) find_hearers(bus, i, now);
 }
 
 // Gives each jam the first jammer that is silent by then. Returns 0, or -1 when there are too many.
@@ -31,30 +42,21 @@ static int init_jams(rf_bus *bus, const scenario *config) {
     const fault_config *fault = &config->faults[i];
     if (fault->kind != FAULT_JAM) continue;
     cycles_t begin = seconds_to_cycles(fault->t_s);
-    size_t source = bus->board_count;
+    size_t source = bus->board_count + 1;
     while (source < bus->source_count && silent_at[source] > begin) source++;
     if (source == MAX_SOURCES) return -1;
     bus->source_count += source == bus->source_count;
     silent_at[source] = begin + seconds_to_cycles(fault->duration_s) + pause;
-    bus->jams[jams++] = (rf_jam){source, heard_by(bus, config, fault)};
+    bus->jams[jams++] = (rf_jam){source, fault};
   }
   return 0;
 }
 
-static void init_receiver(rf_bus *bus, const scenario *config, size_t index, uint64_t seed) {
-  rf_receiver *receiver = &bus->receivers[index];
-  receiver->next_slot = NEVER;
-  prng_seed(&receiver->errors, seed, index);
-  for (size_t i = 0; i < bus->board_count; i++)
-    if (i != index && near(bus, &config->boards[index], config->boards[i].x_m, config->boards[i].y_m))
-      receiver->hears |= bit_of(i);
-}
-
-static void init_source(rf_bus *bus, size_t index, uint64_t seed) {
+static void init_source(rf_bus *bus, size_t index) {
   rf_source *source = &bus->sources[index];
   source->quiet_at = NEVER;
   source->next_toggle = NEVER;
-  if (index >= bus->board_count) prng_seed(&source->noise, seed, JAM_STREAM + index - bus->board_count);
+  if (index > bus->board_count) prng_seed(&source->noise, bus->seed, JAM_STREAM + index - bus->board_count - 1);
 }
 
 int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener) {
@@ -62,17 +64,25 @@ int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener 
   bus->listener = listener;
   bus->bit_cycles = (cycles_t)(CYCLES_PER_SECOND / config->radio.bit_rate + 0.5);
   bus->bit_error_rate = config->radio.bit_error_rate;
+  bus->seed = seed;
   bus->board_count = config->board_count;
-  bus->source_count = config->board_count;
+  bus->source_count = config->board_count + 1;
   bus->range_m = config->radio.range_m;
   bus->next_event = NEVER;
   bus->jams = calloc(config->fault_count + 1, sizeof *bus->jams);
   if (!bus->jams || init_jams(bus, config) != 0) return -1;
-  bus->sources = calloc(bus->source_count, sizeof *bus->sources);
+  bus->planned_count = bus->source_count;
+  bus->sources = calloc(MAX_SOURCES, sizeof *bus->sources);
   bus->receivers = calloc(bus->board_count, sizeof *bus->receivers);
   if (!bus->sources || !bus->receivers) return -1;
-  for (size_t i = 0; i < bus->source_count; i++) init_source(bus, i, seed);
-  for (size_t i = 0; i < bus->board_count; i++) init_receiver(bus, config, i, seed);
+  for (size_t i = 0; i < bus->source_count; i++) init_source(bus, i);
+  for (size_t i = 0; i < bus->board_count; i++) {
+    bus->sources[i].x_m = config->boards[i].x_m;
+    bus->sources[i].y_m = config->boards[i].y_m;
+    bus->receivers[i].next_slot = NEVER;
+    prng_seed(&bus->receivers[i].errors, seed, i);
+  }
+  find_all_hearers(bus, NEVER);
   return 0;
 }
 
@@ -100,17 +110,49 @@ void rf_bus_carrier(rf_bus *bus, size_t source, bool carrier, cycles_t at) {
   bus->edges[place] = (rf_edge){source, carrier, at};
 }
 
-void rf_bus_jam(rf_bus *bus, size_t jam, cycles_t at, cycles_t end) {
-  size_t index = bus->jams[jam].source;
+static void jam(rf_bus *bus, size_t index, const fault_config *fault, cycles_t at, cycles_t end) {
   rf_source *source = &bus->sources[index];
-  for (size_t r = 0; r < bus->board_count; r++) {
-    bool heard = bus->jams[jam].heard_by >> r & 1;
-    uint64_t *hears = &bus->receivers[r].hears;
-    *hears = heard ? *hears | bit_of(index) : *hears & ~bit_of(index);
-  }
+  source->everywhere = !fault->has_position;
+  source->x_m = fault->x_m;
+  source->y_m = fault->y_m;
   source->jam_end = end;
   source->next_toggle = at;
+  find_hearers(bus, index, at);
   bus->next_event = at < bus->next_event ? at : bus->next_event;
+}
+
+void rf_bus_jam(rf_bus *bus, size_t number, cycles_t at, cycles_t end) {
+  jam(bus, bus->jams[number].source, bus->jams[number].fault, at, end);
+}
+
+int rf_bus_jam_now(rf_bus *bus, const fault_config *fault, cycles_t at, cycles_t end) {
+  size_t index = bus->planned_count;
+  while (index < bus->source_count && (bus->sources[index].active || bus->sources[index].next_toggle != NEVER)) index++;
+  if (index == MAX_SOURCES) return -1;
+  if (index == bus->source_count) init_source(bus, bus->source_count++);
+  jam(bus, index, fault, at, end);
+  return 0;
+}
+
+void rf_bus_move(rf_bus *bus, size_t source, double x_m, double y_m, cycles_t now) {
+  bus->sources[source].x_m = x_m;
+  bus->sources[source].y_m = y_m;
+  find_hearers(bus, source, now);
+  for (size_t i = 0; source < bus->board_count && i < bus->source_count; i++) find_hearing(bus, source, i, now);
+}
+
+void rf_bus_set_range(rf_bus *bus, double range_m, cycles_t now) {
+  bus->range_m = range_m;
+  find_all_hearers(bus, now);
+}
+
+void rf_bus_set_errors(rf_bus *bus, double bit_error_rate, cycles_t now) {
+  bus->bit_error_rate = bit_error_rate;
+  for (size_t r = 0; r < bus->board_count; r++) {
+    bus->receivers[r].flip = false;
+    bus->receivers[r].next_slot = NEVER;
+  }
+  if (now < bus->next_event) bus->next_event = now;
 }
 
 static uint64_t active_sources(const rf_bus *bus) {

@@ -35,8 +35,10 @@ typedef struct {
   cycles_t at;
 } rf_edge;
 
-// A board's transmitter, or a jammer.
+// A board's transmitter, the stranger's, or a jammer.
 typedef struct {
+  bool everywhere;  // heard at any distance
+  double x_m, y_m;
   bool carrier;
   bool active;        // in the middle of a transmission
   cycles_t quiet_at;  // when the transmission is over unless the carrier comes back
@@ -48,7 +50,7 @@ typedef struct {
 // A jam fault of the scenario. Jams that do not overlap share a jammer.
 typedef struct {
   size_t source;
-  uint64_t heard_by;  // bit n: by receiver n
+  const fault_config *fault;
 } rf_jam;
 
 typedef struct {
@@ -64,8 +66,10 @@ typedef struct {
   cycles_t bit_cycles;
   double bit_error_rate;
   double range_m;
+  uint64_t seed;
   size_t board_count;
-  size_t source_count;  // boards first, then jammers
+  size_t planned_count;  // sources but for the jammers of commands
+  size_t source_count;   // boards first, then the stranger, then jammers
   rf_source *sources;
   rf_receiver *receivers;
   rf_jam *jams;
@@ -74,8 +78,8 @@ typedef struct {
   cycles_t next_event;  // no source or receiver has anything to do before
 } rf_bus;
 
-// Sets up boards and jam faults of the scenario: source n is board n, then come the jammers.
-// Returns 0, or -1 where the memory does not suffice or boards and jams at one time are more than 64.
+// Sets up boards and jam faults of the scenario: source n is board n, then come the stranger and the jammers.
+// Returns 0, or -1 where the memory does not suffice or boards and jams at one time are more than 63.
 int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener);
 void rf_bus_release(rf_bus *bus);
 
@@ -84,6 +88,18 @@ void rf_bus_carrier(rf_bus *bus, size_t source, bool carrier, cycles_t at);
 
 // Jam number `jam` of the scenario sends random bits until `end`.
 void rf_bus_jam(rf_bus *bus, size_t jam, cycles_t at, cycles_t end);
+
+// Sends random bits as a fault that the scenario does not have. Returns 0, or -1 where 64 sources are there already.
+int rf_bus_jam_now(rf_bus *bus, const fault_config *jam, cycles_t at, cycles_t end);
+
+// A source, and where it is a board's the receiver with it, is elsewhere from now on.
+void rf_bus_move(rf_bus *bus, size_t source, double x_m, double y_m, cycles_t now);
+
+// The radio reaches farther or less far from now on.
+void rf_bus_set_range(rf_bus *bus, double range_m, cycles_t now);
+
+// From now on so many bits are wrong.
+void rf_bus_set_errors(rf_bus *bus, double bit_error_rate, cycles_t now);
 
 // Plays all that happens on the air before `until`.
 void rf_bus_advance(rf_bus *bus, cycles_t until);

@@ -11,29 +11,26 @@
 
 #include "json_reader.h"
 #include "scenario_board.h"
+#include "scenario_fault.h"
+#include "scenario_world.h"
 
 #define DEFAULT_BIT_RATE 2000
 #define DEFAULT_RANGE_M 100
 
-static const char *const FAULT_NAMES[] = {"reset", "unplug", "plug", "power-cut", "jam", NULL};
-
-const char *fault_name(fault_kind kind) { return FAULT_NAMES[kind]; }
+void radio_read(radio_config *radio, const json_node *node) {
+  json_node range = json_member(node, "range");
+  json_node bit_error_rate = json_member(node, "bitErrorRate");
+  radio->range_m = json_number(&range, 0, 1e6, radio->range_m);
+  radio->bit_error_rate = json_number(&bit_error_rate, 0, 1, radio->bit_error_rate);
+}
 
 static void read_radio(radio_config *radio, const json_node *node) {
   static const char *const KEYS[] = {"bitRate", "range", "bitErrorRate", NULL};
   json_node bit_rate = json_member(node, "bitRate");
-  json_node range = json_member(node, "range");
-  json_node bit_error_rate = json_member(node, "bitErrorRate");
+  *radio = (radio_config){.range_m = DEFAULT_RANGE_M};
   if (json_given(node)) json_check_object(node, KEYS);
-  radio->bit_rate = json_number(&bit_rate, 100, 10000, DEFAULT_BIT_RATE);
-  radio->range_m = json_number(&range, 0, 1e6, DEFAULT_RANGE_M);
-  radio->bit_error_rate = json_number(&bit_error_rate, 0, 1, 0);
-}
-
-static int board_index(const scenario *s, const char *name) {
-  for (size_t i = 0; i < s->board_count; i++)
-    if (s->boards[i].name && strcmp(s->boards[i].name, name) == 0) return (int)i;
-  return -1;
+  radio->bit_rate = json_number(&bit_rate, MIN_BIT_RATE, MAX_BIT_RATE, DEFAULT_BIT_RATE);
+  radio_read(radio, node);
 }
 
 static bool same_text(const char *a, const char *b) { return a && b && strcmp(a, b) == 0; }
@@ -75,63 +72,6 @@ static void read_boards(scenario *s, const json_node *node, const char *scenario
   }
 }
 
-static void read_fault_board(fault_config *fault, const scenario *s, const json_node *node) {
-  json_node board = json_member(node, "board");
-  char *name = json_text(&board);
-  int index = name ? board_index(s, name) : -1;
-  if (index < 0)
-    json_expected(&board, "the name of one of the boards");
-  else if ((fault->kind == FAULT_UNPLUG || fault->kind == FAULT_PLUG) && !s->boards[index].port)
-    json_fail(&board, "\"%s\" has no \"port\" to %s", name, FAULT_NAMES[fault->kind]);
-  fault->board = index < 0 ? 0 : (size_t)index;
-  free(name);
-}
-
-static double required_seconds(const json_node *object, const char *key) {
-  json_node node = json_member(object, key);
-  if (!json_given(&node)) json_expected(&node, "a number of seconds");
-  return json_number(&node, 0, 1e9, 0);
-}
-
-static void read_eeprom_writes(fault_config *fault, const json_node *node) {
-  json_node writes = json_member(node, "eepromWrites");
-  if (!json_given(&writes)) return;
-  json_int_t count = json_integer_value(writes.value);
-  if (count < 1 || count > 1000000000) json_expected(&writes, "a whole number from 1 to 1000000000");
-  fault->eeprom_writes = (unsigned)count;
-}
-
-static void read_jam(fault_config *fault, const json_node *node) {
-  json_node position = json_member(node, "position");
-  fault->has_position = json_given(&position);
-  position_read(&position, &fault->x_m, &fault->y_m);
-}
-
-static void read_fault(fault_config *fault, const scenario *s, const json_node *node) {
-  static const char *const BOARD_KEYS[] = {"t", "do", "board", "after", NULL};
-  static const char *const CUT_KEYS[] = {"t", "do", "board", "after", "duration", "eepromWrites", NULL};
-  static const char *const JAM_KEYS[] = {"t", "do", "duration", "position", NULL};
-  json_node kind = json_member(node, "do");
-  int choice = json_choice(&kind, FAULT_NAMES);
-  if (!json_given(&kind)) json_expected(&kind, "\"reset\", \"unplug\", \"plug\", \"power-cut\" or \"jam\"");
-  if (choice < 0) return;
-  fault->kind = (fault_kind)choice;
-  if (!json_check_object(node, fault->kind == FAULT_JAM         ? JAM_KEYS
-                               : fault->kind == FAULT_POWER_CUT ? CUT_KEYS
-                                                                : BOARD_KEYS))
-    return;
-  json_node after = json_member(node, "after");
-  fault->t_s = required_seconds(node, "t");
-  if (fault->kind == FAULT_JAM || fault->kind == FAULT_POWER_CUT)
-    fault->duration_s = required_seconds(node, "duration");
-  if (fault->kind == FAULT_JAM)
-    read_jam(fault, node);
-  else
-    read_fault_board(fault, s, node);
-  after_read(&after, s->boards[fault->board].model, &fault->after_pin, &fault->after_level);
-  if (fault->kind == FAULT_POWER_CUT) read_eeprom_writes(fault, node);
-}
-
 static int by_time(const void *a, const void *b) {
   double first = ((const fault_config *)a)->t_s;
   double second = ((const fault_config *)b)->t_s;
@@ -143,7 +83,7 @@ static void read_faults(scenario *s, const json_node *node) {
   s->faults = calloc(count + 1, sizeof *s->faults);
   for (; s->fault_count < count && !json_failed(node->reader); s->fault_count++) {
     json_node fault = json_element(node, s->fault_count);
-    read_fault(&s->faults[s->fault_count], s, &fault);
+    fault_read(&s->faults[s->fault_count], s, &fault, false);
   }
   qsort(s->faults, s->fault_count, sizeof *s->faults, by_time);
 }
@@ -167,14 +107,16 @@ static void apply_override(json_reader *reader, json_t *root, const char *overri
 }
 
 static void read_root(scenario *s, const json_node *root, const scenario_context *context) {
-  static const char *const KEYS[] = {"radio", "boards", "faults", NULL};
+  static const char *const KEYS[] = {"radio", "boards", "faults", "world", NULL};
   if (!json_check_object(root, KEYS)) return;
   for (size_t i = 0; i < context->override_count; i++) apply_override(root->reader, root->value, context->overrides[i]);
   json_node radio = json_member(root, "radio");
   json_node boards = json_member(root, "boards");
   json_node faults = json_member(root, "faults");
   char *file = strdup(root->reader->file);
+  json_node world = json_member(root, "world");
   read_radio(&s->radio, &radio);
+  world_config_read(&s->world, &world);
   read_boards(s, &boards, dirname(file), context->directory);
   if (!json_failed(root->reader)) read_faults(s, &faults);
   free(file);
@@ -182,7 +124,7 @@ static void read_root(scenario *s, const json_node *root, const scenario_context
 
 int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error, size_t error_size) {
   memset(result, 0, sizeof *result);
-  json_reader reader = {path, ""};
+  json_reader reader = {.file = path};
   json_error_t mistake;
   json_t *value = json_load_file(path, JSON_REJECT_DUPLICATES, &mistake);
   if (!value && mistake.line > 0)
@@ -204,5 +146,6 @@ void scenario_release(scenario *result) {
   for (size_t i = 0; i < result->board_count; i++) board_config_release(&result->boards[i]);
   free(result->boards);
   free(result->faults);
+  world_config_release(&result->world);
   memset(result, 0, sizeof *result);
 }

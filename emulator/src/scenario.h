@@ -10,6 +10,11 @@
 #include "series.h"
 
 #define MAX_BOARDS 32
+#define MIN_BIT_RATE 100
+#define MAX_BIT_RATE 10000
+// Who sends without being a board is called so.
+#define STRANGER "stranger"
+#define MAX_OBSTACLES 64
 
 typedef struct {
   double bit_rate;        // bit/s, 100…10000
@@ -23,7 +28,7 @@ typedef struct {
   sensor_kind kind;
   int pin;        // LDR: analog pin; digital: pin; HC-SR04: echo
   int trigger;    // HC-SR04 only
-  series values;  // HC-SR04: cm; LDR: 0…1023 as analogRead() gives; digital: 0 or 1
+  series values;  // HC-SR04: cm; LDR: 0…1023 as analogRead() gives; digital: 0 or 1; empty: what the world has
   int after_pin;  // the series' clock starts when this pin first has after_level; -1: at once
   int after_level;
 } sensor_config;
@@ -33,6 +38,25 @@ typedef struct {
   char *name;
 } watch_config;
 
+// Two motors, left and right, each driven by two pins.
+typedef struct {
+  double heading_deg;  // 0: along x, counterclockwise
+  double speed_m_s;    // while both motors turn forward
+  double radius_m;     // 0: the board is on no vehicle
+  int forward[2], backward[2];
+} vehicle_config;
+
+typedef struct {
+  char *name;
+  double x_m, y_m, radius_m;
+} obstacle_config;
+
+typedef struct {
+  double light;  // 0…1023
+  obstacle_config *obstacles;
+  size_t obstacle_count;
+} world_config;
+
 typedef struct {
   char *name;
   const model *model;
@@ -41,6 +65,7 @@ typedef struct {
   char *port;         // path of the pty's symlink, NULL: UART lines go to the trace
   char *eeprom;       // path of the EEPROM file, NULL: forgotten at exit
   double x_m, y_m;
+  vehicle_config vehicle;
   bool reset_on_open;
   double bridge_latency_ms;  // 0…255, 0: bytes are not held back
   int tx_pin, rx_pin;
@@ -70,6 +95,7 @@ typedef struct {
   size_t board_count;
   fault_config *faults;  // in rising order of t
   size_t fault_count;
+  world_config world;
 } scenario;
 
 // What the command line adds to the file.
@@ -83,8 +109,5 @@ typedef struct {
 int scenario_load(scenario *result, const char *path, const scenario_context *context, char *error, size_t error_size);
 
 void scenario_release(scenario *result);
-
-// The fault's name in the file.
-const char *fault_name(fault_kind kind);
 
 #endif

@@ -12,10 +12,22 @@
 #define MAX_COORDINATE_M 1e6
 #define MAX_DISTANCE_CM 10000
 #define MAX_ADC_READING 1023
+#define MIN_RADIUS_M 0.01
+#define MAX_RADIUS_M 100
+#define DEFAULT_RADIUS_M 1
+#define MAX_SPEED_M_S 100
+#define DEFAULT_SPEED_M_S 1
 #define MAX_BRIDGE_LATENCY_MS 255
 
-// A pin, or `otherwise` where the value is absent; -1 as `otherwise` makes it necessary.
-static int read_pin(const json_node *node, const model *m, int otherwise) {
+static const char *const SENSOR_TYPES[] = {"hc-sr04", "ldr", "digital", NULL};
+
+const char *sensor_name(sensor_kind kind) { return SENSOR_TYPES[kind]; }
+
+double sensor_most(sensor_kind kind) {
+  return kind == SENSOR_HC_SR04 ? MAX_DISTANCE_CM : kind == SENSOR_LDR ? MAX_ADC_READING : 1;
+}
+
+int pin_read(const json_node *node, const model *m, int otherwise) {
   int pin = -1;
   if (!json_given(node) && otherwise >= 0) return otherwise;
   if (json_is_integer(node->value)) {
@@ -33,7 +45,7 @@ static int read_pin(const json_node *node, const model *m, int otherwise) {
 }
 
 static int read_analog_pin(const json_node *node, const model *m) {
-  int pin = read_pin(node, m, -1);
+  int pin = pin_read(node, m, -1);
   if (!json_failed(node->reader) && !pin_is_analog(m, pin)) {
     char expected[64];
     snprintf(expected, sizeof expected, "an analog pin, %s", m->adc_pins);
@@ -90,13 +102,23 @@ static void read_series(series *values, const json_node *node, double max) {
   }
 }
 
+// As read_series; the word "world" leaves it empty.
+static void read_series_or_world(series *values, const json_node *node, double max) {
+  const char *text = json_string_value(node->value);
+  if (text && strcmp(text, "world") == 0) return;
+  if (json_is_array(node->value))
+    read_series(values, node, max);
+  else
+    json_expected(node, "a list of points [[seconds, value], …], or \"world\"");
+}
+
 void after_read(const json_node *node, const model *m, int *pin, int *level) {
   static const char *const KEYS[] = {"pin", "level", NULL};
   *pin = -1;
   if (!json_given(node) || !json_check_object(node, KEYS)) return;
   json_node pin_node = json_member(node, "pin");
   json_node level_node = json_member(node, "level");
-  *pin = read_pin(&pin_node, m, -1);
+  *pin = pin_read(&pin_node, m, -1);
   *level = json_number(&level_node, 0, 1, 1) != 0;
 }
 
@@ -106,9 +128,9 @@ static void read_hc_sr04(sensor_config *sensor, const model *m, const json_node 
   json_node trigger = json_member(node, "trigger");
   json_node echo = json_member(node, "echo");
   json_node distance = json_member(node, "distance");
-  sensor->trigger = read_pin(&trigger, m, -1);
-  sensor->pin = read_pin(&echo, m, -1);
-  read_series(&sensor->values, &distance, MAX_DISTANCE_CM);
+  sensor->trigger = pin_read(&trigger, m, -1);
+  sensor->pin = pin_read(&echo, m, -1);
+  read_series_or_world(&sensor->values, &distance, sensor_most(SENSOR_HC_SR04));
 }
 
 static void read_ldr(sensor_config *sensor, const model *m, const json_node *node) {
@@ -117,7 +139,7 @@ static void read_ldr(sensor_config *sensor, const model *m, const json_node *nod
   json_node pin = json_member(node, "pin");
   json_node light = json_member(node, "light");
   sensor->pin = read_analog_pin(&pin, m);
-  read_series(&sensor->values, &light, MAX_ADC_READING);
+  read_series_or_world(&sensor->values, &light, sensor_most(SENSOR_LDR));
 }
 
 static void read_digital(sensor_config *sensor, const model *m, const json_node *node) {
@@ -125,14 +147,13 @@ static void read_digital(sensor_config *sensor, const model *m, const json_node 
   if (!json_check_object(node, KEYS)) return;
   json_node pin = json_member(node, "pin");
   json_node level = json_member(node, "level");
-  sensor->pin = read_pin(&pin, m, -1);
-  read_series(&sensor->values, &level, 1);
+  sensor->pin = pin_read(&pin, m, -1);
+  read_series(&sensor->values, &level, sensor_most(SENSOR_DIGITAL));
 }
 
 static void read_sensor(sensor_config *sensor, const model *m, const json_node *node) {
-  static const char *const TYPES[] = {"hc-sr04", "ldr", "digital", NULL};
   json_node type = json_member(node, "type");
-  int kind = json_choice(&type, TYPES);
+  int kind = json_choice(&type, SENSOR_TYPES);
   if (!json_given(&type)) json_expected(&type, "\"hc-sr04\", \"ldr\" or \"digital\"");
   if (kind < 0) return;
   sensor->kind = (sensor_kind)kind;
@@ -159,7 +180,7 @@ static void read_watch(watch_config *watch, const model *m, const json_node *nod
   if (!json_check_object(node, KEYS)) return;
   json_node pin = json_member(node, "pin");
   json_node name = json_member(node, "name");
-  watch->pin = read_pin(&pin, m, -1);
+  watch->pin = pin_read(&pin, m, -1);
   watch->name = json_text(&name);
   if (!watch->name) json_expected(&name, "a text in quotes");
 }
@@ -170,6 +191,44 @@ static void read_watches(board_config *board, const json_node *node) {
   for (; board->watch_count < count && !json_failed(node->reader); board->watch_count++) {
     json_node watch = json_element(node, board->watch_count);
     read_watch(&board->watches[board->watch_count], board->model, &watch);
+  }
+}
+
+static void read_motors(int *pins, const json_node *node, const model *m) {
+  if (!json_is_array(node->value) || json_array_length(node) != 2) {
+    json_expected(node, "two pins [left, right]");
+    return;
+  }
+  for (size_t i = 0; i < 2; i++) {
+    json_node pin = json_element(node, i);
+    pins[i] = pin_read(&pin, m, -1);
+  }
+}
+
+double heading_read(const json_node *node, double otherwise) { return json_number(node, -360, 360, otherwise); }
+
+static void read_vehicle(vehicle_config *vehicle, const json_node *node, const model *m) {
+  static const char *const KEYS[] = {"heading", "speed", "radius", "forward", "backward", NULL};
+  if (!json_given(node) || !json_check_object(node, KEYS)) return;
+  json_node heading = json_member(node, "heading");
+  json_node speed = json_member(node, "speed");
+  json_node radius = json_member(node, "radius");
+  json_node forward = json_member(node, "forward");
+  json_node backward = json_member(node, "backward");
+  vehicle->heading_deg = heading_read(&heading, 0);
+  vehicle->speed_m_s = json_number(&speed, 0, MAX_SPEED_M_S, DEFAULT_SPEED_M_S);
+  vehicle->radius_m = json_number(&radius, MIN_RADIUS_M, MAX_RADIUS_M, DEFAULT_RADIUS_M);
+  read_motors(vehicle->forward, &forward, m);
+  read_motors(vehicle->backward, &backward, m);
+}
+
+// What an ultrasonic sensor measures in the world begins at a vehicle's nose.
+static void check_sonars(const board_config *board, const json_node *sensors) {
+  for (size_t i = 0; i < board->sensor_count && board->vehicle.radius_m == 0; i++) {
+    json_node sensor = json_element(sensors, i);
+    if (board->sensors[i].kind == SENSOR_HC_SR04 && board->sensors[i].values.count == 0)
+      json_fail(&sensor,
+                "a distance in the world needs a vehicle; expected a \"vehicle\" of the board, or a list of points");
   }
 }
 
@@ -200,21 +259,29 @@ static void read_wiring(board_config *board, const json_node *node) {
   json_node position = json_member(node, "position");
   board->reset_on_open = json_flag(&reset_on_open, true);
   read_bridge(board, &bridge);
-  board->tx_pin = read_pin(&tx, board->model, DEFAULT_TX_PIN);
-  board->rx_pin = read_pin(&rx, board->model, DEFAULT_RX_PIN);
+  board->tx_pin = pin_read(&tx, board->model, DEFAULT_TX_PIN);
+  board->rx_pin = pin_read(&rx, board->model, DEFAULT_RX_PIN);
   if (board->rx_pin == board->tx_pin) json_expected(&rx, "another pin than txPin");
   position_read(&position, &board->x_m, &board->y_m);
 }
 
+// In the trace the stranger is called so.
+static void check_name(const char *name, const json_node *board) {
+  json_node node = json_member(board, "name");
+  if (name && strcmp(name, STRANGER) == 0) json_expected(&node, "another name: the stranger of the trace has this one");
+}
+
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
                        const char *directory) {
-  static const char *const KEYS[] = {"name",        "model",  "firmware", "bootLoader", "port",    "eeprom", "position",
-                                     "resetOnOpen", "bridge", "txPin",    "rxPin",      "sensors", "watch",  NULL};
+  static const char *const KEYS[] = {"name",   "model",    "firmware",    "bootLoader", "port",
+                                     "eeprom", "position", "resetOnOpen", "bridge",     "txPin",
+                                     "rxPin",  "sensors",  "watch",       "vehicle",    NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node chosen = json_member(node, "model");
   int index = json_choice(&chosen, MODEL_NAMES);
   board->model = model_at(index < 0 ? 0 : index);
   board->name = required_text(node, "name");
+  check_name(board->name, node);
   board->firmware = join_path(scenario_directory, required_text(node, "firmware"));
   board->boot_loader = join_path(scenario_directory, optional_text(node, "bootLoader"));
   board->port = join_path(directory, optional_text(node, "port"));
@@ -222,7 +289,10 @@ void board_config_read(board_config *board, const json_node *node, const char *s
   read_wiring(board, node);
   json_node sensors = json_member(node, "sensors");
   json_node watches = json_member(node, "watch");
+  json_node vehicle = json_member(node, "vehicle");
+  read_vehicle(&board->vehicle, &vehicle, board->model);
   read_sensors(board, &sensors);
+  check_sonars(board, &sensors);
   read_watches(board, &watches);
 }
 

@@ -12,6 +12,18 @@ void board_config_read(board_config *board, const json_node *node, const char *s
 
 void board_config_release(board_config *board);
 
+// The sensor's type in the file.
+const char *sensor_name(sensor_kind kind);
+
+// The most that a sensor of this kind can measure.
+double sensor_most(sensor_kind kind);
+
+// Reads a pin, or `otherwise` where the value is absent; -1 as `otherwise` makes it necessary.
+int pin_read(const json_node *node, const model *m, int otherwise);
+
+// Reads degrees, or `otherwise` where the value is absent.
+double heading_read(const json_node *node, double otherwise);
+
 // Reads {"pin", "level"} of a model; the pin is -1 where it is absent.
 void after_read(const json_node *node, const model *m, int *pin, int *level);
 

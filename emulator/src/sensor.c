@@ -21,8 +21,15 @@ static double seconds_at(const sensor *s, cycles_t at) {
   return s->start == NEVER || at < s->start ? 0 : cycles_to_seconds(at - s->start);
 }
 
+static double value_at(const sensor *s, double seconds) {
+  if (s->held) return s->held_value;
+  if (s->config->values.count == 0) return s->world.value(s->world.context, s->config->kind);
+  return s->config->kind == SENSOR_DIGITAL ? series_step(&s->config->values, seconds)
+                                           : series_linear(&s->config->values, seconds);
+}
+
 static cycles_t echo_length(const sensor *s, cycles_t at) {
-  double cm = series_linear(&s->config->values, seconds_at(s, at));
+  double cm = value_at(s, seconds_at(s, at));
   if (cm > MAX_DISTANCE_CM) return NO_ECHO_PULSE;
   return (cycles_t)((cm < MIN_DISTANCE_CM ? MIN_DISTANCE_CM : cm) * CYCLES_PER_CM);
 }
@@ -45,7 +52,7 @@ static void conversion_started(struct avr_irq_t *irq, uint32_t value, void *cont
   const sensor *s = context;
   (void)irq;
   (void)value;
-  double reading = round(series_linear(&s->config->values, seconds_at(s, board_now(s->owner))));
+  double reading = round(value_at(s, seconds_at(s, board_now(s->owner))));
   // Rounded up, as the converter rounds down.
   avr_raise_irq(s->channel, (uint32_t)ceil(reading * s->owner->model->supply_mv / MAX_READING));
 }
@@ -56,17 +63,18 @@ static void connect_to_converter(sensor *s) {
   avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER), conversion_started, s);
 }
 
-static bool driven_high(const sensor *s, double seconds) { return series_step(&s->config->values, seconds) >= 0.5; }
+static bool driven_high(const sensor *s, double seconds) { return value_at(s, seconds) >= 0.5; }
 
 static cycles_t change_after(const sensor *s, double seconds) {
+  if (s->config->kind != SENSOR_DIGITAL || s->start == NEVER) return NEVER;
   double next = series_next_change_s(&s->config->values, seconds);
-  if (s->config->kind != SENSOR_DIGITAL || s->start == NEVER || isinf(next)) return NEVER;
+  if (isinf(next)) return NEVER;
   return s->start + seconds_to_cycles(next);
 }
 
-void sensor_init(sensor *s, board *owner, const sensor_config *config) {
+void sensor_init(sensor *s, board *owner, const sensor_config *config, sensor_world world) {
   bool waits = config->after_pin >= 0;
-  *s = (sensor){.owner = owner, .config = config, .start = waits ? NEVER : 0, .trigger_rise = NEVER};
+  *s = (sensor){.owner = owner, .config = config, .world = world, .start = waits ? NEVER : 0, .trigger_rise = NEVER};
   s->next_change = change_after(s, 0);
   if (waits) board_observe(owner, config->after_pin);
   switch (config->kind) {
@@ -77,6 +85,22 @@ void sensor_init(sensor *s, board *owner, const sensor_config *config) {
     case SENSOR_LDR: connect_to_converter(s); break;
     case SENSOR_DIGITAL: board_drive(owner, config->pin, driven_high(s, 0)); break;
   }
+}
+
+static void drive_now(sensor *s) {
+  if (s->config->kind != SENSOR_DIGITAL) return;
+  board_drive(s->owner, s->config->pin, driven_high(s, seconds_at(s, board_now(s->owner))));
+}
+
+void sensor_hold(sensor *s, double value) {
+  s->held = true;
+  s->held_value = value;
+  drive_now(s);
+}
+
+void sensor_release(sensor *s) {
+  s->held = false;
+  drive_now(s);
 }
 
 void sensor_output(sensor *s, int pin, bool level, cycles_t at) {

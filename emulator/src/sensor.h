@@ -12,9 +12,18 @@
 #include "board.h"
 #include "scenario.h"
 
+// Where a sensor without a series has its values from.
+typedef struct {
+  void *context;
+  double (*value)(void *context, sensor_kind kind);
+} sensor_world;
+
 typedef struct {
   board *owner;
   const sensor_config *config;
+  sensor_world world;
+  bool held;  // it measures this, whatever series and world say
+  double held_value;
   cycles_t start;  // of the series' clock; NEVER: not yet
   // HC-SR04.
   cycles_t trigger_rise;
@@ -26,7 +35,11 @@ typedef struct {
 } sensor;
 
 // The sensor must stay where it is from now on.
-void sensor_init(sensor *s, board *owner, const sensor_config *config);
+void sensor_init(sensor *s, board *owner, const sensor_config *config, sensor_world world);
+
+// The sensor measures this from now on, until sensor_release.
+void sensor_hold(sensor *s, double value);
+void sensor_release(sensor *s);
 
 // A pin of the board has changed.
 void sensor_output(sensor *s, int pin, bool level, cycles_t at);

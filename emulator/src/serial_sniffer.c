@@ -18,6 +18,8 @@
 #define ID_LENGTH 3
 #define CONTENT_AT 12
 #define STATUS_OK 0
+// Of a reply to a poll: it has a reading.
+#define FLAG_READING 0x04
 #define STATUS_NOT_GREETED 1
 #define SERIAL_ADDRESS "++++"
 #define BROADCAST_ADDRESS "////"
@@ -150,6 +152,26 @@ static void write_records(serial_sniffer *s, const uint8_t *records, size_t leng
   }
 }
 
+// All that the board perceives now.
+static void write_reading(serial_sniffer *s, const uint8_t *records, size_t length, cycles_t at) {
+  bool first = true;
+  begin(s, at, "percepts");
+  trace_list_begin(s->out, "percepts");
+  while (length >= RECORD_HEADER_LENGTH) {
+    size_t size = (size_t)(records[1] << 8 | records[2]);
+    const uint8_t *value = records + RECORD_HEADER_LENGTH;
+    if (size > length - RECORD_HEADER_LENGTH) break;
+    if (records[0] == 'P' && utf8_valid(value, size)) {
+      trace_list_utf8(s->out, value, size, first);
+      first = false;
+    }
+    records = value + size;
+    length -= RECORD_HEADER_LENGTH + size;
+  }
+  trace_list_end(s->out);
+  trace_end(s->out);
+}
+
 static void write_transmission(serial_sniffer *s, const serial_request *request, int number, cycles_t at) {
   begin(s, at, "host-transmit");
   trace_count(s->out, "number", (uint64_t)number);
@@ -173,6 +195,7 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
         write_number(s, at, "host-taken", request->taken);
       }
       if (length > 0) write_records(s, body + 1, length - 1, at);
+      if (length > 0 && body[0] & FLAG_READING) write_reading(s, body + 1, length - 1, at);
       break;
     case 0:
       if (length == 1) write_transmission(s, request, body[0], at);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host
-// and how transmissions ended: host-id, host-transmit, host-handed, host-taking, host-taken and host-outcome events.
+// Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host,
+// how transmissions ended and what the board perceives: host-id, host-transmit, host-handed, host-taking, host-taken,
+// host-outcome and percepts events.
 #ifndef JAVINO_SERIAL_SNIFFER_H
 #define JAVINO_SERIAL_SNIFFER_H
 

@@ -9,11 +9,11 @@
 
 // How much later than the end of a packet its last bit may be decoded at a receiver.
 #define ARRIVAL_BITS 4
-// SPEC 6: n bytes of payload take 84 + 12 n bits.
-#define FRAMING_BITS 84
-#define BITS_PER_BYTE 12
 
-static const char *board_name(const sniffer *s, size_t board) { return s->config->boards[board].name; }
+// The source behind the boards' is the stranger's.
+static const char *board_name(const sniffer *s, size_t board) {
+  return board < s->config->board_count ? s->config->boards[board].name : STRANGER;
+}
 
 static void write_message(trace *t, const frame_view *view) {
   trace_flag(t, "sealed", view->sealed);
@@ -44,7 +44,7 @@ static void write_packet(trace *t, const line_packet *packet) {
     write_frame(t, &view);
   else
     trace_text(t, "kind", "no frame");
-  trace_count(t, "bits", FRAMING_BITS + BITS_PER_BYTE * packet->length);
+  trace_count(t, "bits", LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * packet->length);
   trace_time(t, "start", packet->start);
   trace_time(t, "end", packet->end);
 }
@@ -100,7 +100,7 @@ static int find_expected(const sniffer_station *station, const line_packet *pack
 // before its sender has sent its middle.
 static int find_sent_just_now(sniffer_station *station, const line_packet *packet) {
   sniffer *s = station->owner;
-  for (size_t i = 0; i < s->config->board_count; i++)
+  for (size_t i = 0; i <= s->config->board_count; i++)
     if (rf_bus_hears(s->bus, station->board, i)) line_decoder_finish(&s->stations[i].tx);
   return find_expected(station, packet);
 }
@@ -129,9 +129,9 @@ static void rx_damaged(void *context, line_error error, cycles_t at) {
 int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *out) {
   *s = (sniffer){.config = config, .bus = bus, .out = out, .next_deadline = NEVER};
   s->bit_cycles = CYCLES_PER_SECOND / config->radio.bit_rate;
-  s->stations = calloc(config->board_count, sizeof *s->stations);
+  s->stations = calloc(config->board_count + 1, sizeof *s->stations);
   if (!s->stations) return -1;
-  for (size_t i = 0; i < config->board_count; i++) {
+  for (size_t i = 0; i <= config->board_count; i++) {
     sniffer_station *station = &s->stations[i];
     station->owner = s;
     station->board = i;
@@ -159,7 +159,7 @@ void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t a
   trace_list_begin(s->out, "boards");
   for (size_t source = 0; source < s->bus->source_count; source++) {
     if (!(sources >> source & 1)) continue;
-    trace_list_text(s->out, source < s->bus->board_count ? board_name(s, source) : "jam", first);
+    trace_list_text(s->out, source <= s->bus->board_count ? board_name(s, source) : "jam", first);
     first = false;
   }
   trace_list_end(s->out);
@@ -195,7 +195,7 @@ static void check_deadlines(sniffer *s, cycles_t now) {
 }
 
 void sniffer_advance_tx(sniffer *s, cycles_t now) {
-  for (size_t i = 0; i < s->config->board_count; i++) line_decoder_advance(&s->stations[i].tx, now);
+  for (size_t i = 0; i <= s->config->board_count; i++) line_decoder_advance(&s->stations[i].tx, now);
 }
 
 void sniffer_advance_rx(sniffer *s, cycles_t now) {

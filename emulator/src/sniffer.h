@@ -49,7 +49,7 @@ typedef struct sniffer {
   const scenario *config;
   const rf_bus *bus;
   trace *out;
-  sniffer_station *stations;
+  sniffer_station *stations;  // of the boards, then the stranger's, who only sends
   cycles_t next_deadline;
   double bit_cycles;
 } sniffer;
@@ -58,6 +58,7 @@ typedef struct sniffer {
 int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *out);
 void sniffer_release(sniffer *s);
 
+// `board` may be the stranger: the number of boards.
 void sniffer_tx_edge(sniffer *s, size_t board, bool level, cycles_t at);
 void sniffer_rx_edge(sniffer *s, size_t board, bool level, cycles_t at);
 void sniffer_collision(sniffer *s, size_t receiver, uint64_t sources, cycles_t at);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trace.h"
 
+#include <math.h>
 #include <string.h>
 
 static bool writing(const trace *t) { return t->file && !t->failed; }
@@ -64,6 +65,31 @@ void trace_flag(trace *t, const char *key, bool value) {
   fputs(value ? "true" : "false", t->file);
 }
 
+void trace_json(trace *t, const char *key, const json_t *value) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  json_dumpf(value, t->file, JSON_COMPACT | JSON_ENCODE_ANY | JSON_REAL_PRECISION(15));
+}
+
+// Thousandths will do, and no -0.
+static void write_number(FILE *file, double value) { fprintf(file, "%.12g", round(1000 * value) / 1000 + 0.0); }
+
+void trace_number(trace *t, const char *key, double value) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  write_number(t->file, value);
+}
+
+void trace_numbers(trace *t, const char *key, const double *values, size_t count) {
+  if (!writing(t)) return;
+  write_key(t->file, key);
+  for (size_t i = 0; i < count; i++) {
+    fputc(i ? ',' : '[', t->file);
+    write_number(t->file, values[i]);
+  }
+  fputc(']', t->file);
+}
+
 void trace_time(trace *t, const char *key, cycles_t at) {
   if (!writing(t)) return;
   write_key(t->file, key);
@@ -76,10 +102,14 @@ void trace_list_begin(trace *t, const char *key) {
   fputc('[', t->file);
 }
 
-void trace_list_text(trace *t, const char *value, bool first) {
+void trace_list_utf8(trace *t, const uint8_t *bytes, size_t length, bool first) {
   if (!writing(t)) return;
   if (!first) fputc(',', t->file);
-  write_quoted(t->file, (const uint8_t *)value, strlen(value));
+  write_quoted(t->file, bytes, length);
+}
+
+void trace_list_text(trace *t, const char *value, bool first) {
+  trace_list_utf8(t, (const uint8_t *)value, strlen(value), first);
 }
 
 void trace_list_end(trace *t) {

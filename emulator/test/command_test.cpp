@@ -6,6 +6,10 @@
 #include <csignal>
 #include <fcntl.h>
 #include <memory>
+#include <sstream>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -142,6 +146,150 @@ TEST(Command, help_is_no_mistake) {
   Outcome outcome = run(scratch, {"--help"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.find("usage: javino-emulator SCENARIO.json"), 0u);
+}
+
+// Sends a line to the socket and returns the reply.
+static std::string told(const std::string &path, const std::string &line) {
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  snprintf(address.sun_path, sizeof address.sun_path, "%s", path.c_str());
+  int client = socket(AF_UNIX, SOCK_STREAM, 0);
+  while (connect(client, reinterpret_cast<sockaddr *>(&address), sizeof address) != 0) usleep(1000);
+  EXPECT_EQ(write(client, (line + "\n").data(), line.size() + 1), ssize_t(line.size() + 1));
+  char reply[1024];
+  ssize_t length = read(client, reply, sizeof reply);
+  close(client);
+  return length > 0 ? std::string(reply, static_cast<size_t>(length)) : "";
+}
+
+TEST(Command, the_control_socket_pauses_and_steers_it) {
+  const std::string OK = "{\"ok\":true}\n";
+  Scratch scratch;
+  write_scenario(scratch, "blink");
+  pid_t child = start(scratch, {"s.json", "--control", "control", "--trace", "trace"});
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"speed","value":0})"), OK);
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"reset","board":"a"})"), OK);
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"reset","board":"b"})"),
+            R"({"error":"command: board: expected the name of one of the boards, found \"b\""})"
+            "\n");
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"reset","board":"a"})"), OK);
+  EXPECT_EQ(told(scratch.path("control"), R"({"do":"speed","value":100})"), OK);
+  kill(child, SIGTERM);
+  EXPECT_EQ(finish(scratch, child).status, 0);
+  EXPECT_FALSE(exists(scratch.path("control")));
+  std::istringstream lines(read_text(scratch.path("trace")));
+  std::vector<std::string> cycles;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("\"command\"") != std::string::npos)
+      cycles.push_back(line.substr(line.find("\"cycle\""), line.find(",\"do\"") - line.find("\"cycle\"")));
+  ASSERT_EQ(cycles.size(), 4u);
+  for (const std::string &cycle : cycles) EXPECT_EQ(cycle, cycles[0]) << "time stood still";
+}
+
+// What a host and commands do to a run with all kinds of chance in it; ends when the trace shows the last of it.
+static void interfere(const Scratch &scratch) {
+  const std::string control = scratch.path("control");
+  const std::vector<std::string> lines = {
+      R"({"do":"speed","value":0})",
+      R"({"do":"jam","duration":0.05,"position":[1,1]})",
+      R"({"do":"move","board":"mirror","position":[0.1,20.7],"heading":12.3})",
+      R"({"do":"send","position":[3,3],"payload":"2f2f2f2f43414645417748656c6c6f21","flip":3})",
+      R"({"do":"speed","value":20})",
+      R"({"do":"power-cut","board":"count","duration":0.05})",
+      R"({"do":"radio","bitErrorRate":0.004})",
+  };
+  for (int round = 0; round < 3; round++) {
+    int host = open(scratch.path("run/a").c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+    ASSERT_GE(host, 0);
+    for (const std::string &line : lines) {
+      EXPECT_EQ(told(control, line), "{\"ok\":true}\n");
+      EXPECT_EQ(write(host, line.data(), line.size()), ssize_t(line.size()));
+      usleep(3000);
+      char bytes[64];
+      ssize_t length = round == 1 ? 0 : read(host, bytes, sizeof bytes);  // in round 1 nobody reads
+      EXPECT_LE(length, ssize_t(sizeof bytes));
+    }
+    close(host);
+    usleep(5000);
+    EXPECT_EQ(told(control, R"({"do":"unplug","board":"a"})"), "{\"ok\":true}\n");
+    EXPECT_EQ(told(control, R"({"do":"plug","board":"a"})"), "{\"ok\":true}\n");
+  }
+}
+
+TEST(Command, a_recorded_run_is_made_again_to_the_byte) {
+  Scratch scratch;
+  scratch.write("s.json", R"({"radio":{"bitErrorRate":0.001},"boards":[
+      {"name":"a","firmware":")" PROGRAMS_DIR R"(/uart_echo.elf","port":"a","bridge":{"latency":16}},
+      {"name":"count","firmware":")" PROGRAMS_DIR R"(/boot_count.elf","eeprom":"count.bin"},
+      {"name":"sender","firmware":")" PROGRAMS_DIR R"(/rf_send.elf"},
+      {"name":"mirror","firmware":")" PROGRAMS_DIR R"(/rf_mirror.elf","position":[5,5]}]})");
+  for (int earlier = 0; earlier < 3; earlier++)  // what the EEPROM holds is no round number
+    EXPECT_EQ(run(scratch, {"s.json", "--directory", "run", "--duration", "0.1", "--speed", "max"}).status, 0);
+  pid_t child = start(scratch, {"s.json", "--directory", "run", "--trace", "trace", "--record", "record", "--control",
+                                "control", "--seed", "5", "--set", "radio.range=30"});
+  while (!exists(scratch.path("run/a"))) usleep(1000);
+  interfere(scratch);
+  kill(child, SIGTERM);
+  Outcome live = finish(scratch, child);
+  ASSERT_EQ(live.status, 0) << live.err;
+  std::string trace = read_text(scratch.path("trace"));
+  EXPECT_NE(trace.find("\"stranger\""), std::string::npos);
+  EXPECT_NE(trace.find("\"closed\""), std::string::npos);
+  struct stat status;
+  ASSERT_EQ(stat(scratch.path("record").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
+
+  std::string eeprom = read_text(scratch.path("run/count.bin"));
+  Outcome again = run(scratch, {"s.json", "--directory", "run", "--trace", "again", "--replay", "record"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(read_text(scratch.path("again")) == trace, true) << "the traces differ";
+  EXPECT_EQ(read_text(scratch.path("run/count.bin")), eeprom);
+  EXPECT_FALSE(exists(scratch.path("run/a")));
+
+  // What a run that was killed leaves is good as far as it goes.
+  std::string record = read_text(scratch.path("record"));
+  scratch.write("record", record.substr(0, record.size() / 2));
+  EXPECT_EQ(run(scratch, {"s.json", "--trace", "again", "--replay", "record"}).status, 0);
+  std::string part = read_text(scratch.path("again"));
+  part.resize(part.find("\"counters\"") - 40);  // the end is its own
+  EXPECT_EQ(trace.compare(0, part.rfind('\n'), part, 0, part.rfind('\n')), 0);
+}
+
+TEST(Command, a_damaged_record_is_refused_in_one_line_and_never_crashes) {
+  Scratch scratch;
+  write_scenario(scratch, "uart_echo", R"(,"port":"a")");
+  const std::string HEADER = R"({"record":1,"seed":"1","radio":{},"boards":[{"name":"a","eeprom":""}]})"
+                             "\n";
+  const std::vector<std::pair<std::string, std::string>> CASES = {
+      {"", "record: the first line: is missing; expected an object { … } (line 0)"},
+      {"x\n", "record: line 1, column 1: "},
+      {"{\"record\":2}\n", "record: record: expected 1, as this emulator writes it, found 2 (line 1)"},
+      {R"({"record":1,"seed":"1","radio":{},"boards":[{"name":"b","eeprom":""}]})"
+       "\n",
+       R"(record: boards[0].name: the scenario has "a" there; expected the scenario of the recorded run (line 1))"},
+      {R"({"record":1,"seed":"1","radio":{},"boards":[{"name":"a","eeprom":"00"}]})"
+       "\n",
+       "record: boards[0].eeprom: expected 4096 bytes in hexadecimal digits (line 1)"},
+      {HEADER + "{\"run\":5000}\n{\"run\":10}\n",
+       "record: run: expected a later cycle than that of the line before, found 10 (line 3)"},
+      {HEADER + "{\"walk\":1}\n", "record: the object: unknown key \"walk\"; expected one of: run, exchange, command"},
+      {HEADER + R"({"exchange":[{"board":"a","port":"same","in":"00","out":0}]})"
+                "\n",
+       "record: exchange[0]: no host can have done this here; expected the scenario, firmware and emulator of the "
+       "recorded run (line 2)"},
+      {HEADER + R"({"command":{"do":"rest"}})"
+                "\n",
+       "record: command: command: do: unknown value"},
+  };
+  for (const auto &c : CASES) {
+    scratch.write("record", c.first);
+    Outcome outcome = run(scratch, {"s.json", "--replay", "record"});
+    EXPECT_NE(outcome.status, 0) << c.first;
+    EXPECT_EQ(outcome.err.find("javino-emulator: " + c.second), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_EQ(run(scratch, {"s.json", "--replay", "none"}).err,
+            "javino-emulator: --replay none: No such file or directory\n");
 }
 
 TEST(Command, a_signal_ends_it_cleanly) {

@@ -48,6 +48,8 @@ TEST(Options, mistakes_get_a_line_that_helps) {
       {{"a", "--speed", "nan"}, "--speed: expected a number above 0, or max, found \"nan\""},
       {{"a", "--duration", "0"}, "--duration: expected a number above 0, found \"0\""},
       {{"a", "--seed", "1.5"}, "--seed: expected a whole number, 0 or more, found \"1.5\""},
+      {{"a", "--replay", "r", "--seed", "1"}, "--replay makes the run as it was recorded; leave out --seed"},
+      {{"a", "--record", "x", "--replay", "r"}, "--replay makes the run as it was recorded; leave out --record"},
       {{"a", "--seed", "-1"}, "--seed: expected a whole number, 0 or more, found \"-1\""},
   };
   for (const auto &c : CASES) {

@@ -154,6 +154,19 @@ TEST(Port, is_taken_away_and_given_back) {
   EXPECT_EQ(states, (std::vector<std::string>{"open", "unplugged", "plugged", "open"}));
 }
 
+TEST(Port, an_exchange_brings_nothing_when_it_is_unplugged) {
+  Scratch scratch;
+  Emulation run(scratch, ECHO_BOARD);
+  Host host(scratch.path("ports/a"));
+  let_boot(run);
+  host.send("zz");
+  const pty &port = run.e.nodes[0].port;
+  EXPECT_TRUE(run.run_while_waiting(0.1, [&] { return port.gave > 0; }));
+  EXPECT_EQ(run.command(R"({"do":"unplug","board":"a"})"), "");
+  emulation_exchange(&run.e);
+  EXPECT_EQ(port.got + port.gave, 0u);
+}
+
 TEST(Port, the_symlink_replaces_a_stale_one_and_goes_at_the_end) {
   Scratch scratch;
   ASSERT_EQ(symlink("/dev/pts/99999", scratch.path("a").c_str()), 0);

@@ -18,7 +18,7 @@ struct Air {
   Air(size_t count, double range_m, double errors = 0, uint64_t seed = 1, std::vector<fault_config> jams = {})
       : boards(count), faults(jams), levels(count) {
     for (size_t i = 0; i < count; i++) boards[i].x_m = 10.0 * static_cast<double>(i);
-    scenario config = {{2000, range_m, errors}, boards.data(), count, faults.data(), faults.size()};
+    scenario config = {{2000, range_m, errors}, boards.data(), count, faults.data(), faults.size(), {}};
     EXPECT_EQ(rf_bus_init(&bus, &config, seed, {this, on_level, on_collision}), 0);
   }
   ~Air() { rf_bus_release(&bus); }
@@ -167,7 +167,7 @@ TEST(RfBus, jams_one_after_the_other_are_heard_each_where_it_is) {
   std::vector<fault_config> jams;
   for (int i = 0; i < 200; i++) jams.push_back(jam_at(i, 30.0 * (i % 2)));
   Air air(4, 10, 0, 1, jams);
-  EXPECT_EQ(air.bus.source_count, 5u);
+  EXPECT_EQ(air.bus.source_count, 6u);
   for (size_t i = 0; i < jams.size(); i++) {
     for (auto &levels : air.levels) levels.clear();
     cycles_t begin = seconds_to_cycles(jams[i].t_s);
@@ -181,9 +181,9 @@ TEST(RfBus, jams_one_after_the_other_are_heard_each_where_it_is) {
 TEST(RfBus, as_many_jams_at_one_time_as_there_are_sources) {
   std::vector<board_config> boards(32);
   std::vector<fault_config> jams;
-  for (int i = 0; i < 32; i++) jams.push_back(jam_at(i * 0.01, 0));
+  for (int i = 0; i < 31; i++) jams.push_back(jam_at(i * 0.01, 0));
   rf_bus bus;
-  scenario config = {{2000, 10, 0}, boards.data(), boards.size(), jams.data(), jams.size()};
+  scenario config = {{2000, 10, 0}, boards.data(), boards.size(), jams.data(), jams.size(), {}};
   EXPECT_EQ(rf_bus_init(&bus, &config, 1, {}), 0);
   rf_bus_release(&bus);
   jams.push_back(jam_at(0.4, 0));
@@ -191,4 +191,31 @@ TEST(RfBus, as_many_jams_at_one_time_as_there_are_sources) {
   config.fault_count = jams.size();
   EXPECT_EQ(rf_bus_init(&bus, &config, 1, {}), -1);
   rf_bus_release(&bus);
+}
+
+TEST(RfBus, who_hears_whom_follows_moves_and_the_range_even_in_the_middle_of_a_carrier) {
+  Air air(2, 20);
+  rf_bus_carrier(&air.bus, 0, true, 1000);
+  rf_bus_advance(&air.bus, 5000);
+  rf_bus_move(&air.bus, 1, 30, 0, 5000);
+  rf_bus_advance(&air.bus, 6000);
+  rf_bus_set_range(&air.bus, 30, 6000);
+  rf_bus_advance(&air.bus, 7000);
+  rf_bus_move(&air.bus, 0, -1, 0, 7000);
+  rf_bus_advance(&air.bus, 8000);
+  std::vector<Level> expected = {
+      {true, 1000 + RF_DELAY}, {false, 5000 + RF_DELAY}, {true, 6000 + RF_DELAY}, {false, 7000 + RF_DELAY}};
+  EXPECT_EQ(air.levels[1], expected);
+}
+
+TEST(RfBus, errors_end_when_their_rate_is_set_to_none) {
+  Air air(2, 20, 1);
+  rf_bus_carrier(&air.bus, 0, true, 1000);
+  rf_bus_advance(&air.bus, 1000 + 2 * BIT);
+  rf_bus_set_errors(&air.bus, 0, 1000 + 2 * BIT);
+  rf_bus_carrier(&air.bus, 0, false, 1000 + 4 * BIT);
+  rf_bus_advance(&air.bus, 1000 + 40 * BIT);
+  std::vector<Level> expected = {{true, 1000 + 2 * BIT + RF_DELAY}, {false, 1000 + 4 * BIT + RF_DELAY}};
+  EXPECT_EQ(air.levels[1], expected);
+  EXPECT_EQ(air.bus.next_event, NEVER);
 }

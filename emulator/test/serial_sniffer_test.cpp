@@ -83,6 +83,10 @@ Bytes joined(const std::vector<Bytes> &parts) {
   return all;
 }
 
+Bytes percept(const std::string &literal) {
+  return joined({{'P', 0, static_cast<uint8_t>(literal.size())}, bytes(literal)});
+}
+
 Bytes message(uint8_t number, const std::string &addresses, const Bytes &id, const std::string &content) {
   const Bytes value = joined({{number}, bytes(addresses), id, bytes(content)});
   return joined({{'M', 0, static_cast<uint8_t>(value.size())}, value});
@@ -197,4 +201,24 @@ TEST(SerialSniffer, skips_damage_and_goes_on_behind_it) {
   EXPECT_EQ(line.all(), 0u);
   line.greet();
   EXPECT_EQ(line.all(), 1u);
+}
+
+TEST(SerialSniffer, tells_each_reading) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'P', 1, 0, 0, 0, 0, 0, 255});
+  line.board(2, joined({{0, 4}, percept("light(700)"), percept("moving")}));
+  line.host(3, TO_BOARD, {'P', 1, 0, 0, 0, 0, 0, 255});
+  line.board(3, {0, 0});  // nothing new
+  line.host(4, TO_BOARD, {'P', 1, 0, 0, 0, 0, 0, 255});
+  line.board(4, {0, 4});  // nothing is perceived any more
+  line.host(5, TO_BOARD, {'P', 1, 0, 0, 0, 0, 0, 255});
+  line.board(5, joined({{0, 4}, percept("\xff"), percept("a"), {'P', 0, 9, 'x'}}));  // what is damaged is left out
+  std::vector<std::string> told;
+  for (const Event &event : line.events("percepts")) {
+    char *list = json_dumps(json_object_get(event.fields, "percepts"), JSON_COMPACT);
+    told.push_back(list);
+    free(list);
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{R"x(["light(700)","moving"])x", "[]", R"(["a"])"}));
 }

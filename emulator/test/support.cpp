@@ -98,6 +98,16 @@ bool Emulation::run_while_waiting(double seconds, const std::function<bool()> &d
   return false;
 }
 
+std::string Emulation::command(const std::string &line) {
+  ::command c;
+  char error[512] = "";
+  int result = command_read(&c, line.data(), line.size(), &config, error, sizeof error);
+  if (result == 0) result = emulation_command(&e, &c, error, sizeof error);
+  command_release(&c);
+  EXPECT_EQ(result == 0, error[0] == '\0');
+  return error;
+}
+
 std::string Emulation::trace_text() { return read_text(trace_path); }
 
 std::vector<Event> Emulation::events(const std::string &board, const std::string &event) {

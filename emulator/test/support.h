@@ -13,6 +13,7 @@ extern "C" {
 #include <jansson.h>
 
 #include "emulation.h"
+#include "emulation_command.h"
 #include "firmware.h"
 #include "scenario.h"
 #include "simulator_log.h"
@@ -55,6 +56,8 @@ class Emulation {
   ~Emulation();
 
   void run_until(double seconds);
+  // Performs a command; returns the error, "" if none.
+  std::string command(const std::string &line);
   // Runs millisecond by millisecond, exchanging with the hosts, until `done` says so.
   bool run_while_waiting(double seconds, const std::function<bool()> &done);
   void close();

@@ -55,6 +55,24 @@ class ReplayTest {
     }
 
     @Test
+    void replay_eventsThatItDoesNotKnow_changeNothing() {
+        Lines lines = Lines.of("highway");
+        String verdict = lines.replay().verdict();
+        Map<String, Object> none = Map.of();
+        for (int at = lines.all.size(); at > 0; at--) {
+            double seconds = lines.get(at).get("t").getAsDouble();
+            Lines others = new Lines().add(seconds, "bus", "place", none).add(seconds, "bus", "percepts", none)
+                    .add(seconds, "bus", "command", Map.of("do", "reset", "cycle", 1)).add(seconds, "x", "said", none);
+            lines.all.addAll(at, others.all);
+        }
+        JsonObject scenario = new JsonObject();
+        scenario.addProperty("t", 0);
+        scenario.addProperty("event", "scenario");
+        lines.all.add(0, scenario);
+        assertEquals(verdict, lines.replay().verdict());
+    }
+
+    @Test
     void replay_handedToAnotherThanTheAddressee_isRefusedThere() {
         Lines lines = Lines.of("highway");
         int handed = handedToHospital(lines);
@@ -272,6 +290,13 @@ class ReplayTest {
         reach(lines, 2, "thief", payload, "unicast");
         lines.add(4, "support", "host-handed",
                 Map.of("number", 0, "destination", "SUPP", "origin", "CAFE", "id", "010000"));
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
+    @Test
+    void replay_strangerWithWhatIsNoFrame_isHeard() {
+        Lines lines = twoBoards();
+        reach(lines, 2, "stranger", "00", "no frame");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 

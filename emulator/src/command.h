@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run is told while it runs: one line of the control socket, read and checked. emulator/README.md documents every
+// key.
+#ifndef JAVINO_COMMAND_H
+#define JAVINO_COMMAND_H
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "scenario.h"
+#include "stranger.h"
+
+typedef enum {
+  COMMAND_FAULT,
+  COMMAND_MOVE,
+  COMMAND_OBSTACLE,
+  COMMAND_LIGHT,
+  COMMAND_SENSOR,
+  COMMAND_RADIO,
+  COMMAND_SPEED,
+  COMMAND_SEND
+} command_kind;
+
+typedef struct {
+  json_t *given;  // the object that was read
+  command_kind kind;
+  fault_config fault;
+  size_t board;              // move, sensor
+  double x_m, y_m;           // move
+  double heading_deg;        // move; NAN: stays as it is
+  obstacle_config obstacle;  // obstacle; of one to be removed only the name
+  bool remove;               // obstacle; or what the sensor was told to measure
+  size_t sensor;             // the board's, by index
+  double value;              // light, sensor, speed
+  radio_config radio;        // radio; what is below 0 stays as it is
+  stranger_packet packet;    // send
+} command;
+
+// Reads a line. Returns 0, or -1 with one line in `error`; release it either way.
+int command_read(command *c, const char *line, size_t length, const scenario *s, char *error, size_t error_size);
+void command_release(command *c);
+
+#endif

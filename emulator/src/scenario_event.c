@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenario_event.h"
+
+#include <jansson.h>
+#include <stdio.h>
+
+#include "scenario_board.h"
+
+static json_t *position(double x_m, double y_m) { return json_pack("[ff]", x_m, y_m); }
+
+static json_t *pin(const model *m, int number) {
+  return number < m->pin_a0 ? json_integer(number) : json_sprintf("A%d", number - m->pin_a0);
+}
+
+static json_t *sensors(const board_config *board) {
+  json_t *list = json_array();
+  for (size_t i = 0; i < board->sensor_count; i++)
+    json_array_append_new(list, json_pack("{ssso}", "type", sensor_name(board->sensors[i].kind), "pin",
+                                          pin(board->model, board->sensors[i].pin)));
+  return list;
+}
+
+static json_t *watches(const board_config *board) {
+  json_t *list = json_array();
+  for (size_t i = 0; i < board->watch_count; i++)
+    json_array_append_new(
+        list, json_pack("{soss}", "pin", pin(board->model, board->watches[i].pin), "name", board->watches[i].name));
+  return list;
+}
+
+static json_t *boards(const scenario *s) {
+  json_t *list = json_array();
+  for (size_t i = 0; i < s->board_count; i++) {
+    const board_config *board = &s->boards[i];
+    json_t *object = json_pack("{sssssososo}", "name", board->name, "model", board->model->name, "position",
+                               position(board->x_m, board->y_m), "sensors", sensors(board), "watch", watches(board));
+    if (board->vehicle.radius_m > 0) {
+      json_object_set_new(object, "heading", json_real(board->vehicle.heading_deg));
+      json_object_set_new(object, "radius", json_real(board->vehicle.radius_m));
+    }
+    json_array_append_new(list, object);
+  }
+  return list;
+}
+
+static json_t *world(const world_config *config) {
+  json_t *obstacles = json_array();
+  for (size_t i = 0; i < config->obstacle_count; i++) {
+    const obstacle_config *obstacle = &config->obstacles[i];
+    json_array_append_new(obstacles, json_pack("{sssosf}", "name", obstacle->name, "position",
+                                               position(obstacle->x_m, obstacle->y_m), "radius", obstacle->radius_m));
+  }
+  return json_pack("{sfso}", "light", config->light, "obstacles", obstacles);
+}
+
+static void write_new(trace *out, const char *key, json_t *value) {
+  trace_json(out, key, value);
+  json_decref(value);
+}
+
+void scenario_event_write(trace *out, const scenario *s, uint64_t seed) {
+  trace_begin(out, 0, NULL, "scenario");
+  trace_count(out, "seed", seed);
+  write_new(out, "radio",
+            json_pack("{sfsfsf}", "bitRate", s->radio.bit_rate, "range", s->radio.range_m, "bitErrorRate",
+                      s->radio.bit_error_rate));
+  write_new(out, "boards", boards(s));
+  write_new(out, "world", world(&s->world));
+  trace_end(out);
+}
