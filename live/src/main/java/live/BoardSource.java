@@ -1,8 +1,7 @@
 package live;
 
 import com.google.gson.JsonObject;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -24,7 +23,8 @@ import javino.protocol.Counter;
 final class BoardSource implements Source, BoardListener {
 
     private static final long SECONDS_TO_ANSWER = 10;
-    private static final double NANOS_A_SECOND = 1e9;
+    private static final double NANOS_A_MILLI = 1e6;
+    private static final double MILLIS_A_SECOND = 1000;
 
     private final Hub hub;
     private final String name;
@@ -72,54 +72,47 @@ final class BoardSource implements Source, BoardListener {
     }
 
     private synchronized void counters(Map<Counter, Long> counters) {
-        Map<String, Long> now = new HashMap<>();
-        counters.forEach((counter, value) -> {
-            if (value != 0) {
-                now.put(counter.toString(), value);
-            }
-        });
+        Map<String, Long> now = Counters.told(counters);
         if (!now.equals(counted)) {
             counted = now;
-            tell("counters-of-board", Map.of("counters", now));
+            tell("counters-of-board", "counters", now);
         }
     }
 
     @Override
     public synchronized void online(BoardInfo info) {
         counted = Map.of();
-        tell("board", Map.of("online", true, "address", info.rfId().map(Object::toString).orElse(""), "firmware",
-                info.firmware(), "actions", info.actions()));
+        tell("board", "online", true, "address", info.rfId().map(Object::toString).orElse(""), "firmware",
+                info.firmware(), "actions", info.actions());
     }
 
     @Override
     public void offline(String why) {
-        tell("board", Map.of("online", false, "why", why));
+        tell("board", "online", false, "why", why);
         percepts(List.of());
     }
 
     @Override
     public void percepts(List<String> literals) {
-        tell("percepts", Map.of("percepts", literals));
+        tell("percepts", "percepts", literals);
     }
 
     @Override
     public void message(ReceivedMessage message) {
-        tell("message", Map.of("from", message.from().toString(), "to", message.to().toString(), "force",
-                message.content().force().toString(), "text", message.content().term()));
+        tell("message", "from", message.from().toString(), "to", message.to().toString(), "force",
+                message.content().force().toString(), "text", message.content().term());
     }
 
     @Override
     public void warning(String what) {
-        tell("note", Map.of("text", what));
+        tell("note", "text", what);
     }
 
-    private void tell(String event, Map<String, ?> fields) {
-        Map<String, Object> all = new LinkedHashMap<>();
-        all.put("t", Math.round((System.nanoTime() - start) / NANOS_A_SECOND * 1000) / 1000.0);
-        all.put("event", event);
-        all.put("board", name);
-        all.putAll(fields);
-        hub.add(Events.json(all));
+    private void tell(String event, Object... namesAndValues) {
+        double seconds = Math.round((System.nanoTime() - start) / NANOS_A_MILLI) / MILLIS_A_SECOND;
+        List<Object> all = new ArrayList<>(List.of("t", seconds, "board", name, "event", event));
+        all.addAll(List.of(namesAndValues));
+        hub.add(Events.json(all.toArray()));
     }
 
     @Override
@@ -145,9 +138,9 @@ final class BoardSource implements Source, BoardListener {
         String action = command.get("action").getAsString();
         try {
             result(board.act(action));
-            tell("acted", Map.of("action", action, "ok", true));
+            tell("acted", "action", action, "ok", true);
         } catch (JavinoException | IllegalArgumentException e) {
-            tell("acted", Map.of("action", action, "error", e.getMessage()));
+            tell("acted", "action", action, "error", e.getMessage());
             throw new JavinoException(e.getMessage(), e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

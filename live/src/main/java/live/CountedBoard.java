@@ -2,7 +2,6 @@ package live;
 
 import diffuser.Diffuser;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import javino.protocol.Counter;
@@ -28,21 +27,10 @@ final class CountedBoard {
     }
 
     private synchronized void tell(Map<Counter, Long> counters) {
-        Map<String, Long> now = told(counters);
+        Map<String, Long> now = Counters.told(counters);
         if (!now.equals(told)) {
             told = now;
-            out.accept(Events.json(Map.of("event", "counters-of-board", "counters", now)));
+            out.accept(Events.json("event", "counters-of-board", "counters", now));
         }
-    }
-
-    /** Those that a page shows: all that are not 0, but for the requests, which each question makes more. */
-    static Map<String, Long> told(Map<Counter, Long> counters) {
-        Map<String, Long> told = new TreeMap<>();
-        counters.forEach((counter, value) -> {
-            if (value != 0 && counter != Counter.SERIAL_REQUESTS) {
-                told.put(counter.toString(), value);
-            }
-        });
-        return told;
     }
 }

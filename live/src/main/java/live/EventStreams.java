@@ -4,7 +4,6 @@ import io.javalin.http.Context;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Map;
 import java.util.concurrent.Semaphore;
 
 /**
@@ -72,7 +71,7 @@ final class EventStreams implements AutoCloseable {
 
     private static String message(Hub.Batch batch) {
         String skipped = batch.skipped() == 0 ? ""
-                : Events.json(Map.of("event", "skipped", "count", batch.skipped()))
+                : Events.json("event", "skipped", "count", batch.skipped())
                         + (batch.events().isEmpty() ? "" : ",");
         return "id: " + batch.next() + "\ndata: [" + skipped + String.join(",", batch.events()) + "]\n\n";
     }

@@ -6,6 +6,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.Strictness;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import javino.JavinoException;
 
@@ -35,8 +36,12 @@ final class Events {
         throw new JavinoException("expected a JSON object, not an empty text");
     }
 
-    /** As JSON in one line. */
-    static String json(Map<String, ?> fields) {
+    /** JSON in one line: names, each before its value. */
+    static String json(Object... namesAndValues) {
+        Map<Object, Object> fields = new LinkedHashMap<>();
+        for (int i = 0; i < namesAndValues.length; i += 2) {
+            fields.put(namesAndValues[i], namesAndValues[i + 1]);
+        }
         return STRICT.toJson(fields);
     }
 

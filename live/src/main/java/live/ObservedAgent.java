@@ -3,13 +3,14 @@ package live;
 import jason.architecture.AgArch;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.Intention;
+import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.Term;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -30,6 +31,9 @@ final class ObservedAgent extends AgArch {
     private static final int MOST_CHARACTERS = 200;
     /** A line of this length reaches a pipe in one piece, even where another writes there too (4096 bytes). */
     private static final int MOST_CHARACTERS_A_LINE = 1000;
+
+    /** Of what Jason itself keeps among an agent's beliefs. */
+    private static final Term HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector");
 
     private final transient Consumer<String> out;
     private transient Set<String> beliefs = Set.of();
@@ -73,7 +77,7 @@ final class ObservedAgent extends AgArch {
         Iterator<Literal> all = getTS().getAg().getBB().iterator();
         while (all.hasNext() && now.size() < MOST_BELIEFS) {
             Literal belief = all.next();
-            if (!belief.isRule()) {
+            if (!belief.isRule() && !belief.hasAnnot(HIDDEN)) {
                 now.add(shortened(belief.toString()));
             }
         }
@@ -81,10 +85,10 @@ final class ObservedAgent extends AgArch {
             return;
         }
         for (List<String> some : portions(without(beliefs, now))) {
-            tell(Map.of("event", "beliefs", "add", List.of(), "remove", some));
+            tell("event", "beliefs", "add", List.of(), "remove", some);
         }
         for (List<String> some : portions(without(now, beliefs))) {
-            tell(Map.of("event", "beliefs", "add", some, "remove", List.of()));
+            tell("event", "beliefs", "add", some, "remove", List.of());
         }
         beliefs = now;
     }
@@ -117,7 +121,7 @@ final class ObservedAgent extends AgArch {
         List<String> told = portions(now).stream().findFirst().orElse(List.of());
         if (!told.equals(intentions)) {
             intentions = told;
-            tell(Map.of("event", "intentions", "intentions", told));
+            tell("event", "intentions", "intentions", told);
         }
     }
 
@@ -135,7 +139,7 @@ final class ObservedAgent extends AgArch {
         return text.length() <= MOST_CHARACTERS ? text : text.substring(0, MOST_CHARACTERS - 1) + "…";
     }
 
-    private void tell(Map<String, ?> event) {
+    private void tell(Object... event) {
         out.accept(Events.json(event));
     }
 }

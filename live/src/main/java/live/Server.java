@@ -131,7 +131,7 @@ final class Server implements AutoCloseable {
     private void about(Context request) throws Refusal {
         checkToken(request.queryParam("token"));
         json(request, 200,
-                Map.of("source", source.kind(), "live", source.isLive(), "controls", source.controls()));
+                "source", source.kind(), "live", source.isLive(), "controls", source.controls());
     }
 
     private void events(Context request) throws Refusal, IOException, InterruptedException {
@@ -154,9 +154,9 @@ final class Server implements AutoCloseable {
                 throw new JavinoException("a command has at most " + MOST_COMMAND_BYTES + " bytes");
             }
             source.command(known(Events.object(new String(body, StandardCharsets.UTF_8))));
-            json(request, 200, Map.of("ok", true));
+            json(request, 200, "ok", true);
         } catch (JavinoException e) {
-            json(request, 400, Map.of("error", e.getMessage()));
+            json(request, 400, "error", e.getMessage());
         }
     }
 
@@ -171,7 +171,7 @@ final class Server implements AutoCloseable {
         return command;
     }
 
-    private static void json(Context request, int status, Map<String, ?> answer) {
+    private static void json(Context request, int status, Object... answer) {
         request.status(status).contentType("application/json").result(Events.json(answer));
     }
 
