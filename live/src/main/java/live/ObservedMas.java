@@ -31,15 +31,20 @@ public final class ObservedMas extends RunLocalMAS {
     /** Runs a MAS, with the arguments of {@link RunLocalMAS#main}. */
     public static void main(String[] arguments) throws JasonException {
         ObservedMas mas = new ObservedMas(System.out::println);
-        runner = mas;
-        mas.init(arguments);
-        mas.registerMBean();
-        mas.registerInRMI();
-        mas.registerWebMindInspector();
-        mas.create();
-        mas.start();
+        mas.begin(arguments);
         mas.waitEnd();
         mas.finish(0, true, 0);
+    }
+
+    /** As Jason begins. */
+    void begin(String... arguments) throws JasonException {
+        runner = this;
+        init(arguments);
+        registerMBean();
+        registerInRMI();
+        registerWebMindInspector();
+        create();
+        start();
     }
 
     @Override
