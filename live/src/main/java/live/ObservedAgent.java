@@ -84,13 +84,22 @@ final class ObservedAgent extends AgArch {
         if (now.equals(beliefs)) {
             return;
         }
+        int leftOut = now.size() < MOST_BELIEFS ? 0 : getTS().getAg().getBB().size() - MOST_BELIEFS;
         for (List<String> some : portions(without(beliefs, now))) {
-            tell("event", "beliefs", "add", List.of(), "remove", some);
+            tellBeliefs(List.of(), some, leftOut);
         }
         for (List<String> some : portions(without(now, beliefs))) {
-            tell("event", "beliefs", "add", some, "remove", List.of());
+            tellBeliefs(some, List.of(), leftOut);
         }
         beliefs = now;
+    }
+
+    private void tellBeliefs(List<String> added, List<String> removed, int leftOut) {
+        if (leftOut == 0) {
+            tell("event", "beliefs", "add", added, "remove", removed);
+        } else {
+            tell("event", "beliefs", "add", added, "remove", removed, "leftOut", leftOut);
+        }
     }
 
     private static List<String> without(Set<String> all, Set<String> others) {

@@ -1,6 +1,7 @@
 package live;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonElement;
@@ -16,14 +17,17 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A MAS of one agent, run by Jason. */
-@Timeout(60)
+@Timeout(120)
 class ObservedMasTest {
+
+    private static final int PATIENCE_SECONDS = 60;
 
     @TempDir
     private Path folder;
@@ -50,7 +54,8 @@ class ObservedMasTest {
     /** Follows what is told until beliefs and intentions are as wanted. */
     private void await(Set<String> wantedBeliefs, String wantedIntentions) throws InterruptedException {
         while (!beliefs.containsAll(wantedBeliefs) || !intentions.equals(wantedIntentions)) {
-            String line = told.take();
+            String line = told.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            assertNotNull(line, "beliefs " + beliefs + ", intentions " + intentions);
             JsonObject event = JsonParser.parseString(line).getAsJsonObject();
             if (event.get("event").getAsString().equals("intentions")) {
                 intentions = event.get("intentions").toString();
@@ -73,7 +78,7 @@ class ObservedMasTest {
         run("!go. +!go <- +light(1); -+light(2); .wait({+never}).");
 
         await(Set.of("light(2)[source(self)]", "openness(totallyClosed)[source(percept)]"),
-                "[\"+!go[source(self)] / .wait({+never})\"]");
+                "[\"+!go[source(self)] / .wait({ +never })\"]");
         assertEquals(2, beliefs.size(), beliefs.toString());
     }
 
@@ -90,7 +95,7 @@ class ObservedMasTest {
     void beliefs_veryMany_areToldUpToANumberInShortLines() throws Exception {
         run("!go. +!go <- for (.range(I,1,800)) { +number(I,\"äääääääääääääääääääää\") }; +z; .wait({+never}).");
 
-        await(Set.of(), "[\"+!go[source(self)] / .wait({+never})\"]");
+        await(Set.of(), "[\"+!go[source(self)] / .wait({ +never })\"]");
         assertEquals(ObservedAgent.MOST_BELIEFS, beliefs.size());
     }
 }

@@ -30,7 +30,8 @@ final class Options {
                     + "${DEFAULT-VALUE}.")
     private int timeout;
 
-    @Option(names = "--live", description = "Show the run in the browser, until Ctrl-C. (Gradle puts a class path here.)")
+    @Option(names = "--live",
+            description = "Show the run in the browser, until Ctrl-C. (Gradle puts a class path here.)")
     private String live;
 
     @Option(names = "--headless", description = "With live: open no browser.")
@@ -101,7 +102,8 @@ final class Options {
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) {
-        return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf", "logging.properties",
+        return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf",
+                "logging.properties",
                 "--no-net");
     }
 
