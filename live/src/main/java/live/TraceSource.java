@@ -24,7 +24,7 @@ final class TraceSource implements Source {
             for (String line = lines.next(); line != null; line = lines.next()) {
                 if (!Events.isEvent(line)) {
                     throw new JavinoException(file + ":" + number
-                            + ": this is no event; --trace takes the trace of a run, such as build/trace.jsonl");
+                            + ": this is no event; name the trace of a run, such as build/trace.jsonl");
                 }
                 hub.add(line);
                 number++;
