@@ -2,6 +2,7 @@ package diffuser;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -190,8 +191,13 @@ final class Device implements BoardListener {
         return session.join().end().whenComplete((done, thrown) -> link.leave());
     }
 
+    /** Asks for the board's counters. */
+    CompletableFuture<Map<Counter, Long>> counters() {
+        return session.thenCompose(Board::statistics);
+    }
+
     private CompletableFuture<Long> packetsReceived() {
-        return session.thenCompose(Board::statistics).thenApply(counts -> Objects
+        return counters().thenApply(counts -> Objects
                 .requireNonNull(counts.get(Counter.RADIO_RECEIVED), "the board does not count what it hears"));
     }
 

@@ -27,6 +27,7 @@ import javino.board.BoardConfig;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
+import javino.protocol.Counter;
 import javino.protocol.Outcome;
 
 /**
@@ -234,6 +235,15 @@ public class Diffuser extends AgArch {
         Device board = requireDevice();
         questions.remember(letter);
         return outbox.deliver(letter, board);
+    }
+
+    /**
+     * Asks the board for its counters. For any thread.
+     *
+     * @return fails with an exception that {@link Failure#of} reads; without a board there are none.
+     */
+    public CompletableFuture<Map<Counter, Long>> counters() {
+        return device().map(Device::counters).orElseGet(() -> CompletableFuture.completedFuture(Map.of()));
     }
 
     /** Where the board's messages go. */

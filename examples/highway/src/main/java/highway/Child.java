@@ -2,6 +2,7 @@ package highway;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -29,7 +30,6 @@ final class Child {
      */
     static Child start(List<String> command, Consumer<String> lines, IntConsumer ended) throws IOException {
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
-        process.getOutputStream().close();
         Thread reader = new Thread(() -> {
             pump(process, lines);
             ended.accept(process.onExit().join().exitValue());
@@ -37,6 +37,11 @@ final class Child {
         reader.setDaemon(true);
         reader.start();
         return new Child(process);
+    }
+
+    /** Its standard input, open. */
+    OutputStream input() {
+        return process.getOutputStream();
     }
 
     private static void pump(Process process, Consumer<String> lines) {

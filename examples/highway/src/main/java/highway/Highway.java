@@ -55,7 +55,7 @@ public final class Highway implements Callable<Integer> {
         try (scenario) {
             run(scenario, timeline);
         } catch (IOException | Scenario.BrokenOffException reason) {
-            timeline.warn("highway: broken off: " + reason.getMessage());
+            scenario.warn("highway: broken off: " + reason.getMessage());
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
@@ -74,13 +74,18 @@ public final class Highway implements Callable<Integer> {
         scenario.startBoards();
         scenario.provision();
         if (options.boardsOnly()) {
-            timeline.note(
+            scenario.note(
                     "the boards run; start the agents (README, \"Agents that you start by hand\"); end with Ctrl-C");
             scenario.stay();
         } else {
             scenario.startAgents();
             scenario.follow();
             scenario.draw();
+            if (options.live()) {
+                timeline.table(scenario.behaviours());
+                scenario.note("the run goes on; end it with Ctrl-C");
+                scenario.stay();
+            }
         }
     }
 }

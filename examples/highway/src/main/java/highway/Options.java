@@ -9,6 +9,9 @@ import picocli.CommandLine.Option;
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
 
+    /** The emulator's control socket. */
+    private static final String CONTROL = "build/control";
+
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
     private Path emulator;
 
@@ -27,6 +30,13 @@ final class Options {
                     + "${DEFAULT-VALUE}.")
     private int timeout;
 
+    @Option(names = "--live",
+            description = "Show the run in the browser, until Ctrl-C. (Gradle puts a class path here.)")
+    private String live;
+
+    @Option(names = "--headless", description = "With live: open no browser.")
+    private String headless;
+
     @Option(names = "--plain", hidden = true, description = "No colours.")
     private boolean plain;
 
@@ -40,6 +50,11 @@ final class Options {
 
     boolean boardsOnly() {
         return boardsOnly;
+    }
+
+    /** Whether the run is watched in the browser, and goes on until the user ends it. */
+    boolean live() {
+        return live != null;
     }
 
     /** Colours, unless asked for none here or by the environment (no-color.org). */
@@ -58,6 +73,18 @@ final class Options {
         if (radioRange != null) {
             command.addAll(List.of("--set", "radio.range=" + radioRange));
         }
+        if (live()) {
+            command.addAll(List.of("--control", CONTROL));
+        }
+        return command;
+    }
+
+    /** {@code javino watch}: the page, which takes the events from its standard input. */
+    List<String> watchCommand() {
+        List<String> command = java("javino.cli.Main", "watch", "--trace", "-", "--control", CONTROL);
+        if (headless != null) {
+            command.add("--no-browser");
+        }
         return command;
     }
 
@@ -75,15 +102,16 @@ final class Options {
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) {
-        return java("jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf", "logging.properties",
+        return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf",
+                "logging.properties",
                 "--no-net");
     }
 
-    private static List<String> java(String... mainAndArguments) {
+    private List<String> java(String... mainAndArguments) {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp",
-                System.getProperty("java.class.path")));
+                System.getProperty("java.class.path") + (live() ? File.pathSeparator + live : "")));
         command.addAll(List.of(mainAndArguments));
         return command;
     }

@@ -1,11 +1,8 @@
 package highway;
 
 import com.google.gson.JsonParseException;
-import java.io.BufferedOutputStream;
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -13,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -39,7 +37,7 @@ final class Scenario implements AutoCloseable {
         }
     }
 
-    /** What the emulator has written, for a second look: {@code gradle checkTrace -Ptrace=FILE}. */
+    /** All events, for a second look: {@code gradle checkTrace -Ptrace=FILE}, {@code javino watch --trace FILE}. */
     private static final Path TRACE = Path.of("build", "trace.jsonl");
 
     private static final Path PICTURE = Path.of("build", "highway.svg");
@@ -54,7 +52,9 @@ final class Scenario implements AutoCloseable {
     private final List<Device> ready = new ArrayList<>();
     private final List<Child> children = new ArrayList<>();
     private FileChannel lock;
-    private PrintStream record;
+    private EventLog log;
+    private boolean introduced;
+    private String verdict = "";
     private String failure;
     private boolean agentsStarted;
     private boolean closed;
@@ -62,6 +62,24 @@ final class Scenario implements AutoCloseable {
     Scenario(Options options, Timeline timeline) {
         this.options = options;
         this.timeline = timeline;
+    }
+
+    /** A line of the launcher itself. */
+    void note(String text) {
+        timeline.note(text);
+        tell("note", "text", text);
+    }
+
+    /** A line about what went wrong. */
+    void warn(String text) {
+        timeline.warn(text);
+        tell("note", "text", text);
+    }
+
+    private void tell(String event, Object... fields) {
+        if (log != null) {
+            log.tell(trace.seconds(), event, fields);
+        }
     }
 
     List<Behaviour> behaviours() {
@@ -80,9 +98,12 @@ final class Scenario implements AutoCloseable {
     /** Switches the boards on and waits until the emulator has made their ports. */
     void startBoards() throws IOException, InterruptedException, BrokenOffException {
         lockFolder();
+        log = new EventLog(TRACE);
+        if (options.live()) {
+            startPage();
+        }
         timeline.note("five emulated boards, one radio");
         Files.createDirectories(Path.of("build", "eeprom"));
-        record = new PrintStream(new BufferedOutputStream(Files.newOutputStream(TRACE)), false, StandardCharsets.UTF_8);
         start("emulator", options.emulatorCommand(), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
                 .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
@@ -97,21 +118,64 @@ final class Scenario implements AutoCloseable {
         }
     }
 
-    private void readTrace(String line) {
-        try {
-            trace.read(line).ifPresent(this::see);
-        } catch (JsonParseException noEvent) {
-            timeline.warn(line);
-            return;
-        }
-        record.println(line);
-        model.line(line);
+    /** Starts the page's server; where that ends, the run goes on. */
+    private void startPage() throws IOException {
+        // Its address has a token, which belongs to the user only: it is shown, and not recorded.
+        log.show(launch(options.watchCommand(), timeline::note,
+                status -> warn("the page has ended with status " + status + "; the run goes on")));
     }
 
-    /** Draws what was seen. */
+    private void readTrace(String line) {
+        Optional<Observation> seen;
+        try {
+            seen = trace.read(line);
+        } catch (JsonParseException noEvent) {
+            warn(line);
+            return;
+        }
+        log.line(trace.seconds(), line);
+        if (!introduced) {
+            introduced = true;
+            introduce();
+        }
+        seen.ifPresent(this::see);
+        model.line(line);
+        if (model.refusal().isPresent()) {
+            judge();
+        }
+    }
+
+    /** Says who takes part, and what is to be observed. */
+    private void introduce() {
+        for (Device device : Device.values()) {
+            tell("device", "board", device.id(), "address", device.address, "title", device.title(), "colour",
+                    device.hue);
+        }
+        behaviours.forEach(this::tell);
+    }
+
+    private void tell(Behaviour behaviour) {
+        tell("behaviour", "number", behaviours.indexOf(behaviour) + 1, "text",
+                behaviour.device.title() + " " + behaviour.device.address + ": " + behaviour.text, "observed",
+                behaviour.observed());
+    }
+
+    /** Tells what the model says up to now, if it says something new. */
+    private void judge() {
+        boolean accepted = model.refusal().isEmpty();
+        // An acceptance counts the events, and so would be another each time.
+        String now = accepted ? "model: trace accepted" : model.verdict();
+        if (!now.equals(verdict)) {
+            verdict = now;
+            tell("verdict", "text", now, "accepted", accepted);
+        }
+    }
+
+    /** Draws what was seen, and says what the model says of it. */
     void draw() throws IOException {
+        judge();
         chart.write(PICTURE);
-        timeline.note("the run as a picture: " + PICTURE.toAbsolutePath());
+        note("the run as a picture: " + PICTURE.toAbsolutePath());
     }
 
     /** Whether the model allows what the boards did; after the end. */
@@ -122,7 +186,7 @@ final class Scenario implements AutoCloseable {
 
     /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
     void provision() throws IOException, InterruptedException, BrokenOffException {
-        timeline.note("fresh keys, provisioned over serial");
+        note("fresh keys, provisioned over serial");
         Path keyring = Path.of("build", "keyring");
         Files.deleteIfExists(keyring);
         runToEnd("keygen", Map.of("", options.keygenCommand(keyring)));
@@ -134,7 +198,7 @@ final class Scenario implements AutoCloseable {
     /** Starts the agents; the bus last, when all others have said that they are ready. */
     void startAgents() throws IOException, InterruptedException, BrokenOffException {
         agentsStarted = true;
-        timeline.note("five agents, each in a Java virtual machine of its own");
+        note("five agents, each in a Java virtual machine of its own");
         for (Device device : Device.values()) {
             if (device != Device.BUS) {
                 startAgent(device);
@@ -157,7 +221,11 @@ final class Scenario implements AutoCloseable {
     }
 
     private void startAgent(Device device) throws IOException {
-        start(device.id(), options.agentCommand(device), line -> see(said(device, line)));
+        start(device.id(), options.agentCommand(device), line -> {
+            if (!options.live() || !log.observed(trace.seconds(), device, line)) {
+                see(said(device, line));
+            }
+        });
     }
 
     private Observation said(Device device, String line) {
@@ -168,7 +236,7 @@ final class Scenario implements AutoCloseable {
 
     /** Starts a process that is to run as long as the scenario does. */
     private void start(String name, List<String> command, Consumer<String> line) throws IOException {
-        launch(command, line, status -> failure = name + " has ended with status " + status);
+        launch(command, line, status -> failure = name + " has ended with status " + status).input().close();
     }
 
     /** Runs commands side by side until all have ended well; what they print is shown, each behind its title. */
@@ -176,31 +244,41 @@ final class Scenario implements AutoCloseable {
             throws IOException, InterruptedException, BrokenOffException {
         AtomicInteger running = new AtomicInteger(commands.size());
         for (Map.Entry<String, List<String>> command : commands.entrySet()) {
-            launch(command.getValue(), line -> timeline.note(command.getKey() + line), status -> {
+            launch(command.getValue(), line -> note(command.getKey() + line), status -> {
                 running.decrementAndGet();
                 if (status != 0) {
                     failure = name + " has ended with status " + status;
                 }
-            });
+            }).input().close();
         }
         waitFor(name + " to end", () -> running.get() == 0);
     }
 
-    private synchronized void launch(List<String> command, Consumer<String> line, IntConsumer ended)
+    private synchronized Child launch(List<String> command, Consumer<String> line, IntConsumer ended)
             throws IOException {
         if (closed) {
             throw new IOException("the run is being ended");
         }
-        children.add(Child.start(command,
+        Child child = Child.start(command,
                 text -> happenings.add(() -> line.accept(text)),
-                status -> happenings.add(() -> ended.accept(status))));
+                status -> happenings.add(() -> ended.accept(status)));
+        children.add(child);
+        return child;
     }
 
     private void see(Observation observation) {
         timeline.show(observation);
+        if (observation instanceof Observation.Said said) {
+            tell("said", "board", said.device().id(), "text", said.text());
+        }
         boolean evidence = false;
         for (Behaviour behaviour : behaviours) {
-            evidence |= behaviour.see(observation);
+            if (behaviour.see(observation)) {
+                evidence = true;
+                if (behaviour.observed()) {
+                    tell(behaviour);
+                }
+            }
         }
         if (evidence) {
             chart.add(observation);
@@ -217,11 +295,11 @@ final class Scenario implements AutoCloseable {
         }
     }
 
-    /** Whether the condition came true in time. */
+    /** Whether the condition came true in time; a run that is watched has any time, since it can be paused. */
     private boolean until(BooleanSupplier condition) throws InterruptedException, BrokenOffException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(options.timeout());
         while (!condition.getAsBoolean()) {
-            if (System.nanoTime() >= end) {
+            if (!options.live() && System.nanoTime() >= end) {
                 return false;
             }
             takeHappening(TimeUnit.MILLISECONDS.toNanos(50));
@@ -245,8 +323,12 @@ final class Scenario implements AutoCloseable {
         closed = true;
         children.forEach(Child::end);
         children.forEach(Child::awaitEnd);
-        if (record != null) {
-            record.close();
+        if (log != null) {
+            if (agentsStarted) {
+                model.finish();
+                judge();
+            }
+            log.close();
         }
     }
 }

@@ -3,6 +3,7 @@ package javino.cli;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
+import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import javino.JavinoException;
 import javino.Printable;
@@ -58,6 +59,7 @@ public final class Main implements Callable<Integer> {
     /** The command, whose errors are one line each. */
     static CommandLine commandLine(CommandLine.IFactory factory) {
         CommandLine commandLine = new CommandLine(new Main(), factory);
+        ServiceLoader.load(FurtherCommand.class).forEach(commandLine::addSubcommand);
         commandLine.setParameterExceptionHandler((e, args) -> {
             e.getCommandLine().getErr().println("javino: " + describe(e) + " (try --help)");
             return CommandLine.ExitCode.USAGE;

@@ -7,7 +7,7 @@ import javino.board.Board;
 import javino.board.BoardState;
 
 /** What goes on until the user ends it. */
-final class UntilInterrupted {
+public final class UntilInterrupted {
 
     private static final int SECONDS_TO_END = 3;
 
@@ -15,7 +15,8 @@ final class UntilInterrupted {
     }
 
     /** Ends by an interrupt, if by nothing else. */
-    interface Work {
+    public interface Work {
+        /** @throws InterruptedException when it is to end. */
         void run() throws JavinoException, InterruptedException;
     }
 
@@ -23,7 +24,7 @@ final class UntilInterrupted {
      * Does the work until the thread is interrupted, or Ctrl-C or a kill ends the program; that then waits until the
      * work has closed what it opened.
      */
-    static void run(Work work) throws JavinoException {
+    public static void run(Work work) throws JavinoException {
         Thread worker = Thread.currentThread();
         CountDownLatch ended = new CountDownLatch(1);
         // It stays until the program ends, and by then may find nothing left to interrupt.

@@ -67,6 +67,9 @@ class ErrorsPageTest {
     void commandLine_eachText_hasAnEntry() {
         Stream<String> commands = Repository.files("javino-java/src/main/java/javino/cli", ".java").stream()
                 .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\);", Repository.text(file)));
+        Stream<String> page = Repository.files("live/src/main/java/live", ".java").stream()
+                .flatMap(file -> texts("new (?:\\w+Exception|Refusal)\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);",
+                        Repository.text(file)));
         Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
                 Repository.text("javino-java/src/main/java/javino/board/Session.java"));
         Stream<String> port = texts("(" + LITERAL + ")",
@@ -76,7 +79,7 @@ class ErrorsPageTest {
         Stream<String> project = texts("new GradleException\\((.*)\\)",
                 Repository.text("javino-java/src/main/resources/javino/cli/project/common/javino.gradle"));
         assertTexts("On the command line",
-                Stream.of(commands, session, port, highway, project).flatMap(texts -> texts));
+                Stream.of(commands, page, session, port, highway, project).flatMap(texts -> texts));
     }
 
     @Test

@@ -1,0 +1,82 @@
+package highway;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonPrimitive;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Set;
+
+/** All events of a run, one JSON object a line: in a file and, where the run is watched, on the page. */
+final class EventLog implements AutoCloseable {
+
+    /** What {@code live.ObservedMas} tells of an agent; other lines of this form are the agent's own words. */
+    private static final Set<String> OF_AGENTS = Set.of("beliefs", "intentions", "counters-of-board");
+    private static final Gson JSON = new Gson();
+
+    private final PrintStream file;
+    private PageFeed page;
+
+    EventLog(Path path) throws IOException {
+        file = new PrintStream(new BufferedOutputStream(Files.newOutputStream(path)), false, StandardCharsets.UTF_8);
+    }
+
+    /** Shows what follows on a page. */
+    void show(Child server) {
+        page = new PageFeed(server.input());
+    }
+
+    /** An event as the emulator has written it. */
+    void line(double seconds, String event) {
+        file.println(event);
+        if (page != null) {
+            page.add(seconds, event);
+        }
+    }
+
+    /** An event of the launcher: names of its fields, each before its value. */
+    void tell(double seconds, String event, Object... fields) {
+        JsonObject all = begun(seconds);
+        all.addProperty("event", event);
+        for (int i = 0; i < fields.length; i += 2) {
+            all.add((String) fields[i], JSON.toJsonTree(fields[i + 1]));
+        }
+        line(seconds, JSON.toJson(all));
+    }
+
+    /** Takes a line of an agent's process if it is an event: whether it was one. */
+    boolean observed(double seconds, Device device, String line) {
+        if (!line.startsWith("{")) {
+            return false;
+        }
+        try {
+            JsonObject event = JSON.fromJson(line, JsonObject.class);
+            if (!(event.get("event") instanceof JsonPrimitive name) || !OF_AGENTS.contains(name.getAsString())) {
+                return false;
+            }
+            JsonObject all = begun(seconds);
+            all.addProperty("board", device.id());
+            event.entrySet().forEach(field -> all.add(field.getKey(), field.getValue()));
+            line(seconds, JSON.toJson(all));
+            return true;
+        } catch (JsonParseException noEvent) {
+            return false;
+        }
+    }
+
+    private static JsonObject begun(double seconds) {
+        JsonObject event = new JsonObject();
+        event.addProperty("t", seconds);
+        return event;
+    }
+
+    @Override
+    public void close() {
+        file.close();
+    }
+}

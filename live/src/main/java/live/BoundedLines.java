@@ -1,0 +1,40 @@
+package live;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+
+/** Reads lines, of which one may be too long: of that it keeps no more than the beginning. */
+final class BoundedLines implements AutoCloseable {
+
+    /** The longest events are those of many boards, and take some thousands. */
+    static final int MOST_CHARACTERS = 1 << 18;
+
+    private final BufferedReader in;
+
+    BoundedLines(InputStream in) {
+        this.in = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
+    }
+
+    /** The next line without its end, cut off where it is too long; null after the last. */
+    String next() throws IOException {
+        StringBuilder line = new StringBuilder();
+        int character = in.read();
+        if (character < 0) {
+            return null;
+        }
+        for (; character >= 0 && character != '\n'; character = in.read()) {
+            if (line.length() < MOST_CHARACTERS) {
+                line.append((char) character);
+            }
+        }
+        return line.toString();
+    }
+
+    @Override
+    public void close() throws IOException {
+        in.close();
+    }
+}

@@ -1,0 +1,88 @@
+package live;
+
+import io.javalin.http.Context;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Semaphore;
+
+/**
+ * Sends the hub's events to pages, each on the thread of its request: a page that does not read stops nobody else.
+ */
+final class EventStreams implements AutoCloseable {
+
+    static final int MOST_PAGES = 32;
+    private static final int MOST_EVENTS_A_BATCH = 1000;
+    private static final int MILLIS_FROM_BATCH_TO_BATCH = 50;
+    /** A page that is gone is noticed when something is sent to it: so something is. */
+    private static final int BATCHES_OF_SILENCE = 200;
+
+    private final Hub hub;
+    private final Semaphore pages = new Semaphore(MOST_PAGES);
+    private volatile boolean closed;
+
+    EventStreams(Hub hub) {
+        this.hub = hub;
+    }
+
+    /**
+     * Sends events to a page until it is gone.
+     *
+     * @param place the number of the first one.
+     * @return whether there was room for one more page.
+     */
+    boolean serve(Context request, long place) throws InterruptedException, IOException {
+        if (!pages.tryAcquire()) {
+            return false;
+        }
+        try {
+            request.res().setContentType("text/event-stream;charset=utf-8");
+            send(request.res().getOutputStream(), place);
+        } catch (IOException e) {
+            // The page is gone.
+            return true;
+        } finally {
+            pages.release();
+        }
+        return true;
+    }
+
+    private void send(OutputStream out, long first) throws IOException, InterruptedException {
+        write(out, ":\n\n");
+        long place = first;
+        boolean upToDate = false;
+        for (int silent = 0; !closed; silent++) {
+            Hub.Batch batch = hub.after(place, MOST_EVENTS_A_BATCH, upToDate);
+            if (batch.next() != place) {
+                write(out, message(batch));
+                silent = 0;
+            } else if (silent == BATCHES_OF_SILENCE) {
+                write(out, ":\n\n");
+                silent = 0;
+            }
+            place = batch.next();
+            // What was before a page came is sent without pauses, so that it soon shows the present.
+            upToDate |= batch.all();
+            if (upToDate) {
+                Thread.sleep(MILLIS_FROM_BATCH_TO_BATCH);
+            }
+        }
+    }
+
+    private static String message(Hub.Batch batch) {
+        String skipped = batch.skipped() == 0 ? ""
+                : Events.json("event", "skipped", "count", batch.skipped())
+                        + (batch.events().isEmpty() ? "" : ",");
+        return "id: " + batch.next() + "\ndata: [" + skipped + String.join(",", batch.events()) + "]\n\n";
+    }
+
+    private static void write(OutputStream out, String text) throws IOException {
+        out.write(text.getBytes(StandardCharsets.UTF_8));
+        out.flush();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+    }
+}

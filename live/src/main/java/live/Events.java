@@ -1,0 +1,62 @@
+package live;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.Strictness;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import javino.JavinoException;
+
+/** The one shape that events have: a JSON object with a time {@code t} and a name {@code event}. */
+final class Events {
+
+    /** Without it, a page could not read what is no JSON to it, and with it a whole batch. */
+    private static final Gson STRICT = new GsonBuilder().setStrictness(Strictness.STRICT).create();
+
+    private Events() {
+    }
+
+    /**
+     * Reads a JSON object.
+     *
+     * @throws JavinoException if it is none.
+     */
+    static JsonObject object(String text) throws JavinoException {
+        try {
+            JsonObject object = STRICT.fromJson(text, JsonObject.class);
+            if (object != null) {
+                return object;
+            }
+        } catch (JsonParseException | ClassCastException e) {
+            throw new JavinoException("expected a JSON object such as {\"do\":\"reset\",\"board\":\"bus\"}", e);
+        }
+        throw new JavinoException("expected a JSON object, not an empty text");
+    }
+
+    /** JSON in one line: names, each before its value. */
+    static String json(Object... namesAndValues) {
+        Map<Object, Object> fields = new LinkedHashMap<>();
+        for (int i = 0; i < namesAndValues.length; i += 2) {
+            fields.put(namesAndValues[i], namesAndValues[i + 1]);
+        }
+        return STRICT.toJson(fields);
+    }
+
+    /** Whether a line is an event. */
+    static boolean isEvent(String line) {
+        try {
+            JsonObject object = object(line);
+            return is(object.get("t"), true) && is(object.get("event"), false);
+        } catch (JavinoException e) {
+            return false;
+        }
+    }
+
+    private static boolean is(JsonElement value, boolean number) {
+        return value != null && value.isJsonPrimitive()
+                && (number ? value.getAsJsonPrimitive().isNumber() : value.getAsJsonPrimitive().isString());
+    }
+}

@@ -1,0 +1,93 @@
+package live;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import javino.JavinoException;
+import javino.board.BoardConfig;
+import javino.cli.FurtherCommand;
+import javino.cli.UntilInterrupted;
+import javino.link.SerialLink;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code javino watch}: serves the page. */
+@Command(name = "watch", description = {"Shows a board, a run or its trace on a page in the browser, until Ctrl-C.",
+        "The page is served to this computer only, at an address that is printed.",
+        "The board's radio is open meanwhile: watch takes the messages, and their senders hear that they were "
+                + "delivered."})
+public final class WatchCommand implements FurtherCommand {
+
+    private static final int LAST_PORT = 65_535;
+
+    @Option(names = "--port", paramLabel = "PORT",
+            description = "Show the board at this serial port, such as /dev/ttyACM0 or COM5.")
+    private String port;
+
+    @Option(names = "--trace", paramLabel = "FILE",
+            description = "Play the trace of a run; - for a run that goes on, whose events come by standard input.")
+    private Path trace;
+
+    @Option(names = "--control", paramLabel = "SOCKET",
+            description = "With --trace -: the emulator's control socket, by which the page interferes.")
+    private Path control;
+
+    @Option(names = "--http-port", paramLabel = "N", defaultValue = "0",
+            description = "Serve the page at this port of 127.0.0.1; default: one that is free.")
+    private int httpPort;
+
+    @Option(names = "--no-browser", description = "Open no browser.")
+    private boolean noBrowser;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws JavinoException {
+        check(port == null == (trace != null), "watch takes either --port PORT, for a board, or --trace FILE");
+        check(control == null || isRun(), "--control needs --trace -: only a run that goes on takes commands");
+        check(httpPort >= 0 && httpPort <= LAST_PORT, "--http-port takes 0 to " + LAST_PORT + ", not " + httpPort);
+        UntilInterrupted.run(this::watch);
+        return 0;
+    }
+
+    private void check(boolean right, String otherwise) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), otherwise);
+        }
+    }
+
+    private boolean isRun() {
+        return trace != null && trace.toString().equals("-");
+    }
+
+    private void watch() throws JavinoException, InterruptedException {
+        Hub hub = new Hub();
+        try (Source source = source(hub); Server server = Server.start(hub, source, httpPort)) {
+            spec.commandLine().getOut().println("watch: " + server.address());
+            if (!noBrowser) {
+                Browser.open(server.address());
+            }
+            new CountDownLatch(1).await();
+        }
+    }
+
+    private Source source(Hub hub) throws JavinoException, InterruptedException {
+        if (port != null) {
+            return BoardSource.open(SerialLink.opener(port), BoardConfig.create(), hub);
+        }
+        if (isRun()) {
+            return RunSource.follow(System.in, hub, Optional.ofNullable(control).map(ControlSocket::new),
+                    spec.commandLine().getErr());
+        }
+        try {
+            return TraceSource.read(trace, hub);
+        } catch (IOException e) {
+            throw new JavinoException(trace + " cannot be read: is it there? " + e.getClass().getSimpleName(), e);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package live;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import jason.util.Config;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A MAS of one agent, run by Jason. */
+@Timeout(120)
+class ObservedMasTest {
+
+    private static final int PATIENCE_SECONDS = 60;
+
+    @TempDir
+    private Path folder;
+    private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
+    private final ObservedMas mas = new ObservedMas(told::add);
+    private final Set<String> beliefs = new LinkedHashSet<>();
+    private String intentions = "[]";
+
+    private void run(String program) throws Exception {
+        Config.get().setProperty(Config.START_WEB_MI, "false");
+        Files.writeString(folder.resolve("tester.asl"), program);
+        Path project = Files.writeString(folder.resolve("tester.mas2j"),
+                "MAS tester { agents: tester agentArchClass diffuser.Diffuser; aslSourcePath: \"" + folder + "\"; }");
+        // Jason's own would open a window.
+        Path logging = Files.writeString(folder.resolve("logging.properties"), "");
+        mas.begin(project.toString(), "--log-conf", logging.toString(), "--no-net");
+    }
+
+    @AfterEach
+    void stop() {
+        mas.getAgs().values().forEach(agent -> agent.stopAg());
+    }
+
+    /** Follows what is told until beliefs and intentions are as wanted. */
+    private void await(Set<String> wantedBeliefs, String wantedIntentions) throws InterruptedException {
+        while (!beliefs.containsAll(wantedBeliefs) || !intentions.equals(wantedIntentions)) {
+            String line = told.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            assertNotNull(line, "beliefs " + beliefs + ", intentions " + intentions);
+            JsonObject event = JsonParser.parseString(line).getAsJsonObject();
+            if (event.get("event").getAsString().equals("intentions")) {
+                intentions = event.get("intentions").toString();
+            } else {
+                texts(event.get("remove")).forEach(beliefs::remove);
+                beliefs.addAll(texts(event.get("add")));
+            }
+            assertTrue(line.getBytes(StandardCharsets.UTF_8).length < 4096, line);
+        }
+    }
+
+    private static List<String> texts(JsonElement array) {
+        List<String> texts = new ArrayList<>();
+        array.getAsJsonArray().forEach(text -> texts.add(text.getAsString()));
+        return texts;
+    }
+
+    @Test
+    void agent_thatThenSleeps_hasToldAll() throws Exception {
+        run("!go. +!go <- +light(1); -+light(2); .wait({+never}).");
+
+        await(Set.of("light(2)[source(self)]", "openness(totallyClosed)[source(percept)]"),
+                "[\"+!go[source(self)] / .wait({ +never })\"]");
+        assertEquals(2, beliefs.size(), beliefs.toString());
+    }
+
+    @Test
+    void belief_goneAndIntentionEnded_areTold() throws Exception {
+        run("!go. +!go <- +light(1); .wait(300); -light(1); +dark.");
+
+        await(Set.of("light(1)[source(self)]"), "[\"+!go[source(self)] / .wait(300)\"]");
+        await(Set.of("dark[source(self)]"), "[]");
+        assertTrue(beliefs.stream().noneMatch(belief -> belief.startsWith("light")), beliefs.toString());
+    }
+
+    @Test
+    void beliefs_veryMany_areToldUpToANumberInShortLines() throws Exception {
+        run("!go. +!go <- for (.range(I,1,800)) { +number(I,\"äääääääääääääääääääää\") }; +z; .wait({+never}).");
+
+        await(Set.of(), "[\"+!go[source(self)] / .wait({ +never })\"]");
+        assertEquals(ObservedAgent.MOST_BELIEFS, beliefs.size());
+    }
+}

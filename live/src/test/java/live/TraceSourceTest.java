@@ -1,0 +1,65 @@
+package live;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javino.JavinoException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class TraceSourceTest {
+
+    /** A trace without events. */
+    static final Source NOTHING = nothing();
+
+    private static final String EVENT = "{\"t\":1.5,\"event\":\"note\",\"text\":\"<script>\"}";
+
+    @TempDir
+    private Path folder;
+    private final Hub hub = new Hub();
+
+    private static Source nothing() {
+        try {
+            Path empty = Files.createTempFile("empty", ".jsonl");
+            empty.toFile().deleteOnExit();
+            return TraceSource.read(empty, new Hub());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (JavinoException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void file_ofEvents_isReadToItsEnd() throws Exception {
+        Path file = Files.writeString(folder.resolve("trace.jsonl"), EVENT + "\n" + EVENT);
+
+        Source source = TraceSource.read(file, hub);
+
+        assertEquals(List.of(EVENT, EVENT), hub.after(0, 10, false).events());
+        assertEquals("trace", source.kind());
+        assertEquals(List.of(), source.controls());
+        assertThrows(JavinoException.class, () -> source.command(new JsonObject()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "x", "[]", "{}", "{\"t\":1}", "{\"event\":\"x\"}", "{\"t\":\"1\",\"event\":\"x\"}",
+            "{\"t\":1,\"event\":2}", "{\"t\":NaN,\"event\":\"x\"}", "{t:1,event:\"x\"}", EVENT + EVENT,
+            "{\"t\":1,\"event\":\"x\""})
+    void file_withAnotherLine_isRefusedWithItsNumber(String line) throws IOException {
+        Path file = Files.writeString(folder.resolve("trace.jsonl"), EVENT + "\n" + line + "\n");
+
+        String message = assertThrows(JavinoException.class, () -> TraceSource.read(file, hub)).getMessage();
+
+        assertTrue(message.startsWith(file + ":2: this is no event"), message);
+    }
+}
