@@ -45,7 +45,8 @@ function shownBeliefs(board, t) {
   const all = [...board.beliefs].map(([belief, state]) => ({ belief, ...parted(belief), ...state }))
     .filter((b) => b.functor !== 'openness' && !(b.gone && t - b.t > NEW_FOR));
   const held = new Set(all.filter((b) => b.sensed && !b.gone).map((b) => b.functor));
-  return all.filter((b) => !(b.gone && held.has(b.functor)));
+  const newest = new Map(all.filter((b) => b.sensed && b.gone).map((b) => [b.functor, b]));
+  return all.filter((b) => !(b.sensed && b.gone) || (!held.has(b.functor) && newest.get(b.functor) === b));
 }
 
 const belief = (b, t) => html`<li class="belief ${b.gone ? 'gone' : t - b.t < NEW_FOR && !b.sensed ? 'new' : ''}">
@@ -56,8 +57,8 @@ function mind(board, t) {
   const beliefs = shownBeliefs(board, t);
   const more = beliefs.length - BELIEFS;
   return html`
-    <h3>says</h3>
-    <ul class="said">${board.said.slice(-LINES).map((line) => html`<li class=${t - line.t < NEW_FOR ? 'new' : ''}>“${plain(line.text)}”</li>`)}</ul>
+    ${board.said.length === 0 ? nothing : html`<h3>says</h3>
+    <ul class="said">${board.said.slice(-LINES).map((line) => html`<li class=${t - line.t < NEW_FOR ? 'new' : ''}>“${plain(line.text)}”</li>`)}</ul>`}
     ${beliefs.length === 0 ? nothing : html`<h3>believes</h3>
     <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(b, t))}
       ${more > 0 ? html`<li><small>and ${more} more</small></li>` : nothing}</ul>`}

@@ -12,11 +12,11 @@ export function player(clock, model, app) {
   return html`<div class="bar">
     ${clock.live ? html`<button type="button" id="follow" aria-pressed=${clock.following} @click=${app.follow}
       title="Follow the run (End)"><span class="dot"></span>live</button>` : nothing}
-    <button type="button" id="back" @click=${() => app.step(-1)} title="The event before (comma)" aria-label="the event before">⏮</button>
+    <button type="button" id="back" @click=${() => app.step(-1)} title="The event before (comma)" aria-label="the event before">|◂</button>
     <button type="button" id="reverse" @click=${app.reverse} aria-pressed=${!clock.following && clock.playing && clock.rate < 0} title="Play backwards (R)" aria-label="play backwards">◀</button>
     <button type="button" id="play" @click=${app.toggle} title="Play or pause what you see (Space)"
-      aria-label=${clock.following || clock.playing ? 'pause' : 'play'}>${clock.following || clock.playing ? '⏸' : '▶'}</button>
-    <button type="button" id="forth" @click=${() => app.step(1)} title="The next event (full stop)" aria-label="the next event">⏭</button>
+      aria-label=${clock.following || clock.playing ? 'pause' : 'play'}>${clock.following || clock.playing ? '❚❚' : '▶'}</button>
+    <button type="button" id="forth" @click=${() => app.step(1)} title="The next event (full stop)" aria-label="the next event">▸|</button>
     <input id="slider" type="range" min="0" max=${Math.max(end, 0.001)} step="any" .value=${live(String(clock.t))} aria-label="time"
       aria-valuetext=${clock.t.toFixed(1) + ' seconds'} @input=${(e) => app.goTo(Number(e.target.value))}>
     <label>speed <select id="rate" .value=${live(String(Math.abs(clock.rate)))} @change=${(e) => app.rate(Number(e.target.value))}>
@@ -65,6 +65,10 @@ export function interfere(app, state) {
         <label>y <input id="y" type="number" step="any" .value=${live(app.typed?.y ?? String(at[1]))} @input=${app.typing} required></label>
         <button id="move">move</button></form>` : nothing}
       </fieldset>` : nothing}
+    ${can('speed') ? html`<fieldset><legend>The run itself</legend>
+      ${[[0, 'pause'], [0.1, 'slow'], [1, 'normal']].map(([value, words]) => html`<button type="button" id="speed-${words}"
+        aria-pressed=${state.speed === value} @click=${() => app.send({ do: 'speed', value })}>${words}</button>`)}
+      </fieldset>` : nothing}
     ${can('obstacle') || can('jam') ? html`<fieldset><legend>Then click on the road</legend>
       ${can('obstacle') ? html`<button type="button" id="add-obstacle" aria-pressed=${mode === 'obstacle'} @click=${() => app.mode('obstacle')}>add an obstacle</button>` : nothing}
       ${can('jam') ? html`<button type="button" id="jam" aria-pressed=${mode === 'jam'} @click=${() => app.mode('jam')}>jam here</button>` : nothing}
@@ -73,9 +77,5 @@ export function interfere(app, state) {
       ${can('light') && state.light !== undefined ? slider('light', 'light', state.light, state.light, { max: 1023, step: 1 }, (value) => app.often({ do: 'light', value })) : nothing}
       ${can('radio') ? slider('errors', 'bit errors', Math.round(errors * 1000), (errors * 100).toFixed(1) + ' %', { max: 50, step: 1 }, (n) => app.often({ do: 'radio', bitErrorRate: n / 1000 })) : nothing}
       ${can('radio') ? slider('range', 'range', state.radio.range, state.radio.range + ' m', { max: 150, step: 5 }, (range) => app.often({ do: 'radio', range })) : nothing}
-      </fieldset>` : nothing}
-    ${can('speed') ? html`<fieldset><legend>The run itself</legend>
-      ${[[0, 'pause'], [0.1, 'slow'], [1, 'normal']].map(([value, words]) => html`<button type="button" id="speed-${words}"
-        aria-pressed=${state.speed === value} @click=${() => app.send({ do: 'speed', value })}>${words}</button>`)}
       </fieldset>` : nothing}`;
 }

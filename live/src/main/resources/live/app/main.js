@@ -183,10 +183,10 @@ async function openFile(file) {
 const TABS = { timeline: 'Time line', air: 'Sniffer: what anyone hears', stranger: 'Be a stranger' };
 
 const LEGEND = html`<ul aria-label="Legend">
-  <li><svg width="30" height="16"><circle class="mark-ring" cx="15" cy="8" r="6"></circle></svg>closed lock, full ring: sealed, only who has the key can read it</li>
-  <li><svg width="30" height="16"><circle class="mark-ring dashed" cx="15" cy="8" r="6"></circle></svg>open lock, dashed ring: all can read it</li>
+  <li><svg width="30" height="16"><circle class="mark-ring" cx="15" cy="8" r="6"></circle></svg>closed lock: only who has the key can read it</li>
+  <li><svg width="30" height="16"><circle class="mark-ring dashed" cx="15" cy="8" r="6"></circle></svg>open lock: all can read it</li>
   <li><svg width="30" height="16"><circle class="mark-ring thin" cx="15" cy="8" r="6"></circle></svg>thin ring: “got it”</li>
-  <li><b class="bad">✗</b> collided, damaged or refused</li>
+  <li><b class="bad">✗</b> lost or refused</li>
   <li><svg width="30" height="16"><path class="mark-hatch" d="M4 14 14 2M11 14 21 2M18 14 28 2"></path></svg>jammed</li></ul>`;
 
 function keys() {

@@ -4,8 +4,8 @@ import { dash, hue, ink, letter } from './colours.js';
 import { REFUSALS } from './words.js';
 import { plain } from './text.js';
 
-/** Metres around all that stands on the road. */
-const MARGIN = 9;
+/** Pixels around all that stands on the road: above are locks and words, below names. */
+const MARGIN = { side: 60, top: 66, bottom: 44 };
 /** What a packet did stays visible for so long, in emulated seconds. */
 const AFTERGLOW = 1;
 const LOSS_GLOW = 0.9;
@@ -105,13 +105,15 @@ export class Road {
     const places = this.#things().map((thing) => thing.place);
     const xs = places.length ? places.map((p) => p[0]) : [0];
     const ys = places.length ? places.map((p) => p[1]) : [0];
-    const low = [Math.min(...xs) - MARGIN, Math.min(...ys) - MARGIN];
-    const high = [Math.max(...xs) + MARGIN, Math.max(...ys) + MARGIN];
-    const scale = Math.min(this.#width / Math.max(high[0] - low[0], 30), this.#height / Math.max(high[1] - low[1], 20));
+    const low = [Math.min(...xs), Math.min(...ys)];
+    const high = [Math.max(...xs), Math.max(...ys)];
+    const wide = Math.max(this.#width - 2 * MARGIN.side, 50);
+    const tall = Math.max(this.#height - MARGIN.top - MARGIN.bottom, 50);
+    const scale = Math.min(wide / Math.max(high[0] - low[0], 30), tall / Math.max(high[1] - low[1], 12));
     const aim = {
       scale,
       left: (low[0] + high[0]) / 2 - this.#width / scale / 2,
-      top: (low[1] + high[1]) / 2 + this.#height / scale / 2,
+      top: (low[1] + high[1]) / 2 + (tall / 2 + MARGIN.top) / scale,
     };
     const now = this.#view;
     this.#view = now
@@ -121,7 +123,7 @@ export class Road {
 
   #ground(state) {
     const g = this.#g;
-    const { scale, left, top } = this.#view;
+    const { scale, top } = this.#view;
     const lines = new Set();
     for (const b of state.boards.values()) {
       if (b.heading === undefined || !b.place || Math.abs(Math.sin((b.heading * Math.PI) / 180)) > 0.05) continue;
@@ -143,7 +145,6 @@ export class Road {
     this.#line(x, y - 4, x, y + 4);
     this.#line(x + 10 * scale, y - 4, x + 10 * scale, y + 4);
     this.#words('10 m', x + 10 * scale + 6, y, { align: 'left', size: 11, colour: ink('soft') });
-    void left;
   }
 
   #line(x1, y1, x2, y2) {

@@ -10,7 +10,7 @@ import { sentence } from './words.js';
 const ROW = 24;
 const HEAD = 30;
 const TIME = 66;
-const LEAST_COLUMN = 120;
+const LEAST_COLUMN = 90;
 const LETTER = 6.7;
 
 const CIRCLED = (n) => (n >= 1 && n <= 20 ? String.fromCharCode(0x245f + n) : n + '.');
@@ -58,7 +58,7 @@ export class Timeline {
         aria-label="Time line">
       ${boards.map((b) => svg`<line class="life" x1=${x(b.name)} x2=${x(b.name)} y1="0" y2=${tall}></line>`)}
       ${rows.map((mark, i) => this.#row(model, mark, HEAD + (i + 0.5) * ROW, x, width, state, boards))}
-      </svg><div class="heads">${boards.map((b) => html`<b class="head ${hueClass(b)}">${plain(b.title, 14)} <small>${plain(b.address, 4)}</small></b>`)}</div></div>`, this.#box);
+      </svg><div class="heads">${boards.map((b) => html`<b class="head ${hueClass(b)}">${plain(b.title, 12)}</b>`)}</div></div>`, this.#box);
     this.#space = this.#box.querySelector('.space');
     this.#space.style.height = height + 'px';
     this.#space.querySelector('svg').style.top = top + 'px';
@@ -107,7 +107,7 @@ export class Timeline {
     const right = ends.map(x).filter((end) => end > x0);
     const near = right.length ? Math.min(...right) : ends.length ? Math.max(...ends.map(x)) : x0 + 60;
     const label = mark.kind === 'ack' ? 'got it'
-      : (p.sealed ? '🔒 ' : '') + plain(p.destination, 4) + (p.sealed ? ' sealed' : ' ' + plain(p.content ?? p.kind, 30));
+      : plain(p.destination, 4) + (p.sealed ? ' sealed' : ' ' + plain(p.content ?? p.kind, 30));
     return svg`${ends.map((name) => {
       const end = x(name);
       const way = end > x0 ? -1 : 1;

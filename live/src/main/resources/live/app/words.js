@@ -85,7 +85,8 @@ export function sentence(state, mark) {
 
 /** The last sentences up to a time, newest first. */
 export function story(model, state, t, most = 3) {
-  const found = [];
+  const found = model.onAir(t, 0).filter((p) => p.kind !== 'acknowledgement').slice(-most).reverse()
+    .map((packet) => ({ n: packet.n, t: packet.start, words: packetWords(state, packet) }));
   for (let i = model.marksUpTo(t) - 1; i >= 0 && found.length < most; i--) {
     const words = sentence(state, model.marks[i]);
     if (words) found.push({ n: model.marks[i].n, t: model.marks[i].t, words });
