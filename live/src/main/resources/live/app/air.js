@@ -12,7 +12,7 @@ const ROWS = 100;
 const CHOICES = 40;
 const FORCES = ['tell', 'untell', 'achieve', 'unachieve', 'signal', 'askOne'];
 
-const KINDS = { broadcast: 'to all', multicast: 'to a group', unicast: 'to one', acknowledgement: 'answer', piece: 'piece', reserved: 'reserved', 'no frame': 'no frame' };
+const KINDS = { __proto__: null, broadcast: 'to all', multicast: 'to a group', unicast: 'to one', acknowledgement: 'answer', piece: 'piece', reserved: 'reserved', 'no frame': 'no frame' };
 
 const grouped = (bytes) => hexOf(bytes).replace(/(.{8})(?=.)/g, '$1\u200a');
 
@@ -70,6 +70,6 @@ export function stranger(app, model, state, t) {
       : html`<p>Nothing was heard yet.</p>`}</fieldset></div>
     <div><h3>What became of it</h3>
     <div id="stranger-result" aria-live="polite" data-n=${last?.n ?? ''}>${last ? html`<p>${seconds(last.t)}: <code>${plain(last.origin, 4)} → ${plain(last.destination, 4)}</code> ${readable(last)}</p>
-      <ul>${fate(model, state, last, t).map((line) => html`<li>${line}.</li>`)}</ul>` : html`<p>You have sent nothing yet.</p>`}</div></div>
+      <ul>${fate(model, state, last, t).map((line) => html`<li>${line}</li>`)}</ul>` : html`<p>You have sent nothing yet.</p>`}</div></div>
   </div>`;
 }

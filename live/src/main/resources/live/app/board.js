@@ -11,7 +11,7 @@ const OVER = 5;
 
 /** How fast a counter rises, a second. */
 export function rate(board, name, t) {
-  const risen = board.counted.filter((c) => t - c.t < OVER).reduce((sum, c) => sum + (c.rises.get(name) ?? 0), 0);
+  const risen = board.counted.filter((c) => c.t <= t && t - c.t < OVER).reduce((sum, c) => sum + (c.rises.get(name) ?? 0), 0);
   return risen / OVER;
 }
 

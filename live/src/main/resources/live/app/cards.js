@@ -11,13 +11,14 @@ const LINES = 3;
 const BELIEFS = 14;
 
 const OPENNESS = {
+  __proto__: null,
   open: 'talks with other devices; agents can come and go',
   closed: 'talks with other devices by radio',
   limitedOpen: 'agents can come and go, but it cannot talk',
   totallyClosed: 'is cut off: it can talk with nobody',
 };
 
-const PORTS = { open: 'agent connected', closed: 'no agent connected', unplugged: 'unplugged', plugged: 'plugged in' };
+const PORTS = { __proto__: null, open: 'agent connected', closed: 'no agent connected', unplugged: 'unplugged', plugged: 'plugged in' };
 
 const NUMERIC = /^([a-z]\w*)\((-?\d+(?:\.\d+)?)\)$/;
 
@@ -26,7 +27,7 @@ function parted(belief) {
   const [, term, annotations] = /^(.*?)\[((?:source|cast)\(.*)\]$/s.exec(belief) ?? [, belief, ''];
   const [, how, who] = /cast\((\w+),\s*"?([^")]*)"?\)/.exec(annotations) ?? [];
   const [, source] = /source\("?([^")]*)"?\)/.exec(annotations) ?? [];
-  const ways = { broadcast: 'shouted by ' + who + ', perhaps forged', multicast: 'to the group, by ' + who, unicast: 'from ' + who + ', sealed' };
+  const ways = { __proto__: null, broadcast: 'shouted by ' + who + ', perhaps forged', multicast: 'to the group, by ' + who, unicast: 'from ' + who + ', sealed' };
   const from = how ? ways[how] ?? how + ' ' + who : source === 'percept' ? 'sensed' : source === 'self' ? 'own' : source ? 'from ' + source : '';
   return { term, from, functor: term.split('(')[0], sensed: source === 'percept' };
 }

@@ -12,6 +12,8 @@ const MOST_EVENTS = 200_000;
 const MOST_BOARDS = 64;
 const MOST_BELIEFS = 200;
 const LINES_SAID = 12;
+/** How many readings of its counters are kept: one comes a second. */
+const COUNTINGS = 40;
 /** A change of a belief or counter is shown as new for so long, in seconds. */
 export const NEW_FOR = 2.5;
 /** A pin that changed within this time blinks: the time line shows only its first change. */
@@ -20,6 +22,7 @@ const BLINK = 1;
 const text = (x) => (typeof x === 'string' ? x : x === undefined || x === null ? '' : String(x));
 const number = (x, otherwise = 0) => (Number.isFinite(x) ? x : otherwise);
 const texts = (x) => (Array.isArray(x) ? x.map(text) : []);
+const objects = (x) => (Array.isArray(x) ? x.filter((o) => o && typeof o === 'object') : []);
 const place = (x) =>
   Array.isArray(x) && Number.isFinite(x[0]) && Number.isFinite(x[1]) ? [x[0], x[1]] : undefined;
 const numbers = (x) =>
@@ -73,8 +76,9 @@ const board = (name, index) => ({
   acted: undefined,
 });
 
-/** What an event does to a board. */
+/** What an event does to a board. (Without a prototype: a stranger's trace may name an event `constructor`.) */
 const ofBoard = {
+  __proto__: null,
   place: (b, e) => {
     const to = place(e.position);
     return to ? { place: to, before: b.place, placedAt: e.t, heading: Number.isFinite(e.heading) ? e.heading : b.heading } : {};
@@ -112,7 +116,7 @@ const ofBoard = {
     const counters = numbers(e.counters);
     const rises = [...counters].filter(([name, value]) => value > (b.counters.get(name) ?? 0));
     const risen = { t: e.t, rises: new Map(rises.map(([name, value]) => [name, value - (b.counters.get(name) ?? 0)])) };
-    return { counters, counted: [...b.counted, risen].slice(-20) };
+    return { counters, counted: [...b.counted, risen].slice(-COUNTINGS) };
   },
   said: (b, e) => ({ said: [...b.said, { t: e.t, text: text(e.text) }].slice(-LINES_SAID) }),
   acted: (b, e) => ({ acted: { t: e.t, action: text(e.action), error: e.error === undefined ? '' : text(e.error) } }),
@@ -120,6 +124,7 @@ const ofBoard = {
 
 /** What a command does that no other event tells. */
 const ofCommand = {
+  __proto__: null,
   speed: (s, e) => ({ speed: number(e.value, s.speed) }),
   radio: (s, e) => ({
     radio: { ...s.radio, bitErrorRate: number(e.bitErrorRate, s.radio.bitErrorRate), range: number(e.range, s.radio.range) },
@@ -144,25 +149,23 @@ function jam(s, start, until, at) {
 }
 
 const ofRun = {
+  __proto__: null,
   scenario: (s, e) => {
     let boards = s.boards;
-    for (const b of Array.isArray(e.boards) ? e.boards.slice(0, MOST_BOARDS) : []) {
+    for (const b of objects(e.boards).slice(0, MOST_BOARDS)) {
       const known = boards.get(text(b.name)) ?? board(text(b.name), boards.size);
-      const watched = Array.isArray(b.watch) ? b.watch : [];
       boards = put(boards, known.name, {
         ...known,
         place: place(b.position) ?? [0, 0],
         heading: Number.isFinite(b.heading) ? b.heading : undefined,
-        pins: new Map(watched.map((w) => [text(w.pin), { name: text(w.name), level: 0, t: 0 }])),
-        sensors: Array.isArray(b.sensors) ? b.sensors.map((x) => ({ type: text(x.type), pin: text(x.pin) })) : [],
+        pins: new Map(objects(b.watch).map((w) => [text(w.pin), { name: text(w.name), level: 0, t: 0 }])),
       });
     }
-    const obstacles = Array.isArray(e.world?.obstacles) ? e.world.obstacles : [];
     return {
       boards,
       light: Number.isFinite(e.world?.light) ? e.world.light : undefined,
       radio: { ...s.radio, ...Object.fromEntries(numbers(e.radio)) },
-      obstacles: new Map(obstacles.filter((o) => place(o.position)).map((o) =>
+      obstacles: new Map(objects(e.world?.obstacles).filter((o) => place(o.position)).map((o) =>
         [text(o.name), { name: text(o.name), place: place(o.position), radius: number(o.radius, 0.5) }])),
     };
   },
@@ -464,7 +467,7 @@ export class Model {
     const key = e.event === 'command' ? 'command ' + what : what;
     const t = this.#last.get(key + text(e.board))?.t ?? -1;
     if (e.event === 'command') this.#last.set(key + text(e.board), { t: s.t });
-    if (e.event === 'command' && (what === 'send' || s.t - t < 1)) return;
+    if (e.event === 'command' && (what === 'send' || what === 'act' || s.t - t < 1)) return;
     // The fault that a command made.
     if (e.event === 'fault' && s.t - (this.#last.get('command ' + what + text(e.board))?.t ?? -1) < 0.1) return;
     this.#mark(s, 'fault', e.board, what, { event: e });

@@ -59,6 +59,7 @@ export function drawPlots(t, points) {
     chart.data.datasets[0].borderColor = ink('ink');
     chart.options.scales.y.ticks.color = ink('soft');
     chart.options.scales.y.grid = { color: ink('line') };
+    chart.options.scales.y.beginAtZero = canvas.dataset.counter !== undefined;
     chart.update('none');
   }
 }

@@ -5,7 +5,7 @@ import { REFUSALS } from './words.js';
 import { plain } from './text.js';
 
 /** Pixels around all that stands on the road: above are locks and words, below names. */
-const MARGIN = { side: 60, top: 66, bottom: 44 };
+const MARGIN = { side: 60, top: 66, bottom: 56 };
 /** What a packet did stays visible for so long, in emulated seconds. */
 const AFTERGLOW = 1;
 const LOSS_GLOW = 0.9;

@@ -4,6 +4,7 @@ import { listed, plain } from './text.js';
 
 /** Why a board refuses what it hears: the counters that tell it (SPEC 4.5). */
 export const REFUSALS = {
+  __proto__: null,
   radioBadTag: { short: 'wrong tag', why: 'forged: its tag is wrong' },
   radioReplayed: { short: 'heard before', why: 'replayed: its number was used before' },
   radioStale: { short: 'too old', why: 'too old: its number is below what was accepted before' },
@@ -20,6 +21,7 @@ export const REFUSALS = {
 
 /** Not refused, but not taken either. */
 const LEFT = {
+  __proto__: null,
   radioNotForUs: 'ignored it: it is for another device or group',
   radioRepeats: 'has had it already, and takes it only once',
   radioDamaged: 'heard only damaged bytes',
@@ -55,6 +57,7 @@ function packetWords(state, p) {
 }
 
 const FAULTS = {
+  __proto__: null,
   reset: (who) => `${who} is reset: its sketch starts again, its agent finds it again.`,
   unplug: (who) => `${who} loses its cable: the agent cannot reach its board.`,
   plug: (who) => `${who} has its cable again.`,
@@ -103,7 +106,7 @@ export function fate(model, state, packet, t) {
   for (const h of heard) {
     const who = titleOf(state, h.board);
     if (h.why) {
-      sentences.push(`${who} did not hear it undamaged: ${plain(h.why, 40)}`);
+      sentences.push(`${who} did not hear it undamaged: ${plain(h.why, 40)}.`);
       continue;
     }
     const now = state.boards.get(h.board)?.counters ?? new Map();
@@ -113,18 +116,18 @@ export function fate(model, state, packet, t) {
     const refusal = Object.keys(REFUSALS).find(rose);
     const left = Object.keys(LEFT).find(rose);
     if (handed) {
-      sentences.push(`${who} took it` + (packet.sealed ? ': its tag is right' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes'));
+      sentences.push(`${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.'));
     } else if (refusal && packet.to.includes(h.board) || refusal === 'radioOwn' || refusal && packet.kind === 'no frame') {
-      sentences.push(`${who} refused it: ${REFUSALS[refusal].why} (${refusal})`);
+      sentences.push(`${who} refused it: ${REFUSALS[refusal].why} (${refusal}).`);
     } else if (left) {
-      sentences.push(`${who} ${LEFT[left]} (${left})`);
+      sentences.push(`${who} ${LEFT[left]} (${left}).`);
     } else if (refusal) {
-      sentences.push(`${who} refused it: ${REFUSALS[refusal].why} (${refusal})`);
+      sentences.push(`${who} refused it: ${REFUSALS[refusal].why} (${refusal}).`);
     } else {
-      sentences.push(`${who} heard it, and ` + (t - packet.t < 4 ? 'has not yet told what it did …' : 'no counter of it rose'));
+      sentences.push(`${who} heard it, and ` + (t - packet.t < 4 ? 'has not yet told what it did …' : 'no counter of it rose.'));
     }
   }
   const others = [...state.boards.values()].filter((b) => !heard.some((h) => h.board === b.name) && b.name !== packet.board);
-  if (others.length > 0) sentences.push(`Out of range: ${listed(others.map((b) => titleOf(state, b.name)))}`);
+  if (others.length > 0) sentences.push(`Out of range: ${listed(others.map((b) => titleOf(state, b.name)))}.`);
   return sentences;
 }
