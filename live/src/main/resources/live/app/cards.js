@@ -24,12 +24,13 @@ const NUMERIC = /^([a-z]\w*)\((-?\d+(?:\.\d+)?)\)$/;
 
 /** A belief without its annotations, and these in plain words. */
 function parted(belief) {
-  const [, term, annotations] = /^(.*?)\[((?:source|cast)\(.*)\]$/s.exec(belief) ?? [, belief, ''];
+  const [, term, annotations] = /^(.*)\[([^\]]*)\]$/s.exec(belief) ?? [, belief, ''];
   const [, how, who] = /cast\((\w+),\s*"?([^")]*)"?\)/.exec(annotations) ?? [];
   const [, source] = /source\("?([^")]*)"?\)/.exec(annotations) ?? [];
   const ways = { __proto__: null, broadcast: 'shouted by ' + who + ', perhaps forged', multicast: 'to the group, by ' + who, unicast: 'from ' + who + ', sealed' };
   const from = how ? ways[how] ?? how + ' ' + who : source === 'percept' ? 'sensed' : source === 'self' ? 'own' : source ? 'from ' + source : '';
-  return { term, from, functor: term.split('(')[0], sensed: source === 'percept' };
+  const hidden = annotations.includes('hide_in_mind_inspector');
+  return { term, from, functor: term.split('(')[0], hidden, sensed: source === 'percept' };
 }
 
 /** The openness of the agent, as it believes it. */
@@ -44,7 +45,7 @@ function openness(board) {
 /** What is shown of the beliefs: of a percept that changes, only what it is now. */
 function shownBeliefs(board, t) {
   const all = [...board.beliefs].map(([belief, state]) => ({ belief, ...parted(belief), ...state }))
-    .filter((b) => b.functor !== 'openness' && !(b.gone && t - b.t > NEW_FOR));
+    .filter((b) => !b.hidden && b.functor !== 'openness' && !(b.gone && t - b.t > NEW_FOR));
   const held = new Set(all.filter((b) => b.sensed && !b.gone).map((b) => b.functor));
   const newest = new Map(all.filter((b) => b.sensed && b.gone).map((b) => [b.functor, b]));
   return all.filter((b) => !(b.sensed && b.gone) || (!held.has(b.functor) && newest.get(b.functor) === b));
@@ -64,7 +65,7 @@ function mind(board, t) {
     <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(b, t))}
       ${more > 0 ? html`<li><small>and ${more} more</small></li>` : nothing}</ul>`}
     ${board.intentions.length === 0 ? nothing : html`<h3>intends</h3>
-    <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li><code>${plain(i, 120)}</code></li>`)}</ul>`}`;
+    <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li><code>${plain(i.replaceAll('[source(self)]', ''), 120)}</code></li>`)}</ul>`}`;
 }
 
 export function percepts(board) {

@@ -24,4 +24,8 @@ export const hueClass = (board) => (board ? 'hue-' + (board.index % HUES) : 'hue
 /** The dashes of its outline. */
 export const dash = (board) => DASHES[board ? Math.floor(board.index / HUES) % DASHES.length : 1];
 
-export const letter = (board) => (board ? Array.from(board.title)[0]?.toUpperCase() ?? '?' : '?');
+/** Its first letter; of `V12` and the like the number too. */
+export function letter(board) {
+  const [, number = ''] = /(\d{1,2})$/.exec(board.title) ?? [];
+  return (Array.from(board.title)[0]?.toUpperCase() ?? '?') + number;
+}

@@ -26,7 +26,7 @@ function chartOn(canvas) {
         plugins: { legend: { display: false }, tooltip: { enabled: false } },
         scales: {
           x: { type: 'linear', display: false, min: -SPAN, max: 0 },
-          y: { ...axis, grace: '10%' },
+          y: axis,
         },
       },
     });

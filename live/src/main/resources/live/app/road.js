@@ -16,6 +16,8 @@ const STEP = 0.05;
 const REACH = 24;
 const VEHICLE = { length: 40, width: 20 };
 const STATION = 26;
+/** More boards than this are drawn smaller, with a name only on the board. */
+const CROWD = 10;
 
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
@@ -269,6 +271,7 @@ export class Road {
     const off = board.offUntil !== undefined && t < board.offUntil;
     g.save();
     g.translate(x, y);
+    if (this.#shown.boards.size > CROWD) g.scale(0.7, 0.7);
     g.globalAlpha = off ? 0.4 : 1;
     g.fillStyle = hue(board);
     g.strokeStyle = ink('ink');
@@ -297,10 +300,10 @@ export class Road {
       g.rotate((board.heading * Math.PI) / 180);
     }
     g.restore();
-    this.#words(letter(board), x - (board.heading === undefined ? 0 : 2), y + 1, { bold: true, size: 13, colour: ink('paper') });
+    this.#words(letter(board), x - (board.heading === undefined ? 0 : 2), y + 1, { bold: true, size: this.#shown.boards.size > CROWD ? 10 : 13, colour: ink('paper') });
     if (this.#isChosen('board', board.name)) this.#halo(x, y, 27);
     const states = [off && 'no power', board.port === 'unplugged' && !off && 'unplugged'].filter(Boolean);
-    this.#words(plain(board.title, 16), x, y + 25, { bold: true, colour: hue(board), boxed: true });
+    if (this.#shown.boards.size <= CROWD) this.#words(plain(board.title, 16), x, y + 25, { bold: true, colour: hue(board), boxed: true });
     if (states.length) this.#words(states.join(', '), x, y + 42, { size: 11, bold: true, colour: ink('bad'), boxed: true });
     const lamps = [...board.pins.values()].filter((pin) => pin.level);
     lamps.slice(0, 4).forEach((pin, i) => {

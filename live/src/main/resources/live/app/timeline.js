@@ -43,8 +43,9 @@ export class Timeline {
     if (key === this.#drawn) return;
     this.#drawn = key;
     const height = HEAD + this.#count * ROW + 8;
-    const column = (width - TIME - 10) / Math.max(1, boards.length);
-    const x = (name) => TIME + column * ((state.boards.get(name)?.index ?? boards.length - 0.5) + 0.35);
+    // A stranger has half a column of its own.
+    const column = (width - TIME - 10) / Math.max(1, boards.length + (state.stranger ? 0.5 : 0));
+    const x = (name) => TIME + column * ((state.boards.get(name)?.index ?? boards.length - 0.1) + 0.35);
     if (this.#sticky) {
       if (this.#space) this.#space.style.height = height + 'px';
       this.#box.scrollTop = height;
@@ -79,7 +80,7 @@ export class Timeline {
     switch (mark.kind) {
       case 'said': return this.#boxed('“' + plain(mark.text, 70) + '”', x(mark.board), y, width);
       case 'pin': case 'acted': case 'heard': return this.#boxed(plain(mark.text, 60), x(mark.board), y, width);
-      case 'packet': case 'ack': return this.#arrows(mark, y, x, state, boards);
+      case 'packet': case 'ack': return this.#arrows(mark, y, x, width, state, boards);
       case 'behaviour': return svg`<text class="done" x=${TIME} y=${y + 4}>✓ ${CIRCLED(mark.number)} ${plain(mark.text, 90)}</text>`;
       case 'verdict': return svg`<text class=${mark.accepted ? 'done' : 'bad'} x=${TIME} y=${y + 4}>${plain(mark.text, 100)}</text>`;
       default: return svg`<line class="cut" x1=${TIME} x2=${width} y1=${y} y2=${y}></line>${this.#boxed(sentence(state, mark) ?? plain(mark.text), mark.board && state.boards.has(mark.board) ? x(mark.board) : TIME + 20, y, width)}`;
@@ -97,7 +98,7 @@ export class Timeline {
   }
 
   /** A packet: an arrow to each board that it is for; plain ones are dashed. */
-  #arrows(mark, y, x, state, boards) {
+  #arrows(mark, y, x, width, state, boards) {
     const p = mark.packet;
     const from = p.board;
     const to = p.to.length > 0 ? p.to : boards.filter((b) => b.name !== from && isFor(p.destination, b.address)).map((b) => b.name);
@@ -106,8 +107,10 @@ export class Timeline {
     const x0 = x(from);
     const right = ends.map(x).filter((end) => end > x0);
     const near = right.length ? Math.min(...right) : ends.length ? Math.max(...ends.map(x)) : x0 + 60;
-    const label = mark.kind === 'ack' ? 'got it'
+    const words = mark.kind === 'ack' ? 'got it'
       : plain(p.destination, 4) + (p.sealed ? ' sealed' : ' ' + plain(p.content ?? p.kind, 30));
+    const label = (from === 'stranger' ? 'stranger: ' : '') + words;
+    const middle = Math.min((x0 + near) / 2, width - (label.length * LETTER) / 2);
     return svg`${ends.map((name) => {
       const end = x(name);
       const way = end > x0 ? -1 : 1;
@@ -115,7 +118,7 @@ export class Timeline {
         <path class="tip" d="M${end},${y + 4} l${way * 9},-4 v8 z"></path>
         ${lost(name) ? svg`<text class="lost" x=${end + way * 14} y=${y + 9}>✗</text>` : nothing}`;
     })}<circle class="tip" cx=${x0} cy=${y + 4} r="3"></circle>
-      <text class="label" x=${(x0 + near) / 2} y=${y - 1}>${from === 'stranger' ? 'stranger: ' : ''}${label}</text>`;
+      <text class="label" x=${middle} y=${y - 1}>${label}</text>`;
   }
 }
 

@@ -12,7 +12,6 @@ export const REFUSALS = {
   radioOwn: { short: 'my own name', why: 'a fake: it claims to come from this very board' },
   radioBadFrames: { short: 'no frame', why: 'not understood: its bytes are no frame' },
   radioReserved: { short: 'reserved address', why: 'not understood: its address is reserved' },
-  radioBadProofs: { short: 'wrong proof', why: 'forged: its proof is wrong' },
   radioPiecesDropped: { short: 'impossible piece', why: 'a piece of an impossible shape' },
   radioReplayFull: { short: 'too many senders', why: 'it cannot remember the number of one more sender' },
   radioQueueFull: { short: 'queue full', why: 'good, but no place was left: nobody took the messages before' },
@@ -25,6 +24,7 @@ const LEFT = {
   radioNotForUs: 'ignored it: it is for another device or group',
   radioRepeats: 'has had it already, and takes it only once',
   radioDamaged: 'heard only damaged bytes',
+  radioBadProofs: 'left it: as an answer to its own message it proves nothing',
   radioMissed: 'missed it: it was busy',
 };
 
