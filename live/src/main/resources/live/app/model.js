@@ -241,6 +241,8 @@ export class Model {
 
   /** Takes an event; false, and counted, if it is none. */
   add(event) {
+    // Only the server knows what it left out, and not when that was.
+    if (event?.event === 'skipped') event = { t: this.end, ...event };
     if (event === null || typeof event !== 'object' || !Number.isFinite(event.t) || typeof event.event !== 'string') {
       this.refused++;
       return false;
