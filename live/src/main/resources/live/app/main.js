@@ -94,7 +94,7 @@ const app = {
     if (at && app.controls.includes('jam')) app.send({ do: 'jam', duration: JAM, position: at });
   },
 
-  standing: (state) => ui.stood ?? state.stranger ?? middle(state),
+  standing: (state) => ui.stood ?? state.stranger ?? corner(state),
   typingStand: () => (app.typedStand = { x: $('stranger-x').value, y: $('stranger-y').value }),
   stand(event) {
     event.preventDefault();
@@ -160,10 +160,10 @@ const moved = ({ kind, name }, to) => (kind === 'obstacle'
   ? { do: 'obstacle', name, position: to }
   : { do: 'move', board: name, position: to });
 
-function middle(state) {
+/** Where a stranger stands at first: at a corner, in nobody's way. */
+function corner(state) {
   const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
-  const mean = (i) => Math.round(places.reduce((sum, p) => sum + p[i], 0) / Math.max(1, places.length));
-  return [mean(0), mean(1)];
+  return places.length === 0 ? [0, 0] : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];
 }
 
 async function openFile(file) {
@@ -183,7 +183,7 @@ async function openFile(file) {
 const TABS = { timeline: 'Time line', air: 'Sniffer: what anyone hears', stranger: 'Be a stranger' };
 
 const LEGEND = html`<ul aria-label="Legend">
-  <li><svg width="30" height="16"><circle class="mark-ring" cx="15" cy="8" r="6"></circle></svg>closed lock: only who has the key can read it</li>
+  <li><svg width="30" height="16"><circle class="mark-ring" cx="15" cy="8" r="6"></circle></svg>closed lock: only the key opens it</li>
   <li><svg width="30" height="16"><circle class="mark-ring dashed" cx="15" cy="8" r="6"></circle></svg>open lock: all can read it</li>
   <li><svg width="30" height="16"><circle class="mark-ring thin" cx="15" cy="8" r="6"></circle></svg>thin ring: “got it”</li>
   <li><b class="bad">✗</b> lost or refused</li>

@@ -8,6 +8,8 @@ import { plain } from './text.js';
 const MARGIN = { side: 60, top: 66, bottom: 56 };
 /** What a packet did stays visible for so long, in emulated seconds. */
 const AFTERGLOW = 1;
+/** A ring that has ended fades. */
+const FADE = 0.25;
 const LOSS_GLOW = 0.9;
 const REFUSAL_GLOW = 3;
 /** Between two `place` events a vehicle glides. */
@@ -18,6 +20,8 @@ const VEHICLE = { length: 40, width: 20 };
 const STATION = 26;
 /** More boards than this are drawn smaller, with a name only on the board. */
 const CROWD = 10;
+
+const fading = (packet, t) => (t > packet.end ? 1 - (t - packet.end) / FADE : 1);
 
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
@@ -96,6 +100,7 @@ export class Road {
     for (const packet of packets) this.#ring(packet, state, t);
     if (this.#ui.standing) this.#stranger();
     for (const board of state.boards.values()) if (board.place) this.#board(board, t);
+    for (const packet of packets) this.#label(packet, state, t);
     for (const packet of packets) this.#arrivals(packet, state, t);
     for (const loss of model.lossesSince(t, LOSS_GLOW)) this.#loss(loss, state, t);
     for (const board of state.boards.values()) this.#refusal(board, t);
@@ -334,7 +339,7 @@ export class Road {
   }
 
   #ring(packet, state, t) {
-    if (!packet.place || t > packet.end + 0.25) return;
+    if (!packet.place || t > packet.end + FADE) return;
     const g = this.#g;
     const board = state.boards.get(packet.board);
     const [x, y] = this.#at(packet.place);
@@ -342,7 +347,7 @@ export class Road {
     const radius = Math.max(14, part * state.radio.range * this.#view.scale);
     const thin = packet.kind === 'acknowledgement';
     g.save();
-    g.globalAlpha = t > packet.end ? 1 - (t - packet.end) / 0.25 : 1;
+    g.globalAlpha = fading(packet, t);
     g.strokeStyle = g.fillStyle = hue(board);
     g.lineWidth = thin ? 1.5 : 5;
     g.setLineDash(packet.sealed || thin ? [] : [14, 8]);
@@ -354,10 +359,21 @@ export class Road {
       g.fill();
       g.globalAlpha /= 0.07;
     }
-    g.setLineDash([]);
+    g.restore();
+  }
+
+  /** Over a sender: for whom the packet is, and its lock. */
+  #label(packet, state, t) {
+    if (!packet.place || t > packet.end + FADE) return;
+    const g = this.#g;
+    const [x, y] = this.#at(packet.place);
+    const board = state.boards.get(packet.board);
+    const thin = packet.kind === 'acknowledgement';
+    g.save();
+    g.globalAlpha = fading(packet, t);
     if (!thin) this.#lock(x, y - 37, packet.sealed, hue(board));
     const label = thin ? 'got it' : packet.destination === '////' ? 'to all: ' + plain(packet.content ?? '', 24)
-      : 'to ' + (state.boards.get(packet.to[0])?.title ?? plain(packet.destination, 4)) +
+      : 'to ' + plain(state.boards.get(packet.to[0])?.title ?? packet.destination, 16) +
         (packet.destination.startsWith('//') ? ' and group' : '');
     this.#words(label, x, y - (thin ? 32 : 55), { size: thin ? 11 : 12, bold: !thin, colour: hue(board), boxed: true });
     g.restore();

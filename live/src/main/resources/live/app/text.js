@@ -12,7 +12,7 @@ export function plain(text, most = 200) {
   const cut = Array.from(String(text).slice(0, 2 * most));
   const shown = cut.length > most || String(text).length > 2 * most ? cut.slice(0, most).join('') + '…' : cut.join('');
   return shown
-    .replace(CONTROLS, (c) => (c < ' ' ? String.fromCharCode(0x2400 + c.charCodeAt(0)) : codePoint(c)))
+    .replace(CONTROLS, (c) => (c === '\n' ? '↵' : codePoint(c)))
     .replace(INVISIBLE, codePoint);
 }
 
