@@ -5,7 +5,7 @@ import { live } from '/lib/lit-html/directives/live.js';
 import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass } from './colours.js';
 import { broadcast, fieldsOf, hexOf } from './packet.js';
-import { plain, seconds } from './text.js';
+import { plain, rounded, seconds } from './text.js';
 import { fate, titleOf } from './words.js';
 
 const ROWS = 100;
@@ -47,8 +47,8 @@ export function stranger(app, model, state, t) {
   const at = app.standing(state);
   return html`<div class="stranger">
     <div><p class="hint">You are a stranger with a radio and without any key. You stand at the “?” on the road: drag it, or type a place.</p>
-    <form class="place" @submit=${app.stand}><label>x <input id="stranger-x" type="number" step="any" .value=${live(app.typedStand?.x ?? String(at[0]))} @input=${app.typingStand} required></label>
-      <label>y <input id="stranger-y" type="number" step="any" .value=${live(app.typedStand?.y ?? String(at[1]))} @input=${app.typingStand} required></label>
+    <form class="place" @submit=${app.stand} @input=${app.typingStand} @change=${app.typingStand}><label>x <input id="stranger-x" type="number" step="any" .value=${live(app.typedStand?.x ?? rounded(at[0]))} required></label>
+      <label>y <input id="stranger-y" type="number" step="any" .value=${live(app.typedStand?.y ?? rounded(at[1]))} required></label>
       <button>stand there</button></form>
     <form id="shout" @submit=${(e) => {
       e.preventDefault();

@@ -2,7 +2,7 @@
 
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { live } from '/lib/lit-html/directives/live.js';
-import { plain } from './text.js';
+import { plain, rounded } from './text.js';
 
 export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
@@ -60,9 +60,9 @@ export function interfere(app, state) {
         ${can('power-cut') ? button('power-cut', 'cut power', on({ do: 'power-cut', duration: 1 }), 'No power for one second') : nothing}
         ${can('jam') ? button('jam-chosen', 'jam here', app.jamChosen, 'Jam the radio where it stands, for two seconds') : nothing}` : nothing}
       ${chosen?.kind === 'obstacle' ? button('remove', 'take away', app.removeChosen) : nothing}
-      ${at ? html`<form class="place" @submit=${app.moveChosen}>
-        <label>x <input id="x" type="number" step="any" .value=${live(app.typed?.x ?? String(at[0]))} @input=${app.typing} required></label>
-        <label>y <input id="y" type="number" step="any" .value=${live(app.typed?.y ?? String(at[1]))} @input=${app.typing} required></label>
+      ${at ? html`<form class="place" @submit=${app.moveChosen} @input=${app.typing} @change=${app.typing}>
+        <label>x <input id="x" type="number" step="any" .value=${live(app.typed?.x ?? rounded(at[0]))} required></label>
+        <label>y <input id="y" type="number" step="any" .value=${live(app.typed?.y ?? rounded(at[1]))} required></label>
         <button id="move">move</button></form>` : nothing}
       </fieldset>` : nothing}
     ${can('speed') ? html`<fieldset><legend>The run itself</legend>

@@ -19,6 +19,9 @@ export function plain(text, most = 200) {
 /** `3.250 s`. */
 export const seconds = (t, digits = 3) => t.toFixed(digits) + ' s';
 
+/** To a centimetre. */
+export const rounded = (metres) => String(Math.round(metres * 100) / 100);
+
 /** `a, b and c`. */
 export function listed(words) {
   return words.length < 2 ? words.join('') : words.slice(0, -1).join(', ') + ' and ' + words[words.length - 1];
