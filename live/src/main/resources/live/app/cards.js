@@ -3,7 +3,7 @@
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass, letter } from './colours.js';
-import { NEW_FOR } from './model.js';
+import { NEW_FOR } from './state.js';
 import { plain } from './text.js';
 import { REFUSALS } from './words.js';
 

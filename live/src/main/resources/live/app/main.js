@@ -7,6 +7,7 @@ import { card } from './cards.js';
 import { Clock } from './clock.js';
 import { readColours } from './colours.js';
 import { interfere, player } from './controls.js';
+import { JAM, hands, keys, moved } from './hands.js';
 import { Model } from './model.js';
 import { drawPlots } from './plots.js';
 import { Road } from './road.js';
@@ -19,12 +20,8 @@ import { story } from './words.js';
 const TEXT_EVERY = 100;
 /** Something that is dragged gives a command so often, in ms. */
 const COMMAND_EVERY = 100;
-/** What was dropped stays where it is until the run shows it there, at most so long, in ms. */
-const HOLD = 1200;
 /** So long an error stays, in ms. */
 const ERROR_STAYS = 8000;
-const JAM = 2;
-const POWER = { Delete: 'removeChosen', j: 'jamChosen' };
 
 const $ = (id) => document.getElementById(id);
 
@@ -156,10 +153,6 @@ function flush() {
   }, COMMAND_EVERY);
 }
 
-const moved = ({ kind, name }, to) => (kind === 'obstacle'
-  ? { do: 'obstacle', name, position: to }
-  : { do: 'move', board: name, position: to });
-
 /** Where a stranger stands at first: at a corner, in nobody's way. */
 function corner(state) {
   const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
@@ -189,7 +182,7 @@ const LEGEND = html`<ul aria-label="Legend">
   <li><b class="bad">✗</b> lost or refused</li>
   <li><svg width="30" height="16"><path class="mark-hatch" d="M4 14 14 2M11 14 21 2M18 14 28 2"></path></svg>jammed</li></ul>`;
 
-function keys() {
+function helpOnKeys() {
   const can = app.controls.length > 0;
   return html`<details id="keys"><summary>Keys</summary><p>Space: pause. Left and right: 1 s back and forth. Comma, full stop: event before, next event. R: backwards. + and −: speed. End: live.
     ${can ? 'On the road: Page Up and Page Down choose, arrows move what is chosen (with Shift by 5 m), J jams there, Delete takes an obstacle away, Escape lets go.' : ''}</p></details>`;
@@ -226,7 +219,7 @@ function drawText() {
   render(ofBoard ? boardPage(app, model, state, t)
     : [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name))), $('cards'));
   if (ofBoard) return;
-  render(html`${LEGEND}${keys()}`, $('legend'));
+  render(html`${LEGEND}${helpOnKeys()}`, $('legend'));
   const tabs = Object.keys(TABS).filter((tab) => tab !== 'stranger' || app.controls.includes('send') || state.stranger);
   if (!tabs.includes(ui.tab)) ui.tab = 'timeline';
   render(tabs.map((tab) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === ui.tab} aria-controls="panel"
@@ -271,89 +264,6 @@ function frame(now) {
   }
 }
 
-/** Moves what the pointer or the keyboard holds. */
-function hold(thing, to, down) {
-  ui.held = { ...thing, place: to, down, until: performance.now() + HOLD };
-  if (thing.kind === 'stranger') ui.stood = to;
-  else app.often(moved(thing, to));
-}
-
-const movable = (thing) => thing && app.controls.includes({ board: 'move', obstacle: 'obstacle', stranger: 'send' }[thing.kind]);
-
-function hands(canvas) {
-  const spot = (e) => [e.offsetX, e.offsetY];
-  canvas.addEventListener('pointerdown', (e) => {
-    const at = spot(e);
-    if (ui.mode && movable({ kind: 'obstacle' })) {
-      const position = road.placeAt(...at);
-      if (ui.mode === 'jam') app.send({ do: 'jam', duration: JAM, position });
-      else app.send({ do: 'obstacle', name: freshName(), position, radius: 0.5 });
-      app.mode('');
-      return;
-    }
-    const thing = road.under(...at);
-    if (thing && thing.kind !== 'stranger') app.choose(thing.kind, thing.name);
-    if (!movable(thing)) return;
-    canvas.setPointerCapture(e.pointerId);
-    ui.held = { kind: thing.kind, name: thing.name, place: thing.place, down: true };
-  });
-  canvas.addEventListener('pointermove', (e) => {
-    if (ui.held?.down) hold(ui.held, road.placeAt(...spot(e)), true);
-  });
-  for (const end of ['pointerup', 'pointercancel']) {
-    canvas.addEventListener(end, () => {
-      if (ui.held?.down) ui.held = { ...ui.held, down: false, until: performance.now() + HOLD };
-    });
-  }
-  canvas.addEventListener('keydown', (e) => {
-    const state = shown.model.stateAt(shown.clock.t);
-    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
-    if (e.key === 'PageDown' || e.key === 'PageUp') {
-      const things = [...[...state.boards.keys()].map((name) => ['board', name]), ...[...state.obstacles.keys()].map((name) => ['obstacle', name])];
-      const now = things.findIndex(([kind, name]) => ui.chosen?.kind === kind && ui.chosen.name === name);
-      if (things.length) app.choose(...things[(now + (e.key === 'PageDown' ? 1 : things.length - 1) + (now < 0 && e.key === 'PageUp' ? 1 : 0)) % things.length]);
-    } else if (step && movable(ui.chosen)) {
-      const at = ui.held?.name === ui.chosen.name ? ui.held.place : app.placeOfChosen(state);
-      const far = e.shiftKey ? 5 : 1;
-      if (at) hold(ui.chosen, [at[0] + step[0] * far, at[1] + step[1] * far], false);
-    } else if (e.key === 'Escape') {
-      app.choose();
-      ui.mode = '';
-    } else if (POWER[e.key]) {
-      app[POWER[e.key]]();
-    } else {
-      return;
-    }
-    e.preventDefault();
-    e.stopPropagation();
-  });
-}
-
-function freshName() {
-  const { obstacles } = shown.model.head;
-  for (let n = 1; ; n++) if (!obstacles.has('rock' + n)) return 'rock' + n;
-}
-
-document.addEventListener('keydown', (e) => {
-  if (e.ctrlKey || e.metaKey || e.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName)) return;
-  const { clock, model } = shown;
-  const faster = { '+': 1, '-': -1 }[e.key];
-  if (e.key === ' ' && e.target.tagName !== 'BUTTON' && e.target.tagName !== 'SUMMARY') app.toggle();
-  else if (e.key === 'ArrowLeft' || e.key === 'ArrowRight') app.goTo(clock.t + (e.key === 'ArrowLeft' ? -1 : 1));
-  else if (e.key === ',' || e.key === '.') app.step(e.key === ',' ? -1 : 1);
-  else if (e.key === 'r') app.reverse();
-  else if (e.key === 'End') clock.live ? clock.follow() : app.goTo(model.end);
-  else if (e.key === 'Home') app.goTo(0);
-  else if (faster) app.rate(nextRate(Math.abs(clock.rate), faster));
-  else return;
-  e.preventDefault();
-});
-
-function nextRate(now, direction) {
-  const rates = [...$('rate').options].map((option) => Number(option.value));
-  return rates[Math.max(0, Math.min(rates.length - 1, rates.indexOf(now) + direction))];
-}
-
 document.addEventListener('dragover', (e) => e.preventDefault());
 document.addEventListener('drop', (e) => {
   e.preventDefault();
@@ -366,7 +276,8 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
 
 readColours();
 road = new Road($('road'), ui);
-hands($('road'));
+hands($('road'), road, app, () => shown);
+keys(app, () => shown);
 requestAnimationFrame(frame);
 try {
   run.about = await source.about();
