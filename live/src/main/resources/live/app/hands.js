@@ -4,20 +4,17 @@ import { RATES } from './controls.js';
 
 /** What was dropped stays where it is until the run shows it there, at most so long, in ms. */
 const HOLD = 1200;
+/** Of a new obstacle, in metres. */
+export const RADIUS = 0.5;
 /** A jam lasts so long, in seconds. */
 export const JAM = 2;
 const WITH_CHOSEN = { Delete: 'removeChosen', j: 'jamChosen' };
-
-/** The command that puts something elsewhere. */
-export const moved = ({ kind, name }, to) => (kind === 'obstacle'
-  ? { do: 'obstacle', name, position: to }
-  : { do: 'move', board: name, position: to });
 
 /** Moves what the pointer or the keyboard holds. */
 function hold(app, thing, to, down) {
   app.ui.held = { ...thing, place: to, down, until: performance.now() + HOLD };
   if (thing.kind === 'stranger') app.ui.stood = to;
-  else app.often(moved(thing, to));
+  else app.often(app.moved(thing, to));
 }
 
 const movable = (app, thing) => thing && app.controls.includes({ board: 'move', obstacle: 'obstacle', stranger: 'send' }[thing.kind]);
@@ -30,7 +27,7 @@ export function hands(canvas, road, app, shown) {
     if (app.ui.mode) {
       const position = road.placeAt(...at);
       if (app.ui.mode === 'jam') app.send({ do: 'jam', duration: JAM, position });
-      else app.send({ do: 'obstacle', name: freshName(shown().model.head), position, radius: 0.5 });
+      else app.send({ do: 'obstacle', name: freshName(shown().model.head), position, radius: RADIUS });
       app.mode('');
       return;
     }

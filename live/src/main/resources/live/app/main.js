@@ -7,7 +7,7 @@ import { card } from './cards.js';
 import { Clock } from './clock.js';
 import { readColours } from './colours.js';
 import { interfere, player } from './controls.js';
-import { JAM, hands, keys, moved } from './hands.js';
+import { JAM, RADIUS, hands, keys } from './hands.js';
 import { Model } from './model.js';
 import { drawPlots } from './plots.js';
 import { Road } from './road.js';
@@ -75,12 +75,17 @@ const app = {
     if (!app.controls.includes(kind === 'obstacle' ? 'obstacle' : 'move')) return undefined;
     return kind === 'board' ? state.boards.get(name)?.place : kind === 'obstacle' ? state.obstacles.get(name)?.place : undefined;
   },
+  /** The command that puts something elsewhere. */
+  moved({ kind, name }, position) {
+    if (kind !== 'obstacle') return { do: 'move', board: name, position };
+    return { do: 'obstacle', name, position, radius: shown.model.head.obstacles.get(name)?.radius ?? RADIUS };
+  },
   typing: () => (app.typed = { x: $('x').value, y: $('y').value }),
   moveChosen(event) {
     event.preventDefault();
     const to = [Number($('x').value), Number($('y').value)];
     app.typed = undefined;
-    app.send(moved(ui.chosen, to));
+    app.send(app.moved(ui.chosen, to));
   },
   removeChosen() {
     if (ui.chosen?.kind === 'obstacle') app.send({ do: 'obstacle', name: ui.chosen.name, remove: true });
