@@ -33,7 +33,7 @@ class ServerTest extends ServerFixture {
         String answer = ask("GET /");
 
         assertStatus(200, answer);
-        assertTrue(body(answer).startsWith("<!DOCTYPE html>"), answer);
+        assertTrue(body(answer).startsWith("<!doctype html>"), answer);
         assertTrue(answer.contains("Content-Security-Policy: default-src 'self';"), answer);
         assertTrue(answer.contains("X-Content-Type-Options: nosniff"), answer);
         assertTrue(answer.contains("Cache-Control: no-store"), answer);

@@ -1,0 +1,49 @@
+// The page of one board without any agent: what it perceives, what it can do, what it hears, what it counts.
+
+import { html, nothing } from '/lib/lit-html/lit-html.js';
+import { percepts, stateOf } from './cards.js';
+import { plain, seconds } from './text.js';
+import { REFUSALS } from './words.js';
+
+const MESSAGES = 50;
+/** A rate is taken over so many seconds. */
+const OVER = 5;
+
+/** How fast a counter rises, a second. */
+export function rate(board, name, t) {
+  const risen = board.counted.filter((c) => c.t <= t && t - c.t < OVER).reduce((sum, c) => sum + (c.rises.get(name) ?? 0), 0);
+  return risen / OVER;
+}
+
+const AIR = [['radioReceived', 'heard well'], ['radioDamaged', 'heard damaged'], ['radioSent', 'sent'], ['radioNotForUs', 'for others']];
+
+export function boardPage(app, model, state, t) {
+  const board = [...state.boards.values()][0];
+  if (!board) return html`<p class="hint">Waiting for the board …</p>`;
+  const messages = [];
+  for (let i = model.marksUpTo(t) - 1; i >= 0 && messages.length < MESSAGES; i--) {
+    if (model.marks[i].kind === 'heard') messages.push(model.marks[i]);
+  }
+  return html`<section class="agent hue-0" data-board=${board.name}>
+    <h2>${plain(board.name, 30)} <code>${plain(board.address, 8)}</code> <small>${plain(board.firmware, 40)}</small>
+      <span class="state">${board.online === false ? 'not there' : stateOf(board, t).replace('agent connected', 'online')}</span></h2>
+    <h3>perceives</h3>${board.percepts.length ? percepts(board) : html`<p class="hint">no percepts</p>`}
+    ${app.controls.includes('act') ? html`<h3>can do</h3>
+      <ul class="actions">${board.actions.map((name) => html`<li><form @submit=${(e) => {
+        e.preventDefault();
+        const given = new FormData(e.target).get('arguments').trim();
+        app.send({ do: 'act', action: given ? `${name}(${given})` : name });
+      }}><button data-action=${name}>${plain(name, 40)}</button> <input name="arguments" aria-label="arguments of ${name}" placeholder="arguments, such as 3, &quot;text&quot;" size="24"></form></li>`)}
+      ${board.actions.length === 0 ? html`<li class="hint">this sketch has no actions</li>` : nothing}</ul>
+      <p id="acted" aria-live="polite">${board.acted ? `${seconds(board.acted.t, 1)}: ${plain(board.acted.action, 60)} ${board.acted.error ? '✗ ' + plain(board.acted.error) : '✓ done'}` : nothing}</p>` : nothing}
+  </section>
+  <section class="agent hue-0"><h3>messages</h3>
+    <ul class="messages">${messages.map((m) => html`<li><small>${seconds(m.t, 1)}</small> <code>${plain(m.event.from, 8)} → ${plain(m.event.to, 8)}</code> ${plain(m.event.force, 12)} <b>${plain(m.event.text, 160)}</b></li>`)}
+      ${messages.length === 0 ? html`<li class="hint">none yet</li>` : nothing}</ul>
+    <h3>the air</h3>
+    <div class="plots">${AIR.map(([name, words]) => html`<figure><figcaption>${words} <b>${rate(board, name, t).toFixed(1)}</b> a second</figcaption>
+      <div class="plotted"><canvas class="plot" data-board=${board.name} data-counter=${name}></canvas></div></figure>`)}</div>
+    <h3>counters</h3>
+    <table class="counters"><tbody>${[...board.counters].map(([name, value]) => html`<tr class=${REFUSALS[name] ? 'bad' : ''} data-counter=${name} title=${REFUSALS[name]?.why ?? ''}><td>${plain(name, 40)}</td><td>${value}</td><td>${rate(board, name, t).toFixed(1)} a second</td></tr>`)}</tbody></table>
+  </section>`;
+}

@@ -1,0 +1,106 @@
+// A card for each agent and its board.
+
+import { html, nothing } from '/lib/lit-html/lit-html.js';
+import { repeat } from '/lib/lit-html/directives/repeat.js';
+import { hueClass, letter } from './colours.js';
+import { NEW_FOR } from './state.js';
+import { plain } from './text.js';
+import { REFUSALS } from './words.js';
+
+const LINES = 3;
+const BELIEFS = 14;
+
+const OPENNESS = {
+  __proto__: null,
+  open: 'talks with other devices; agents can come and go',
+  closed: 'talks with other devices by radio',
+  limitedOpen: 'agents can come and go, but it cannot talk',
+  totallyClosed: 'is cut off: it can talk with nobody',
+};
+
+const PORTS = { __proto__: null, open: 'agent connected', closed: 'no agent connected', unplugged: 'unplugged', plugged: 'plugged in' };
+
+const NUMERIC = /^([a-z]\w*)\((-?\d+(?:\.\d+)?)\)$/;
+
+/** A belief without its annotations, and these in plain words. */
+function parted(belief) {
+  const [, term, annotations] = /^(.*)\[([^\]]*)\]$/s.exec(belief) ?? [, belief, ''];
+  const [, how, who] = /cast\((\w+),\s*"?([^")]*)"?\)/.exec(annotations) ?? [];
+  const [, source] = /source\("?([^")]*)"?\)/.exec(annotations) ?? [];
+  const ways = { __proto__: null, broadcast: 'shouted by ' + who + ', perhaps forged', multicast: 'to the group, by ' + who, unicast: 'from ' + who + ', sealed' };
+  const from = how ? ways[how] ?? how + ' ' + who : source === 'percept' ? 'sensed' : source === 'self' ? 'own' : source ? 'from ' + source : '';
+  const hidden = annotations.includes('hide_in_mind_inspector');
+  return { term, from, functor: term.split('(')[0], hidden, sensed: source === 'percept' };
+}
+
+/** The openness of the agent, as it believes it. */
+function openness(board) {
+  for (const [belief, { gone }] of board.beliefs) {
+    const [, state] = /^openness\((\w+)\)/.exec(belief) ?? [];
+    if (state && !gone) return state;
+  }
+  return undefined;
+}
+
+/** What is shown of the beliefs: of a percept that changes, only what it is now. */
+function shownBeliefs(board, t) {
+  const all = [...board.beliefs].map(([belief, state]) => ({ belief, ...parted(belief), ...state }))
+    .filter((b) => !b.hidden && b.functor !== 'openness' && !(b.gone && t - b.t > NEW_FOR));
+  const held = new Set(all.filter((b) => b.sensed && !b.gone).map((b) => b.functor));
+  const newest = new Map(all.filter((b) => b.sensed && b.gone).map((b) => [b.functor, b]));
+  return all.filter((b) => !(b.sensed && b.gone) || (!held.has(b.functor) && newest.get(b.functor) === b));
+}
+
+const belief = (b, t) => html`<li class="belief ${b.gone ? 'gone' : t - b.t < NEW_FOR && !b.sensed ? 'new' : ''}">
+  <span class="sign">${b.gone ? '−' : t - b.t < NEW_FOR && !b.sensed ? '+' : ''}</span><code>${plain(b.term, 80)}</code>
+  <small>${plain(b.from, 40)}</small></li>`;
+
+function mind(board, t) {
+  const beliefs = shownBeliefs(board, t);
+  const more = beliefs.length - BELIEFS;
+  return html`
+    ${board.said.length === 0 ? nothing : html`<h3>says</h3>
+    <ul class="said">${board.said.slice(-LINES).map((line) => html`<li class=${t - line.t < NEW_FOR ? 'new' : ''}>“${plain(line.text)}”</li>`)}</ul>`}
+    ${beliefs.length === 0 ? nothing : html`<h3>believes</h3>
+    <ul class="beliefs">${repeat(beliefs.slice(0, BELIEFS), (b) => b.belief, (b) => belief(b, t))}
+      ${more > 0 ? html`<li><small>and ${more} more</small></li>` : nothing}</ul>`}
+    ${board.intentions.length === 0 ? nothing : html`<h3>intends</h3>
+    <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li><code>${plain(i.replaceAll('[source(self)]', ''), 120)}</code></li>`)}</ul>`}`;
+}
+
+export function percepts(board) {
+  const numbers = board.percepts.map((p) => NUMERIC.exec(p)).filter(Boolean).slice(0, 4);
+  const others = board.percepts.filter((p) => !NUMERIC.test(p));
+  return html`
+    <div class="plots">${repeat(numbers, ([, name]) => name, ([, name, value]) => html`<figure>
+      <figcaption><code>${plain(name, 24)}</code> <b>${value}</b></figcaption>
+      <div class="plotted"><canvas class="plot" data-board=${board.name} data-percept=${name}></canvas></div></figure>`)}</div>
+    ${others.length === 0 ? nothing : html`<ul class="chips">${others.map((p) => html`<li><code>${plain(p, 60)}</code></li>`)}</ul>`}`;
+}
+
+const lamps = (board) => (board.pins.size === 0 ? nothing : html`<ul class="lamps">${[...board.pins].map(([pin, p]) => html`
+  <li class="lamp" data-pin=${pin} data-on=${p.level ? 1 : 0}>${plain(p.name || 'pin ' + pin, 20)} <small>${p.level ? 'on' : 'off'}</small></li>`)}</ul>`);
+
+const refused = (board) => {
+  const some = [...board.counters].filter(([name, n]) => REFUSALS[name] && n > 0);
+  return some.length === 0 ? nothing : html`<p class="refused">refused so far: ${some.map(([name, n], i) =>
+    html`${i ? ', ' : ''}<span title=${name}>${n} × ${REFUSALS[name].short}</span>`)}</p>`;
+};
+
+export function stateOf(board, t) {
+  if (board.offUntil !== undefined && t < board.offUntil) return 'no power';
+  return PORTS[board.port] ?? plain(board.port, 20);
+}
+
+export function card(board, t, chosen, choose) {
+  const state = openness(board);
+  return html`<section class="agent ${hueClass(board)} ${chosen ? 'chosen' : ''}" data-board=${board.name} data-port=${board.port}
+      data-openness=${state ?? ''} @click=${() => choose(board.name)}>
+    <h2><span class="letter">${letter(board)}</span> ${plain(board.title, 30)} <code>${plain(board.address, 8)}</code>
+      <span class="state">${stateOf(board, t)}</span></h2>
+    ${state ? html`<p class="openness" title="openness(${state})">${plain(board.title, 30)} ${OPENNESS[state] ?? state}.</p>` : nothing}
+    ${mind(board, t)}
+    ${board.percepts.length || board.pins.size ? html`<h3>its board</h3>${percepts(board)}${lamps(board)}` : nothing}
+    ${refused(board)}
+  </section>`;
+}

@@ -1,0 +1,96 @@
+// What pointer and keys do, on the road and to the time.
+
+import { RATES } from './controls.js';
+
+/** What was dropped stays where it is until the run shows it there, at most so long, in ms. */
+const HOLD = 1200;
+/** Of a new obstacle, in metres. */
+export const RADIUS = 0.5;
+/** A jam lasts so long, in seconds. */
+export const JAM = 2;
+const WITH_CHOSEN = { Delete: 'removeChosen', j: 'jamChosen' };
+
+/** Moves what the pointer or the keyboard holds. */
+function hold(app, thing, to, down) {
+  app.ui.held = { ...thing, place: to, down, until: performance.now() + HOLD };
+  if (thing.kind === 'stranger') app.ui.stood = to;
+  else app.often(app.moved(thing, to));
+}
+
+const movable = (app, thing) => thing && app.controls.includes({ board: 'move', obstacle: 'obstacle', stranger: 'send' }[thing.kind]);
+
+/** The road can be dragged on, and used by keys alone. `shown` gives what the page shows now. */
+export function hands(canvas, road, app, shown) {
+  const spot = (e) => [e.offsetX, e.offsetY];
+  canvas.addEventListener('pointerdown', (e) => {
+    const at = spot(e);
+    if (app.ui.mode) {
+      const position = road.placeAt(...at);
+      if (app.ui.mode === 'jam') app.send({ do: 'jam', duration: JAM, position });
+      else app.send({ do: 'obstacle', name: freshName(shown().model.head), position, radius: RADIUS });
+      app.mode('');
+      return;
+    }
+    const thing = road.under(...at);
+    if (thing && thing.kind !== 'stranger') app.choose(thing.kind, thing.name);
+    if (!movable(app, thing)) return;
+    canvas.setPointerCapture(e.pointerId);
+    app.ui.held = { kind: thing.kind, name: thing.name, place: thing.place, down: true };
+  });
+  canvas.addEventListener('pointermove', (e) => {
+    if (app.ui.held?.down) hold(app, app.ui.held, road.placeAt(...spot(e)), true);
+  });
+  for (const end of ['pointerup', 'pointercancel']) {
+    canvas.addEventListener(end, () => {
+      if (app.ui.held?.down) app.ui.held = { ...app.ui.held, down: false, until: performance.now() + HOLD };
+    });
+  }
+  canvas.addEventListener('keydown', (e) => {
+    const state = shown().model.stateAt(shown().clock.t);
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
+    if (e.key === 'PageDown' || e.key === 'PageUp') {
+      const things = [...[...state.boards.keys()].map((name) => ['board', name]), ...[...state.obstacles.keys()].map((name) => ['obstacle', name])];
+      const now = things.findIndex(([kind, name]) => app.ui.chosen?.kind === kind && app.ui.chosen.name === name);
+      if (things.length) app.choose(...things[(now + (e.key === 'PageDown' ? 1 : things.length - 1) + (now < 0 && e.key === 'PageUp' ? 1 : 0)) % things.length]);
+    } else if (step && movable(app, app.ui.chosen)) {
+      const at = app.ui.held?.name === app.ui.chosen.name ? app.ui.held.place : app.placeOfChosen(state);
+      const far = e.shiftKey ? 5 : 1;
+      if (at) hold(app, app.ui.chosen, [at[0] + step[0] * far, at[1] + step[1] * far], false);
+    } else if (e.key === 'Escape') {
+      app.choose();
+      app.ui.mode = '';
+    } else if (WITH_CHOSEN[e.key]) {
+      app[WITH_CHOSEN[e.key]]();
+    } else {
+      return;
+    }
+    e.preventDefault();
+    e.stopPropagation();
+  });
+}
+
+function freshName({ obstacles }) {
+  for (let n = 1; ; n++) if (!obstacles.has('rock' + n)) return 'rock' + n;
+}
+
+/** Keys for time, wherever the focus is. */
+export function keys(app, shown) {
+  document.addEventListener('keydown', (e) => {
+    if (e.ctrlKey || e.metaKey || e.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName)) return;
+    const { clock, model } = shown();
+    const faster = { '+': 1, '-': -1 }[e.key];
+    if (e.key === ' ' && e.target.tagName !== 'BUTTON' && e.target.tagName !== 'SUMMARY') app.toggle();
+    else if (e.key === 'ArrowLeft' || e.key === 'ArrowRight') app.goTo(clock.t + (e.key === 'ArrowLeft' ? -1 : 1));
+    else if (e.key === ',' || e.key === '.') app.step(e.key === ',' ? -1 : 1);
+    else if (e.key === 'r') app.reverse();
+    else if (e.key === 'End') clock.live ? clock.follow() : app.goTo(model.end);
+    else if (e.key === 'Home') app.goTo(0);
+    else if (faster) app.rate(nextRate(Math.abs(clock.rate), faster));
+    else return;
+    e.preventDefault();
+  });
+}
+
+function nextRate(now, direction) {
+  return RATES[Math.max(0, Math.min(RATES.length - 1, RATES.indexOf(now) + direction))];
+}

@@ -1,0 +1,296 @@
+// Puts the parts together: events into the model, the clock's moment onto the page, hands into commands.
+
+import { html, nothing, render } from '/lib/lit-html/lit-html.js';
+import { sniffer, stranger } from './air.js';
+import { boardPage, rate } from './board.js';
+import { card } from './cards.js';
+import { Clock } from './clock.js';
+import { readColours } from './colours.js';
+import { interfere, player } from './controls.js';
+import { JAM, RADIUS, hands, keys } from './hands.js';
+import { Model } from './model.js';
+import { drawPlots } from './plots.js';
+import { Road } from './road.js';
+import * as source from './source.js';
+import { plain, seconds } from './text.js';
+import { Timeline, behaviours } from './timeline.js';
+import { story } from './words.js';
+
+/** The text of the page is made anew so often, in ms; the road with each frame. */
+const TEXT_EVERY = 100;
+/** Something that is dragged gives a command so often, in ms. */
+const COMMAND_EVERY = 100;
+/** So long an error stays, in ms. */
+const ERROR_STAYS = 8000;
+
+const $ = (id) => document.getElementById(id);
+
+const run = { model: new Model(), clock: new Clock(true), about: { source: 'run', live: true, controls: [] }, ended: false };
+let shown = run;
+
+const ui = { chosen: undefined, mode: '', held: undefined, standing: undefined, stood: undefined, packet: undefined, flip: 100, tab: 'timeline' };
+
+let road;
+let timeline;
+let errorTimer;
+
+function say(error) {
+  $('error').textContent = plain(error, 300);
+  clearTimeout(errorTimer);
+  if (error) errorTimer = setTimeout(() => say(''), ERROR_STAYS);
+}
+
+/** What hands can do. The parts of the page call these. */
+const app = {
+  ui,
+  typed: undefined,
+  typedStand: undefined,
+  get controls() {
+    return shown.about.controls;
+  },
+  get ofFile() {
+    return shown !== run;
+  },
+
+  async send(body) {
+    say(await source.command(body));
+  },
+  /** For what is dragged: at most ten commands a second, and always the last one. */
+  often(body) {
+    later = body;
+    if (!waiting) flush();
+  },
+
+  choose(kind, name) {
+    ui.chosen = name === undefined ? undefined : { kind, name };
+    app.typed = undefined;
+    drawText();
+  },
+  mode(mode) {
+    ui.mode = ui.mode === mode ? '' : mode;
+    drawText();
+  },
+  placeOfChosen(state) {
+    const { kind, name } = ui.chosen ?? {};
+    if (!app.controls.includes(kind === 'obstacle' ? 'obstacle' : 'move')) return undefined;
+    return kind === 'board' ? state.boards.get(name)?.place : kind === 'obstacle' ? state.obstacles.get(name)?.place : undefined;
+  },
+  /** The command that puts something elsewhere. */
+  moved({ kind, name }, position) {
+    if (kind !== 'obstacle') return { do: 'move', board: name, position };
+    return { do: 'obstacle', name, position, radius: shown.model.head.obstacles.get(name)?.radius ?? RADIUS };
+  },
+  typing: () => (app.typed = { x: $('x').value, y: $('y').value }),
+  moveChosen(event) {
+    event.preventDefault();
+    const to = [Number($('x').value), Number($('y').value)];
+    app.typed = undefined;
+    app.send(app.moved(ui.chosen, to));
+  },
+  removeChosen() {
+    if (ui.chosen?.kind === 'obstacle') app.send({ do: 'obstacle', name: ui.chosen.name, remove: true });
+    ui.chosen = undefined;
+  },
+  jamChosen() {
+    const at = shown.model.stateAt(shown.clock.t).boards.get(ui.chosen?.name)?.place;
+    if (at && app.controls.includes('jam')) app.send({ do: 'jam', duration: JAM, position: at });
+  },
+
+  standing: (state) => ui.stood ?? state.stranger ?? corner(state),
+  typingStand: () => (app.typedStand = { x: $('stranger-x').value, y: $('stranger-y').value }),
+  stand(event) {
+    event.preventDefault();
+    ui.stood = [Number($('stranger-x').value), Number($('stranger-y').value)];
+    app.typedStand = undefined;
+  },
+  shout(payload) {
+    try {
+      app.send({ do: 'send', position: app.standing(shown.model.head), payload: payload() });
+    } catch (error) {
+      say(error.message);
+    }
+  },
+  replay(packet, flip) {
+    app.send({ do: 'send', position: app.standing(shown.model.head), payload: packet.payload, ...(flip === undefined ? {} : { flip }) });
+  },
+  choosePacket(n) {
+    ui.packet = n;
+    drawText();
+  },
+  flip(bit) {
+    ui.flip = Math.max(0, Math.floor(bit) || 0);
+    drawText();
+  },
+
+  follow: () => shown.clock.follow(),
+  toggle: () => shown.clock.toggle(shown.model),
+  reverse() {
+    const { clock, model } = shown;
+    if (clock.following) clock.leave(clock.t, model);
+    const on = !(clock.playing && clock.rate < 0);
+    clock.rate = Math.abs(clock.rate) * (on ? -1 : 1);
+    clock.playing = on;
+  },
+  step: (direction) => shown.clock.leave(shown.model.neighbour(shown.clock.t, direction), shown.model),
+  goTo: (t) => shown.clock.leave(t, shown.model),
+  rate(rate) {
+    const { clock, model } = shown;
+    if (clock.following) clock.leave(clock.t, model), (clock.playing = true);
+    clock.rate = rate * Math.sign(clock.rate);
+  },
+  opened: (event) => event.target.files[0] && openFile(event.target.files[0]),
+  closeFile() {
+    shown = run;
+    drawText();
+  },
+};
+
+let later;
+let waiting = false;
+function flush() {
+  if (later === undefined) return;
+  app.send(later);
+  later = undefined;
+  waiting = true;
+  setTimeout(() => {
+    waiting = false;
+    flush();
+  }, COMMAND_EVERY);
+}
+
+/** Where a stranger stands at first: at a corner, in nobody's way. */
+function corner(state) {
+  const places = [...state.boards.values()].map((b) => b.place).filter(Boolean);
+  return places.length === 0 ? [0, 0] : [Math.round(Math.min(...places.map((p) => p[0]))), Math.round(Math.max(...places.map((p) => p[1])))];
+}
+
+async function openFile(file) {
+  const { events, bad } = await source.read(file);
+  const model = new Model();
+  for (const event of events) model.add(event);
+  if (model.length === 0) {
+    say(`${file.name} is no trace: none of its lines is an event. Open the trace.jsonl of a run`);
+    return;
+  }
+  const odd = bad.length + model.refused;
+  say(odd ? `${odd} lines of ${file.name} are no events and were left out` + (bad.length ? `; the first is line ${bad[0]}` : '') : '');
+  shown = { model, clock: new Clock(false), about: { source: 'trace', live: false, controls: [] }, ended: true };
+  drawText();
+}
+
+const TABS = { timeline: 'Time line', air: 'Sniffer: what anyone hears', stranger: 'Be a stranger' };
+
+const LEGEND = html`<ul aria-label="Legend">
+  <li><svg width="30" height="16"><circle class="mark-ring" cx="15" cy="8" r="6"></circle></svg>closed lock: only the key opens it</li>
+  <li><svg width="30" height="16"><circle class="mark-ring dashed" cx="15" cy="8" r="6"></circle></svg>open lock: all can read it</li>
+  <li><svg width="30" height="16"><circle class="mark-ring thin" cx="15" cy="8" r="6"></circle></svg>thin ring: “got it”</li>
+  <li><b class="bad">✗</b> lost or refused</li>
+  <li><svg width="30" height="16"><path class="mark-hatch" d="M4 14 14 2M11 14 21 2M18 14 28 2"></path></svg>jammed</li></ul>`;
+
+function helpOnKeys() {
+  const can = app.controls.length > 0;
+  return html`<details id="keys"><summary>Keys</summary><p>Space: pause. Left and right: 1 s back and forth. Comma, full stop: event before, next event. R: backwards. + and −: speed. End: live.
+    ${can ? 'On the road: Page Up and Page Down choose, arrows move what is chosen (with Shift by 5 m), J jams there, Delete takes an obstacle away, Escape lets go.' : ''}</p></details>`;
+}
+
+const WHAT = {
+  run: 'Each vehicle has an agent, a board and a radio. There is no network: what they tell each other, everybody near can hear.',
+  trace: 'A recorded run. Play it forwards and backwards; nothing here can be changed.',
+  board: 'One board, without any agent: what it perceives, and what it can do.',
+};
+
+/** The text of the page, for the moment that is shown. */
+function drawText() {
+  const { model, clock, about } = shown;
+  const t = clock.t;
+  const state = model.stateAt(t);
+  const ofBoard = about.source === 'board';
+  document.body.dataset.source = about.source;
+  $('source').textContent = { run: 'live', board: 'board' }[about.source] ?? 'trace';
+  $('what').textContent = WHAT[about.source] ?? '';
+  $('clock').textContent = seconds(t);
+  $('clock').dataset.t = t.toFixed(3);
+  ui.standing = app.controls.includes('send') ? app.standing(state) : state.stranger;
+  const lines = story(model, state, t);
+  const more = [
+    state.skipped ? `${state.skipped} events were left out: too many came for this page` : '',
+    model.refused ? `${model.refused} lines were no events` : '',
+    run.lost && !app.ofFile ? 'the server does not answer' : '',
+  ].filter(Boolean);
+  render(html`${lines.length === 0 ? html`<li>${plain(state.note || 'Waiting for something to happen …', 200)}</li>` : nothing}
+    ${lines.map((line) => html`<li data-n=${line.n}>${line.words}</li>`)}${more.length ? html`<li class="bad" id="losses">${more.join('; ')}</li>` : nothing}`, $('story'));
+  render(player(clock, model, app), $('player'));
+  render(ofBoard ? nothing : interfere(app, state), $('interfere'));
+  render(ofBoard ? boardPage(app, model, state, t)
+    : [...state.boards.values()].map((b) => card(b, t, ui.chosen?.name === b.name, (name) => app.choose('board', name))), $('cards'));
+  if (ofBoard) return;
+  render(html`${LEGEND}${helpOnKeys()}`, $('legend'));
+  const tabs = Object.keys(TABS).filter((tab) => tab !== 'stranger' || app.controls.includes('send') || state.stranger);
+  if (!tabs.includes(ui.tab)) ui.tab = 'timeline';
+  render(tabs.map((tab) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === ui.tab} aria-controls="panel"
+    @click=${() => { ui.tab = tab; drawText(); }}>${TABS[tab]}</button>`), $('tabs'));
+  render(html`<div id="timeline-panel" ?hidden=${ui.tab !== 'timeline'}><div class="sides"><div id="timeline" tabindex="0" aria-label="Time line"></div><div>${behaviours(state, t, app.goTo)}
+      ${state.verdict ? html`<p id="verdict" class=${state.verdict.accepted ? 'good' : 'bad'}>${plain(state.verdict.text, 200)}</p>` : nothing}</div></div></div>
+    ${ui.tab === 'air' ? sniffer(model, state, t, ui.packet, app.choosePacket) : nothing}
+    ${ui.tab === 'stranger' ? stranger(app, model, state, t) : nothing}`, $('panel'));
+  timeline ??= new Timeline($('timeline'), app.goTo);
+  if (ui.tab === 'timeline') timeline.draw(model, state, t);
+}
+
+function points(canvas, from, to) {
+  const { board, percept, counter } = canvas.dataset;
+  if (counter) {
+    const b = shown.model.stateAt(to).boards.get(board);
+    return b ? b.counted.filter((c) => c.t >= from).map((c) => ({ t: c.t, y: rate(b, counter, c.t) })) : [];
+  }
+  return shown.model.readings(board, from, to).filter((r) => r.values.has(percept)).map((r) => ({ t: r.t, y: r.values.get(percept) }));
+}
+
+let textAt = 0;
+let frames = 0;
+let framesAt = 0;
+
+function frame(now) {
+  requestAnimationFrame(frame);
+  const { model, clock, about, ended } = shown;
+  clock.tick(now, model, ended);
+  if (about.source !== 'board') road.draw(model, model.stateAt(clock.t), clock.t);
+  if (ui.held && !ui.held.down && now > ui.held.until) ui.held = undefined;
+  if (now - textAt >= TEXT_EVERY) {
+    textAt = now;
+    drawText();
+    drawPlots(clock.t, points);
+  }
+  frames++;
+  if (now - framesAt >= 1000) {
+    document.documentElement.dataset.fps = Math.round((frames * 1000) / (now - framesAt));
+    frames = 0;
+    framesAt = now;
+  }
+}
+
+document.addEventListener('dragover', (e) => e.preventDefault());
+document.addEventListener('drop', (e) => {
+  e.preventDefault();
+  if (e.dataTransfer.files[0]) openFile(e.dataTransfer.files[0]);
+});
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+  readColours();
+  road.recolour();
+});
+
+readColours();
+road = new Road($('road'), ui);
+hands($('road'), road, app, () => shown);
+keys(app, () => shown);
+requestAnimationFrame(frame);
+try {
+  run.about = await source.about();
+  run.clock = new Clock(run.about.live);
+  source.follow((events) => events.forEach((event) => run.model.add(event)), (lost) => {
+    run.lost = lost;
+    run.ended = lost;
+  });
+} catch (error) {
+  say(error.message);
+}

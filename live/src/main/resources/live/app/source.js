@@ -1,0 +1,49 @@
+// Where events come from: a run of the server, or a file that the page itself reads.
+
+const token = new URLSearchParams(location.search).get('token') ?? '';
+
+/** What the server has: `source`, `live`, `controls`. */
+export async function about() {
+  const answer = await fetch('/about?token=' + encodeURIComponent(token));
+  if (!answer.ok) throw new Error('The server does not know this token: open the address that it printed');
+  return answer.json();
+}
+
+/** Hands on the server's events, an array at a time; `lost` is called with true when it is gone, with false when it is back. */
+export function follow(take, lost) {
+  const stream = new EventSource('/events?token=' + encodeURIComponent(token));
+  stream.onmessage = (message) => take(JSON.parse(message.data));
+  stream.onopen = () => lost(false);
+  stream.onerror = () => lost(true);
+  return stream;
+}
+
+/** Gives a command; the result is empty, or one line that says why it was refused. */
+export async function command(body) {
+  try {
+    const answer = await fetch('/command', {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json', 'X-Javino-Token': token },
+      body: JSON.stringify(body),
+    });
+    const reply = await answer.json();
+    return reply.ok === true ? '' : String(reply.error ?? 'The server refused the command');
+  } catch {
+    return 'The server does not answer: has the run ended?';
+  }
+}
+
+/** The events of a trace file, and the numbers of lines that are none. */
+export async function read(file) {
+  const events = [];
+  const bad = [];
+  (await file.text()).split('\n').forEach((line, i) => {
+    if (line.trim() === '') return;
+    try {
+      events.push(JSON.parse(line));
+    } catch {
+      bad.push(i + 1);
+    }
+  });
+  return { events, bad };
+}
