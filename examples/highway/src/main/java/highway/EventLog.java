@@ -4,7 +4,6 @@ import com.google.gson.Gson;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonPrimitive;
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +22,8 @@ final class EventLog implements AutoCloseable {
     private PageFeed page;
 
     EventLog(Path path) throws IOException {
-        file = new PrintStream(new BufferedOutputStream(Files.newOutputStream(path)), false, StandardCharsets.UTF_8);
+        // Each line at once: who disturbs a run wants to see what came of it.
+        file = new PrintStream(Files.newOutputStream(path), true, StandardCharsets.UTF_8);
     }
 
     /** Shows what follows on a page. */

@@ -51,7 +51,12 @@ public final class Highway implements Callable<Integer> {
         PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
         Timeline timeline = new Timeline(out, options.coloured());
         Scenario scenario = new Scenario(options, timeline);
-        Runtime.getRuntime().addShutdownHook(new Thread(scenario::close, "end everything"));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+            scenario.close();
+            if (options.live() && scenario.agentsStarted()) {
+                tellVerdict(scenario.model(), timeline);
+            }
+        }, "end everything"));
         try (scenario) {
             run(scenario, timeline);
         } catch (IOException | Scenario.BrokenOffException reason) {
@@ -64,9 +69,13 @@ public final class Highway implements Callable<Integer> {
         }
         timeline.table(scenario.behaviours());
         Replay model = scenario.model();
-        timeline.verdict(model.verdict(), model.refusal().isEmpty());
+        tellVerdict(model, timeline);
         return scenario.allObserved() && model.refusal().isEmpty() ? CommandLine.ExitCode.OK
                 : CommandLine.ExitCode.SOFTWARE;
+    }
+
+    private static void tellVerdict(Replay model, Timeline timeline) {
+        timeline.verdict(model.verdict(), model.refusal().isEmpty());
     }
 
     private void run(Scenario scenario, Timeline timeline)
@@ -83,7 +92,7 @@ public final class Highway implements Callable<Integer> {
             scenario.draw();
             if (options.live()) {
                 timeline.table(scenario.behaviours());
-                scenario.note("the run goes on; end it with Ctrl-C");
+                scenario.note("the run goes on, on the page; end it with Ctrl-C");
                 scenario.stay();
             }
         }
