@@ -26,6 +26,9 @@ git                      a test asks it which files it ignores
 procps                   ends what Gradle has started, at Ctrl-C
 clang-format             holds the style of C and C++
 spin                     checks the model beside our checker
+chromium                 the tests of the live page
+chromium-driver          drives it
+fonts-dejavu-core        letters for it
 "
 # For systems without these packages: the commands that must be there.
 COMMANDS="javac gradle avr-gcc arduino-builder gcc g++ make cmake clang++ clang-format"

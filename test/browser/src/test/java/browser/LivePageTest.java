@@ -1,0 +1,233 @@
+package browser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.By;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.support.ui.Select;
+
+/** The highway as its user sees it, and disturbs it, in a real browser. */
+@Tag("verify")
+class LivePageTest {
+
+    private static final String OBSERVED = "li.behaviour[data-observed='true']";
+    private static final long PATIENCE_MILLIS = 60_000;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void highway_isSeenToItsEnd_andPlayedBackFromItsTrace() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder);
+                Page page = Page.open(run.address());
+                Page phone = Page.onPhone(run.address())) {
+            page.await("section.agent", 5);
+            page.screenshot("beginning");
+            page.await(OBSERVED, 1);
+            page.reload();
+            page.await(OBSERVED, 9);
+            phone.await(OBSERVED, 9);
+            page.awaitText("section.agent[data-board='bus'] .said", "Help is coming, says SUPO");
+            page.awaitText("section.agent[data-board='bus'] .belief", "accident");
+            page.await("section.agent[data-board='bus'] .lamp[data-pin='9'][data-on='1']");
+            page.screenshot("highway");
+            phone.screenshot("phone");
+            page.driver().findElement(By.id("tab-air")).click();
+            page.await("tr.packet", 8);
+            page.screenshot("sniffer");
+            assertClean(page);
+            run.end();
+            assertTrue(run.said().contains("model: trace accepted"), run::said);
+        }
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "build/trace.jsonl");
+                Page page = Page.open(watch.address())) {
+            page.await("section.agent", 5);
+            WebElement slider = page.await("#slider");
+            page.driver().findElement(By.tagName("body")).sendKeys(Keys.SPACE);
+            page.script("arguments[0].value = arguments[0].max; "
+                    + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", slider);
+            page.await(OBSERVED, 9);
+            page.awaitText("#verdict", "model: trace accepted");
+            page.script("arguments[0].value = 0; "
+                    + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", slider);
+            page.await("no behaviour", driver -> page.all(OBSERVED).isEmpty());
+            page.driver().findElement(By.id("back")).click();
+            assertTrue(page.all("#interfere button").isEmpty());
+            page.screenshot("trace");
+            assertClean(page);
+        }
+    }
+
+    @Test
+    void interference_isSeenInAgentAndTrace() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.await(OBSERVED, 9);
+
+            choose(page, "board police");
+            click(page, "unplug");
+            page.awaitText("section.agent[data-board='police'] .said", "is off");
+            page.screenshot("unplugged");
+            click(page, "plug");
+            page.awaitText("section.agent[data-board='police'] .said", "is on");
+            awaitEvent(run, is("port", "police").and(with("state", "plugged")));
+
+            choose(page, "board hospital");
+            click(page, "reset");
+            awaitEvent(run, is("reset", "hospital").and(with("why", "fault")));
+            page.awaitText("section.agent[data-board='hospital'] .said", "is off");
+            click(page, "power-cut");
+            awaitEvent(run, is("fault", "hospital").and(with("do", "power-cut")));
+
+            choose(page, "board ambulance");
+            place(page, 500, 300);
+            awaitEvent(run, is("place", "ambulance")
+                    .and(event -> event.getAsJsonArray("position").get(0).getAsDouble() == 500));
+            click(page, "jam-chosen");
+            awaitEvent(run, event -> event.get("event").getAsString().equals("fault")
+                    && event.get("do").getAsString().equals("jam"));
+
+            slide(page, "light", 100);
+            page.awaitText("section.agent[data-board='bus'] .belief", "light(100)");
+            slide(page, "errors", 20);
+            awaitEvent(run, command("radio").and(event -> event.get("bitErrorRate").getAsDouble() == 0.02));
+
+            choose(page, "obstacle rock");
+            place(page, 40, 40);
+            awaitEvent(run, command("obstacle"));
+            click(page, "remove");
+            awaitEvent(run, command("obstacle").and(event -> event.has("remove")));
+
+            click(page, "speed-pause");
+            page.await("#speed-pause[aria-pressed='true']");
+            click(page, "speed-normal");
+            page.await("#speed-normal[aria-pressed='true']");
+            page.screenshot("interfered");
+            assertClean(page);
+        }
+    }
+
+    @Test
+    void vehicle_isDraggedByTheMouseAndByKeys() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.await(OBSERVED, 9);
+            WebElement road = page.await("#road");
+            choose(page, "board police");
+            road.sendKeys(Keys.ARROW_UP);
+            awaitEvent(run, command("move").and(with("board", "police"))
+                    .and(event -> event.getAsJsonArray("position").get(1).getAsDouble() > 0));
+            assertClean(page);
+        }
+    }
+
+    @Test
+    void stranger_isRefused_andItsTextIsNeverMarkup() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.await(OBSERVED, 9);
+            page.driver().findElement(By.id("tab-stranger")).click();
+            WebElement term = page.await("#shout input[name='term']");
+            term.clear();
+            term.sendKeys("p(\"<script>document.title=7</script>\")");
+            click(page, "shout-send");
+            page.awaitText("#stranger-result", "<script>");
+            page.screenshot("shout");
+
+            Select recorded = new Select(page.await("#recorded"));
+            recorded.getOptions().stream().filter(option -> option.getText().contains("SUPP")
+                    && option.getText().contains("sealed")).findFirst().orElseThrow().click();
+            click(page, "send-flipped");
+            page.awaitText("#stranger-result", "radioBadTag");
+            page.screenshot("forged");
+            page.await("replay", driver -> page.driver().findElement(By.id("replay")).isEnabled());
+            click(page, "replay");
+            page.awaitText("#stranger-result", "radioRepeats");
+            page.screenshot("replayed");
+
+            assertFalse("7".equals(page.driver().getTitle()));
+            assertTrue(page.all("body script").isEmpty());
+            awaitEvent(run, is("rf-tx", "stranger"));
+            assertClean(page);
+        }
+    }
+
+    @Test
+    void board_isWatchedWithoutAnyAgent() throws Exception {
+        Files.writeString(folder.resolve("lamp.json"), """
+                {"boards": [{"name": "car", "firmware": "%s/javino-firmware/build/vehicle/Vehicle.ino.elf",
+                 "port": "ports/car", "sensors": [{"type": "ldr", "pin": "A0", "light": [[0, 500], [60, 800]]}]}]}
+                """.formatted(LiveRun.ROOT));
+        Process emulator = new ProcessBuilder(LiveRun.ROOT.resolve("emulator/build/javino-emulator").toString(),
+                "lamp.json").directory(folder.toFile()).inheritIO().start();
+        try (LiveRun watch = LiveRun.watch(folder, "--port", "ports/car"); Page page = Page.open(watch.address())) {
+            page.awaitText("#cards", "drive");
+            page.awaitText("#cards", "light");
+            page.all("#cards button").stream().filter(button -> button.getText().contains("drive")).findFirst()
+                    .orElseThrow().click();
+            page.awaitText("#cards", "moving");
+            page.screenshot("board");
+            assertClean(page);
+        } finally {
+            emulator.destroy();
+            emulator.waitFor();
+        }
+    }
+
+    private static void click(Page page, String id) {
+        page.await("#" + id).click();
+    }
+
+    private static void choose(Page page, String value) {
+        new Select(page.await("#chosen")).selectByValue(value);
+    }
+
+    private static void place(Page page, int x, int y) {
+        for (String id : List.of("x", "y")) {
+            WebElement field = page.await("#" + id);
+            field.clear();
+            field.sendKeys(Integer.toString(id.equals("x") ? x : y));
+        }
+        click(page, "move");
+    }
+
+    private static void slide(Page page, String id, int value) {
+        page.script("arguments[0].value = arguments[1]; "
+                + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", page.await("#" + id), value);
+    }
+
+    private static Predicate<JsonObject> is(String event, String board) {
+        return with("event", event).and(with("board", board));
+    }
+
+    private static Predicate<JsonObject> command(String name) {
+        return with("event", "command").and(with("do", name));
+    }
+
+    private static Predicate<JsonObject> with(String key, String value) {
+        return event -> event.has(key) && event.get(key).isJsonPrimitive()
+                && event.get(key).getAsString().equals(value);
+    }
+
+    private static void awaitEvent(LiveRun run, Predicate<JsonObject> wanted) throws IOException, InterruptedException {
+        long end = System.currentTimeMillis() + PATIENCE_MILLIS;
+        while (run.events(wanted).isEmpty()) {
+            assertTrue(System.currentTimeMillis() < end, () -> "no such event; the run said:\n" + run.said());
+            Thread.sleep(100);
+        }
+    }
+
+    /** No script has failed, and the page's own policy had nothing to keep away. */
+    private static void assertClean(Page page) {
+        assertEquals(List.of(), page.log().stream().filter(line -> line.contains("SEVERE")).toList());
+    }
+}

@@ -1,0 +1,171 @@
+package browser;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/** A program of ours that serves the page, as a user starts it, in a folder of its own. */
+final class LiveRun implements AutoCloseable {
+
+    static final Path ROOT = Path.of(System.getProperty("javino.root"));
+    private static final Path HIGHWAY = ROOT.resolve("examples/highway");
+    private static final String WATCH = "watch: ";
+    private static final long PATIENCE_SECONDS = 120;
+
+    private final Path folder;
+    private final Process process;
+    private final Thread reader;
+    private Process emulator;
+    private volatile double seconds;
+    private final List<String> lines = new ArrayList<>();
+    private final CompletableFuture<String> address = new CompletableFuture<>();
+
+    private LiveRun(Path folder, List<String> arguments) throws IOException {
+        this.folder = folder;
+        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin/java").toString(),
+                "-Djava.awt.headless=true", "--enable-native-access=ALL-UNNAMED", "-cp",
+                System.getProperty("java.class.path")));
+        command.addAll(arguments);
+        process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+        reader = new Thread(this::read, "output of " + arguments.get(0));
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    /** {@code gradle highway -Plive -Pheadless}, in a copy of the scenario. */
+    static LiveRun highway(Path folder, String... options) throws IOException {
+        try (Stream<Path> files = Files.walk(HIGHWAY)) {
+            for (Path file : files.filter(Files::isRegularFile)
+                    .filter(file -> !file.startsWith(HIGHWAY.resolve("build"))
+                            && !file.startsWith(HIGHWAY.resolve("ports")))
+                    .toList()) {
+                Path copy = folder.resolve(HIGHWAY.relativize(file).toString());
+                Files.createDirectories(copy.getParent());
+                if (file.getFileName().toString().equals("highway.json")) {
+                    Files.writeString(copy, Files.readString(file).replace("../../", ROOT + "/"));
+                } else {
+                    Files.copy(file, copy);
+                }
+            }
+        }
+        List<String> arguments = new ArrayList<>(List.of("highway.Highway", "--plain", "--emulator",
+                ROOT.resolve("emulator/build/javino-emulator").toString(),
+                "--live=" + System.getProperty("java.class.path"), "--headless="));
+        arguments.addAll(List.of(options));
+        return new LiveRun(folder, arguments);
+    }
+
+    /** The emulator with a scenario, and {@code javino watch} behind it. */
+    static LiveRun piped(Path folder, String scenario) throws IOException {
+        LiveRun run = watch(folder, "--trace", "-", "--control", "control");
+        run.emulator = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(), scenario,
+                "--trace", "-", "--control", "control").directory(folder.toFile())
+                .redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        Thread pump = new Thread(() -> run.pump(), "trace");
+        pump.setDaemon(true);
+        pump.start();
+        return run;
+    }
+
+    private void pump() {
+        try (BufferedReader trace = emulator.inputReader();
+                PrintWriter page = new PrintWriter(process.outputWriter())) {
+            for (String line = trace.readLine(); line != null; line = trace.readLine()) {
+                seconds = JsonParser.parseString(line).getAsJsonObject().get("t").getAsDouble();
+                page.println(line);
+                page.flush();
+            }
+        } catch (IOException e) {
+            // It was ended.
+            return;
+        }
+    }
+
+    /** Emulated time of the last event. */
+    double seconds() {
+        return seconds;
+    }
+
+    /** {@code javino watch}. */
+    static LiveRun watch(Path folder, String... arguments) throws IOException {
+        List<String> all = new ArrayList<>(List.of("javino.cli.Main", "watch", "--no-browser"));
+        all.addAll(List.of(arguments));
+        return new LiveRun(folder, all);
+    }
+
+    private void read() {
+        try (BufferedReader output = process.inputReader()) {
+            for (String line = output.readLine(); line != null; line = output.readLine()) {
+                synchronized (lines) {
+                    lines.add(line);
+                }
+                int at = line.indexOf(WATCH + "http");
+                if (at >= 0) {
+                    address.complete(line.substring(at + WATCH.length()).strip());
+                }
+            }
+            address.completeExceptionally(new AssertionError("it has ended:\n" + said()));
+        } catch (IOException e) {
+            address.completeExceptionally(e);
+        }
+    }
+
+    /** Where the page is, with its token. */
+    String address() throws Exception {
+        return address.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    }
+
+    String said() {
+        synchronized (lines) {
+            return String.join("\n", lines);
+        }
+    }
+
+    Path trace() {
+        return folder.resolve("build/trace.jsonl");
+    }
+
+    /** The events of the trace so far. */
+    List<JsonObject> events(Predicate<JsonObject> wanted) throws IOException {
+        List<JsonObject> events = new ArrayList<>();
+        for (String line : Files.readAllLines(trace())) {
+            // The last line may not be whole yet.
+            if (line.endsWith("}")) {
+                JsonObject event = JsonParser.parseString(line).getAsJsonObject();
+                if (wanted.test(event)) {
+                    events.add(event);
+                }
+            }
+        }
+        return events;
+    }
+
+    /** Ends it as Ctrl-C does, and waits for what it says at the end. */
+    void end() {
+        if (emulator != null) {
+            emulator.destroy();
+        }
+        process.toHandle().destroy();
+        process.onExit().join();
+        try {
+            reader.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        end();
+    }
+}
