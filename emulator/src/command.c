@@ -41,6 +41,9 @@ static void read_obstacle(command *c, const json_node *node) {
   if (!c->obstacle.name) json_expected(&name, "a text in quotes");
 }
 
+// Slower than that is no speed: the time that is due would exceed its type.
+#define LEAST_SPEED 0.001
+
 static double required_number(const json_node *object, const char *key, double max) {
   char expected[48];
   json_node node = json_member(object, key);
@@ -52,6 +55,13 @@ static double required_number(const json_node *object, const char *key, double m
 static void read_value(command *c, const json_node *node, double max) {
   static const char *const KEYS[] = {"do", "value", NULL};
   if (json_check_object(node, KEYS)) c->value = required_number(node, "value", max);
+}
+
+static void read_speed(command *c, const json_node *node) {
+  read_value(c, node, MAX_SPEED);
+  json_node value = json_member(node, "value");
+  if (c->value > 0 && c->value < LEAST_SPEED)
+    json_fail(&value, "expected 0, which pauses, or at least %g", LEAST_SPEED);
 }
 
 static void read_sensor(command *c, const json_node *node, const scenario *s) {
@@ -113,7 +123,7 @@ static void read(command *c, const json_node *node, const scenario *s) {
     case COMMAND_LIGHT: read_value(c, node, sensor_most(SENSOR_LDR)); break;
     case COMMAND_SENSOR: read_sensor(c, node, s); break;
     case COMMAND_RADIO: read_radio(c, node); break;
-    case COMMAND_SPEED: read_value(c, node, MAX_SPEED); break;
+    case COMMAND_SPEED: read_speed(c, node); break;
     case COMMAND_SEND: read_send(c, node); break;
   }
 }

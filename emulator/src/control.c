@@ -128,23 +128,31 @@ static bool take_line(control *c, control_client *client) {
   return true;
 }
 
-// Answers the lines that are there, as long as the client reads.
+// Answers lines that are there, as long as the client reads; only so many, as one that floods shall not stop the run.
 static void answer(control *c, control_client *client) {
-  for (;;) {
+  for (int lines = 0; lines <= CONTROL_LINES; lines++) {
     if (client->out_length > 0) write_out(client);
-    if (client->socket < 0 || client->out_length > 0 || !take_line(c, client)) return;
+    if (client->socket < 0 || client->out_length > 0 || lines == CONTROL_LINES || !take_line(c, client)) return;
   }
 }
 
-// Takes at most one buffer full, so that a client that floods does not stop the run.
+// The client will say no more: its last line may lack its end, and some may wait.
+static void finish(control_client *client) {
+  if (client->in_length == 0)
+    hang_up(client);
+  else if (client->in[client->in_length - 1] != '\n')
+    client->in[client->in_length++] = '\n';
+}
+
 static void exchange(control *c, control_client *client) {
-  answer(c, client);
-  if (client->socket < 0 || client->out_length > 0) return;
-  ssize_t length = recv(client->socket, client->in + client->in_length, sizeof client->in - client->in_length, 0);
-  if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR)) hang_up(client);
-  if (length <= 0) return;
-  client->in_length += (size_t)length;
-  answer(c, client);
+  size_t room = sizeof client->in - client->in_length;
+  if (room > 0 && client->out_length == 0) {
+    ssize_t length = recv(client->socket, client->in + client->in_length, room, 0);
+    if (length > 0) client->in_length += (size_t)length;
+    if (length == 0) finish(client);
+    if (length < 0 && errno != EAGAIN && errno != EINTR) hang_up(client);
+  }
+  if (client->socket >= 0) answer(c, client);
 }
 
 void control_exchange(control *c) {

@@ -228,6 +228,8 @@ static void trace_port(const node *n, const char *state) {
 static void trace_fault(const emulation *e, const fault_config *fault) {
   trace_begin(e->out, e->now, fault->kind == FAULT_JAM ? NULL : e->nodes[fault->board].config->name, "fault");
   trace_text(e->out, "do", fault_name(fault->kind));
+  if (fault->kind == FAULT_JAM && fault->has_position)
+    trace_numbers(e->out, "position", (const double[]){fault->x_m, fault->y_m}, 2);
   if (fault->kind == FAULT_JAM) trace_time(e->out, "until", e->now + seconds_to_cycles(fault->duration_s));
   trace_end(e->out);
 }

@@ -110,13 +110,13 @@ static int emulate(const scenario *config, const options *o, trace *out) {
   int status = EXIT_OK;
   if (control_open(&s.socket, o->control_path, (control_listener){&s, perform}, error, sizeof error) != 0)
     return complain(EXIT_USAGE, error);
-  if (record_open(&s.kept, o->record_path) != 0) {
-    snprintf(error, sizeof error, "--record %s: %s", o->record_path, strerror(errno));
-    control_close(&s.socket);
-    return complain(EXIT_USAGE, error);
-  }
+  s.kept = (record){0};
   if (emulation_open(&s.e, config, o->seed, out) != 0) {
     status = complain(EXIT_USAGE, s.e.error);
+  } else if (record_open(&s.kept, o->record_path) != 0) {
+    // Only now: a start that was refused leaves the last run's record as it is.
+    snprintf(error, sizeof error, "--record %s: %s", o->record_path, strerror(errno));
+    status = complain(EXIT_USAGE, error);
   } else {
     s.e.kept = &s.kept;
     record_start(&s.kept, &s.e, o->seed);

@@ -151,6 +151,25 @@ int world_remove_obstacle(world *w, const char *name) {
   return 0;
 }
 
+static bool covers(const world_body *circle, double radius_m, vector point) {
+  return hypot(circle->x_m - point.x, circle->y_m - point.y) < radius_m;
+}
+
+// Whether a vehicle's nose is inside of something: then that has no edge ahead.
+static bool is_covered(const world *w, size_t board) {
+  const world_body *body = &w->bodies[board];
+  vector along = direction(body->heading_deg);
+  double radius_m = vehicle(w, board)->radius_m;
+  vector nose = {body->x_m + radius_m * along.x, body->y_m + radius_m * along.y};
+  for (size_t i = 0; i < w->obstacle_count; i++)
+    if (covers(&(world_body){.x_m = w->obstacles[i].x_m, .y_m = w->obstacles[i].y_m}, w->obstacles[i].radius_m, nose))
+      return true;
+  for (size_t i = 0; i < w->config->board_count; i++)
+    if (i != board && is_vehicle(w, i) && covers(&w->bodies[i], vehicle(w, i)->radius_m, nose)) return true;
+  return false;
+}
+
 double world_distance_m(const world *w, size_t board) {
+  if (is_covered(w, board)) return 0;
   return fmax(0, free_way(w, board, direction(w->bodies[board].heading_deg), 0) - vehicle(w, board)->radius_m);
 }

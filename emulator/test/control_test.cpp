@@ -135,6 +135,31 @@ TEST(Control, a_client_that_goes_away_makes_room) {
   EXPECT_EQ(server.lines.size(), 3u * CONTROL_CLIENTS);
 }
 
+TEST(Control, a_client_that_floods_is_served_a_few_lines_at_a_time) {
+  Scratch scratch;
+  Server server(scratch.path("control"));
+  Client client(server.path);
+  ASSERT_TRUE(client.send(std::string(500, '\n')));
+  control_exchange(&server.socket);
+  EXPECT_EQ(server.lines.size(), size_t(CONTROL_LINES));
+  for (int i = 0; i < 500; i++) {
+    control_exchange(&server.socket);
+    client.receive();
+  }
+  EXPECT_EQ(server.lines.size(), 500u);
+}
+
+TEST(Control, a_last_line_needs_no_end) {
+  Scratch scratch;
+  Server server(scratch.path("control"));
+  Client client(server.path);
+  ASSERT_TRUE(client.send("good\ngood"));
+  shutdown(client.fd, SHUT_WR);
+  for (int i = 0; i < 5; i++) control_exchange(&server.socket);
+  EXPECT_EQ(server.lines, (std::vector<std::string>{"good", "good"}));
+  EXPECT_EQ(client.receive(), OK + OK);
+}
+
 TEST(Control, the_socket_is_for_its_user_only_and_goes_at_the_end) {
   Scratch scratch;
   struct stat status;

@@ -119,16 +119,41 @@ class LivePageTest {
     }
 
     @Test
-    void vehicle_isDraggedByTheMouseAndByKeys() throws Exception {
+    void vehicle_isDraggedByMouseAndKeys_andAnObstaclePut() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
             WebElement road = page.await("#road");
-            choose(page, "board police");
+            find(page, road, "board police");
+            page.actions().clickAndHold().moveByOffset(20, -30).moveByOffset(20, -30).release().perform();
+            awaitEvent(run, command("move").and(with("board", "police")).and(event -> y(event) > 1));
+
+            choose(page, "board hospital");
             road.sendKeys(Keys.ARROW_UP);
-            awaitEvent(run, command("move").and(with("board", "police"))
-                    .and(event -> event.getAsJsonArray("position").get(1).getAsDouble() > 0));
+            awaitEvent(run, command("move").and(with("board", "hospital")).and(event -> y(event) == 41));
+
+            click(page, "add-obstacle");
+            page.actions().moveToElement(road, 200, 0).click().perform();
+            awaitEvent(run, command("obstacle"));
+            page.screenshot("dragged");
             assertClean(page);
         }
+    }
+
+    private static double y(JsonObject event) {
+        return event.getAsJsonArray("position").get(1).getAsDouble();
+    }
+
+    /** Leaves the mouse on a vehicle: the page does not say where it has drawn one. */
+    private static void find(Page page, WebElement road, String vehicle) {
+        for (int y = road.getSize().height / 2; y > -road.getSize().height / 2; y -= 12) {
+            for (int x = -road.getSize().width / 3; x < road.getSize().width / 3; x += 15) {
+                page.actions().moveToElement(road, x, Math.min(y, road.getSize().height / 2 - 2)).click().perform();
+                if (vehicle.equals(page.await("#chosen").getDomProperty("value"))) {
+                    return;
+                }
+            }
+        }
+        throw new AssertionError(vehicle + " is nowhere on the road");
     }
 
     @Test
