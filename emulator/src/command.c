@@ -60,8 +60,7 @@ static void read_value(command *c, const json_node *node, double max) {
 static void read_speed(command *c, const json_node *node) {
   read_value(c, node, MAX_SPEED);
   json_node value = json_member(node, "value");
-  if (c->value > 0 && c->value < LEAST_SPEED)
-    json_fail(&value, "expected 0, which pauses, or at least %g", LEAST_SPEED);
+  if (c->value > 0 && c->value < LEAST_SPEED) json_expected(&value, "0, which pauses, or 0.001 to 100");
 }
 
 static void read_sensor(command *c, const json_node *node, const scenario *s) {

@@ -48,6 +48,8 @@ TEST(CommandLine, each_mistake_gets_a_line_that_helps) {
       {R"({"do":"sensor","board":"car","pin":2})", "value: is missing; expected a number from 0 to 10000"},
       {R"({"do":"radio","bitErrorRate":2})", "bitErrorRate: expected a number from 0 to 1, found 2"},
       {R"({"do":"speed","value":101})", "value: expected a number from 0 to 100, found 101"},
+      {R"({"do":"speed","value":0.0009765625})",
+       "value: expected 0, which pauses, or 0.001 to 100, found 0.0009765625"},
       {R"({"do":"send","payload":"00"})", "position: is missing; expected a position [x, y] in metres"},
       {R"({"do":"send","position":[0,0]})", "payload: is missing; expected 1 to 77 bytes in hexadecimal digits"},
       {R"({"do":"send","position":[0,0],"payload":"0"})",

@@ -70,6 +70,14 @@ TEST(World, both_motors_drive_straight_ahead_and_back) {
   EXPECT_EQ(place.w.next_step, NEVER);
 }
 
+TEST(World, a_vehicle_inside_of_an_obstacle_measures_nothing_free) {
+  Place place({{0, 0}});
+  place.put("rock", -1, 0, 5);
+  EXPECT_EQ(world_distance_m(&place.w, 0), 0);
+  place.put("rock", -3, 0, 3.5);
+  EXPECT_EQ(world_distance_m(&place.w, 0), INFINITY);
+}
+
 TEST(World, one_motor_turns) {
   Place place({{0, 0}});
   place.drive(0, 1, M_PI / 4 + 0.005);  // 4 m/s on a circle of 2 m: a quarter

@@ -26,7 +26,8 @@ final class BoundedLines implements AutoCloseable {
             return null;
         }
         for (; character >= 0 && character != '\n'; character = in.read()) {
-            if (line.length() < MOST_CHARACTERS) {
+            // In an event a carriage return is white space; on the way to the page it would end a line.
+            if (character != '\r' && line.length() < MOST_CHARACTERS) {
                 line.append((char) character);
             }
         }

@@ -21,13 +21,15 @@ final class TraceSource implements Source {
     static TraceSource read(Path file, Hub hub) throws IOException, JavinoException {
         try (BoundedLines lines = new BoundedLines(Files.newInputStream(file))) {
             long number = 1;
-            for (String line = lines.next(); line != null; line = lines.next()) {
+            for (String line = lines.next(); line != null; line = lines.next(), number++) {
+                if (line.isBlank()) {
+                    continue;
+                }
                 if (!Events.isEvent(line)) {
                     throw new JavinoException(file + ":" + number
                             + ": this is no event; name the trace of a run, such as build/trace.jsonl");
                 }
                 hub.add(line);
-                number++;
             }
         }
         return new TraceSource();

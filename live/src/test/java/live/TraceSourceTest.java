@@ -51,8 +51,17 @@ class TraceSourceTest {
         assertThrows(JavinoException.class, () -> source.command(new JsonObject()));
     }
 
+    @Test
+    void file_withWindowsLineEndsAndEmptyLines_isRead() throws Exception {
+        Path file = Files.writeString(folder.resolve("trace.jsonl"), EVENT + "\r\n\r\n" + EVENT + "\r\n");
+
+        TraceSource.read(file, hub);
+
+        assertEquals(List.of(EVENT, EVENT), hub.after(0, 10, false).events());
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"", "x", "[]", "{}", "{\"t\":1}", "{\"event\":\"x\"}", "{\"t\":\"1\",\"event\":\"x\"}",
+    @ValueSource(strings = {"x", "[]", "{}", "{\"t\":1}", "{\"event\":\"x\"}", "{\"t\":\"1\",\"event\":\"x\"}",
             "{\"t\":1,\"event\":2}", "{\"t\":NaN,\"event\":\"x\"}", "{t:1,event:\"x\"}", EVENT + EVENT,
             "{\"t\":1,\"event\":\"x\""})
     void file_withAnotherLine_isRefusedWithItsNumber(String line) throws IOException {

@@ -57,7 +57,7 @@ final class Scenario implements AutoCloseable {
     private String verdict = "";
     private String failure;
     private boolean agentsStarted;
-    private boolean closed;
+    private volatile boolean closed;
 
     Scenario(Options options, Timeline timeline) {
         this.options = options;
@@ -315,7 +315,8 @@ final class Scenario implements AutoCloseable {
         if (happening != null) {
             happening.run();
         }
-        if (failure != null) {
+        // What ends after close() was ended by it.
+        if (failure != null && !closed) {
             throw new BrokenOffException(failure);
         }
     }

@@ -68,9 +68,13 @@ function mind(board, t) {
     <ul class="intentions">${board.intentions.slice(0, 5).map((i) => html`<li><code>${plain(i.replaceAll('[source(self)]', ''), 120)}</code></li>`)}</ul>`}`;
 }
 
+/** So many are drawn, as many as the model keeps; the others are told as they are. */
+const PLOTS = 8;
+
 export function percepts(board) {
-  const numbers = board.percepts.map((p) => NUMERIC.exec(p)).filter(Boolean).slice(0, 4);
-  const others = board.percepts.filter((p) => !NUMERIC.test(p));
+  const numbers = board.percepts.map((p) => NUMERIC.exec(p)).filter(Boolean)
+    .filter(([, name], i, all) => all.findIndex((other) => other[1] === name) === i).slice(0, PLOTS);
+  const others = board.percepts.filter((p) => !numbers.some(([plotted]) => plotted === p));
   return html`
     <div class="plots">${repeat(numbers, ([, name]) => name, ([, name, value]) => html`<figure>
       <figcaption><code>${plain(name, 24)}</code> <b>${value}</b></figcaption>

@@ -24,6 +24,8 @@ function upTo(entries, t, at = (entry) => entry.t) {
   return low;
 }
 
+const idIn = (packet) => packet.payload.slice(24, 26) + packet.payload.slice(28, 32);
+
 export class Model {
   #events = [];
   /** The time of each event, but never less than that of the one before. */
@@ -248,14 +250,11 @@ export class Model {
   }
 
   #handed(e) {
-    for (let i = this.packets.length - 1; i >= Math.max(0, this.packets.length - 64); i--) {
-      const p = this.packets[i];
-      const here = p.heard.some((h) => h.board === e.board && !h.why);
-      if (here && p.origin === e.origin && p.destination === e.destination) {
-        p.handed.push({ t: this.#head.t, board: text(e.board) });
-        return;
-      }
-    }
+    const fitting = this.packets.slice(-64).filter((p) => p.origin === e.origin && p.destination === e.destination
+      && p.heard.some((h) => h.board === e.board && !h.why));
+    // A message's id is in the nonce of its packet (SPEC 4.3). A later one with the same id is a copy.
+    const packet = fitting.find((p) => p.sealed && idIn(p) === e.id) ?? fitting.findLast((p) => !p.sealed || p.kind === 'piece');
+    packet?.handed.push({ t: this.#head.t, board: text(e.board) });
   }
 
   #reading(e, s) {

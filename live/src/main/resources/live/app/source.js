@@ -11,11 +11,23 @@ export async function about() {
 
 /** Hands on the server's events, an array at a time; `lost` is called with true when it is gone, with false when it is back. */
 export function follow(take, lost) {
-  const stream = new EventSource('/events?token=' + encodeURIComponent(token));
-  stream.onmessage = (message) => take(JSON.parse(message.data));
-  stream.onopen = () => lost(false);
-  stream.onerror = () => lost(true);
-  return stream;
+  let stream;
+  let next = 0;
+  const open = () => {
+    stream = new EventSource(`/events?token=${encodeURIComponent(token)}&from=${next}`);
+    stream.onmessage = (message) => {
+      next = Number(message.lastEventId) || next;
+      take(JSON.parse(message.data));
+    };
+    stream.onopen = () => lost(false);
+    stream.onerror = () => lost(true);
+  };
+  // A browser has six connections to a server at most: a page that nobody sees leaves its own to the others.
+  document.addEventListener('visibilitychange', () => {
+    stream?.close();
+    if (!document.hidden) open();
+  });
+  if (!document.hidden) open();
 }
 
 /** Gives a command; the result is empty, or one line that says why it was refused. */

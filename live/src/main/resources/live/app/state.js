@@ -2,7 +2,7 @@
 // what is the same.
 
 export const MOST_BOARDS = 64;
-const MOST_BELIEFS = 200;
+const MOST_BELIEFS = 1000;
 const LINES_SAID = 12;
 /** How many readings of its counters are kept: one comes a second. */
 const COUNTINGS = 40;

@@ -97,11 +97,14 @@ export function story(model, state, t, most = 3) {
   return found;
 }
 
+/** Within so many seconds after a packet each board has told its counters, also in a fast run. */
+const TOLD_WITHIN = 30;
+
 /** What became of a packet, at a time: a sentence for each board. */
 export function fate(model, state, packet, t) {
   if (t < packet.t) return ['It is on the air …'];
   const heard = packet.heard.filter((h) => h.t <= t);
-  const before = model.stateAt(packet.start);
+  const told = model.stateAt(Math.min(t, packet.t + TOLD_WITHIN));
   const sentences = [];
   for (const h of heard) {
     const who = titleOf(state, h.board);
@@ -109,25 +112,28 @@ export function fate(model, state, packet, t) {
       sentences.push(`${who} did not hear it undamaged: ${plain(h.why, 40)}.`);
       continue;
     }
-    const now = state.boards.get(h.board)?.counters ?? new Map();
-    const old = before.boards.get(h.board)?.counters ?? new Map();
-    const rose = (name) => (now.get(name) ?? 0) > (old.get(name) ?? 0);
+    // A board tells its counters once a second: the first time after it has heard the packet says what came of that.
+    const counted = told.boards.get(h.board)?.counted.find((c) => c.t >= h.t && c.t <= t);
+    const rose = (name) => counted?.rises.has(name) ?? false;
     const handed = packet.handed.find((x) => x.board === h.board && x.t <= t);
-    const refusal = Object.keys(REFUSALS).find(rose);
+    // Another packet may have come within the same second.
+    const refusals = Object.keys(REFUSALS).filter(rose);
+    const refusal = refusals[0];
+    const why = refusals.map((name) => `${REFUSALS[name].why} (${name})`).join(', or ');
     const left = Object.keys(LEFT).find(rose);
     if (handed) {
       sentences.push(`${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.'));
     } else if (refusal && packet.to.includes(h.board) || refusal === 'radioOwn' || refusal && packet.kind === 'no frame') {
-      sentences.push(`${who} refused it: ${REFUSALS[refusal].why} (${refusal}).`);
+      sentences.push(`${who} refused it: ${why}.`);
     } else if (left) {
       sentences.push(`${who} ${LEFT[left]} (${left}).`);
     } else if (refusal) {
-      sentences.push(`${who} refused it: ${REFUSALS[refusal].why} (${refusal}).`);
+      sentences.push(`${who} refused it: ${why}.`);
     } else {
-      sentences.push(`${who} heard it, and ` + (t - packet.t < 4 ? 'has not yet told what it did …' : 'no counter of it rose.'));
+      sentences.push(`${who} heard it, and ` + (counted ? 'no counter of a refusal rose.' : 'has not yet told what it did …'));
     }
   }
   const others = [...state.boards.values()].filter((b) => !heard.some((h) => h.board === b.name) && b.name !== packet.board);
-  if (others.length > 0) sentences.push(`Out of range: ${listed(others.map((b) => titleOf(state, b.name)))}.`);
+  if (others.length > 0) sentences.push(`Not heard by ${listed(others.map((b) => titleOf(state, b.name)))}.`);
   return sentences;
 }

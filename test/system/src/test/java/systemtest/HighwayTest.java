@@ -178,7 +178,8 @@ class HighwayTest {
         Run run = launch(EMULATOR, "--speed=2");
 
         assertEquals(List.of(
-                "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout"),
+                "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout, "
+                        + "-Plive, -Pheadless"),
                 run.lines);
         assertEquals(2, run.status);
     }
