@@ -25,9 +25,27 @@ static const vehicle_config *vehicle(const world *w, size_t board) { return &w->
 
 static bool is_vehicle(const world *w, size_t board) { return vehicle(w, board)->radius_m > 0; }
 
+typedef struct {
+  double x_m, y_m, radius_m;
+} circle;
+
+static size_t circle_count(const world *w) { return w->obstacle_count + w->config->board_count; }
+
+// The obstacles, then the vehicles. Returns whether the one of this number can be in a board's way.
+static bool circle_read(circle *c, const world *w, size_t board, size_t number) {
+  if (number < w->obstacle_count) {
+    const obstacle_config *obstacle = &w->obstacles[number];
+    *c = (circle){obstacle->x_m, obstacle->y_m, obstacle->radius_m};
+    return true;
+  }
+  size_t other = number - w->obstacle_count;
+  *c = (circle){w->bodies[other].x_m, w->bodies[other].y_m, vehicle(w, other)->radius_m};
+  return other != board && is_vehicle(w, other);
+}
+
 // How far a point can go in a direction until it is at the circle; infinity where it does not meet it.
-static double way_to_circle(const world_body *from, vector along, double x_m, double y_m, double radius_m) {
-  double x = x_m - from->x_m, y = y_m - from->y_m;
+static double way_to_circle(const world_body *from, vector along, const circle *c, double margin_m) {
+  double x = c->x_m - from->x_m, y = c->y_m - from->y_m, radius_m = c->radius_m + margin_m;
   double ahead = x * along.x + y * along.y;
   double beside = x * along.y - y * along.x;
   if (ahead <= 0 || fabs(beside) >= radius_m) return INFINITY;
@@ -36,15 +54,10 @@ static double way_to_circle(const world_body *from, vector along, double x_m, do
 
 // How far a board's centre can go until what is `margin_m` around it touches something.
 static double free_way(const world *w, size_t board, vector along, double margin_m) {
-  const world_body *from = &w->bodies[board];
   double way = INFINITY;
-  for (size_t i = 0; i < w->obstacle_count; i++)
-    way = fmin(
-        way, way_to_circle(from, along, w->obstacles[i].x_m, w->obstacles[i].y_m, w->obstacles[i].radius_m + margin_m));
-  for (size_t i = 0; i < w->config->board_count; i++)
-    if (i != board && is_vehicle(w, i))
-      way =
-          fmin(way, way_to_circle(from, along, w->bodies[i].x_m, w->bodies[i].y_m, vehicle(w, i)->radius_m + margin_m));
+  circle c;
+  for (size_t i = 0; i < circle_count(w); i++)
+    if (circle_read(&c, w, board, i)) way = fmin(way, way_to_circle(&w->bodies[board], along, &c, margin_m));
   return way;
 }
 
@@ -151,21 +164,16 @@ int world_remove_obstacle(world *w, const char *name) {
   return 0;
 }
 
-static bool covers(const world_body *circle, double radius_m, vector point) {
-  return hypot(circle->x_m - point.x, circle->y_m - point.y) < radius_m;
-}
-
 // Whether a vehicle's nose is inside of something: then that has no edge ahead.
 static bool is_covered(const world *w, size_t board) {
   const world_body *body = &w->bodies[board];
   vector along = direction(body->heading_deg);
-  double radius_m = vehicle(w, board)->radius_m;
-  vector nose = {body->x_m + radius_m * along.x, body->y_m + radius_m * along.y};
-  for (size_t i = 0; i < w->obstacle_count; i++)
-    if (covers(&(world_body){.x_m = w->obstacles[i].x_m, .y_m = w->obstacles[i].y_m}, w->obstacles[i].radius_m, nose))
+  double nose_m = vehicle(w, board)->radius_m;
+  circle c;
+  for (size_t i = 0; i < circle_count(w); i++)
+    if (circle_read(&c, w, board, i) &&
+        hypot(c.x_m - body->x_m - nose_m * along.x, c.y_m - body->y_m - nose_m * along.y) < c.radius_m)
       return true;
-  for (size_t i = 0; i < w->config->board_count; i++)
-    if (i != board && is_vehicle(w, i) && covers(&w->bodies[i], vehicle(w, i)->radius_m, nose)) return true;
   return false;
 }
 
