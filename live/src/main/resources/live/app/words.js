@@ -123,12 +123,10 @@ export function fate(model, state, packet, t) {
     const left = Object.keys(LEFT).find(rose);
     if (handed) {
       sentences.push(`${who} took it` + (packet.sealed ? ': its tag is right.' : ': a broadcast has no lock, so anybody may shout. Its agent decides what it believes.'));
-    } else if (refusal && packet.to.includes(h.board) || refusal === 'radioOwn' || refusal && packet.kind === 'no frame') {
+    } else if (refusal && (!left || refusal === 'radioOwn' || packet.to.includes(h.board) || packet.kind === 'no frame')) {
       sentences.push(`${who} refused it: ${why}.`);
     } else if (left) {
       sentences.push(`${who} ${LEFT[left]} (${left}).`);
-    } else if (refusal) {
-      sentences.push(`${who} refused it: ${why}.`);
     } else {
       sentences.push(`${who} heard it, and ` + (counted ? 'no counter of a refusal rose.' : 'has not yet told what it did …'));
     }
