@@ -68,6 +68,17 @@
 #define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
 #endif
 
+/// Whether parity is sent behind packets that come with errors, and used to mend them (SPEC 6.1), 0 or 1.
+#ifndef JAVINO_PARITY
+#define JAVINO_PARITY JAVINO_BY_CHIP(1, 0)
+#endif
+
+/// Packets of which a copy is kept, damaged ones to be combined with the next copy, and right ones to know a damaged repeat,
+/// 0…16. 149 bytes of RAM each, 123 without parity.
+#ifndef JAVINO_DAMAGED_COPIES
+#define JAVINO_DAMAGED_COPIES JAVINO_BY_CHIP(6, 0)
+#endif
+
 /// Acknowledgements that wait for the air, 2…16. 13 bytes of RAM each.
 #ifndef JAVINO_ACKNOWLEDGEMENTS
 #define JAVINO_ACKNOWLEDGEMENTS JAVINO_BY_CHIP(6, 3)
@@ -133,6 +144,8 @@ static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
 static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
+static const bool PARITY = JAVINO_PARITY;
+static const uint8_t DAMAGED_COPIES = JAVINO_DAMAGED_COPIES;
 static const uint8_t ACKNOWLEDGEMENTS = JAVINO_ACKNOWLEDGEMENTS;
 static const uint8_t BROADCAST_ORIGINS = JAVINO_BROADCAST_ORIGINS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
@@ -157,6 +170,8 @@ static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 12 && JAVINO_TRANSMI
               "JAVINO_TRANSMIT_BYTES must hold the longest frame and 2 bytes, and be at most 4096");
 static_assert(JAVINO_REASSEMBLIES >= 0 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 0…8");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
+static_assert(JAVINO_PARITY == 0 || JAVINO_PARITY == 1, "JAVINO_PARITY must be 0 or 1");
+static_assert(JAVINO_DAMAGED_COPIES >= 0 && JAVINO_DAMAGED_COPIES <= 16, "JAVINO_DAMAGED_COPIES must be 0…16");
 static_assert(JAVINO_ACKNOWLEDGEMENTS >= 2 && JAVINO_ACKNOWLEDGEMENTS <= 16, "JAVINO_ACKNOWLEDGEMENTS must be 2…16");
 static_assert(JAVINO_MULTICAST_SENDS >= 1 && JAVINO_MULTICAST_SENDS <= 4, "JAVINO_MULTICAST_SENDS must be 1…4");
 static_assert(JAVINO_BROADCAST_SENDS >= 1 && JAVINO_BROADCAST_SENDS <= 4, "JAVINO_BROADCAST_SENDS must be 1…4");

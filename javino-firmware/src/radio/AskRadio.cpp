@@ -48,7 +48,7 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   }
   // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
   RadioPacket *packet = decoder_.queue().claim();
-  const bool room = packet && encoder_.start(payload, length, packet->bytes);
+  const bool room = packet && encoder_.start(payload, length, follower_, packet->room);
   askhardware::InterruptLock lock;
   if (!room) {  // a packet has come since the first look
     startReceiving();
@@ -75,34 +75,32 @@ uint16_t AskRadio::airtimeMillis(uint8_t length) const {
 
 uint8_t AskRadio::slotMillis() const { return static_cast<uint8_t>((SLOT_BITS * 1000u + bitRate_ - 1) / bitRate_); }
 
+// A packet that is lost waits for release(), or for the next call.
 uint8_t *AskRadio::receive(uint8_t &length) {
   lookAtLine();
-  while (RadioPacket *packet = decoder_.queue().oldest()) {
-    if (makeWhole(*packet)) {
-      length = packet->payloadLength();
-      return packet->payload();
-    }
-    decoder_.queue().release();
+  if (mender_.lost()) release();
+  RadioPacket *packet = decoder_.queue().oldest();
+  if (!packet) return nullptr;
+  switch (mender_.step(*packet)) {
+    case Mender::PENDING: return nullptr;
+    case Mender::LOST: return nullptr;
+    case Mender::WHOLE: break;
   }
-  return nullptr;
+  length = packet->payloadLength();
+  return packet->payload();
+}
+
+void AskRadio::release() {
+  count(mender_.lost() ? decoder_.counters().damaged : decoder_.counters().received);
+  if (!mender_.lost() && mender_.hasMended()) count(decoder_.counters().mended);
+  mender_.begin();
+  decoder_.queue().release();
 }
 
 // A packet whose last bits are alike ends without an edge: it need not wait for the alarm.
 void AskRadio::lookAtLine() {
   askhardware::InterruptLock lock;
   if (decoder_.inPacket()) hear(askhardware::now());
-}
-
-// Checks or mends, and counts.
-bool AskRadio::makeWhole(RadioPacket &packet) {
-  const bool complete = packet.wrongNibble == RadioPacket::NO_NIBBLE;
-  if (!(complete ? packet.isIntact() : packet.mend())) {
-    count(decoder_.counters().damaged);
-    return false;
-  }
-  count(decoder_.counters().received);
-  if (!complete) count(decoder_.counters().mended);
-  return true;
 }
 
 void AskRadio::count(uint32_t &counter) {

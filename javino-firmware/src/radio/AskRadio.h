@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "BitClock.h"
+#include "Mender.h"
 #include "Radio.h"
 #include "RadioDecoder.h"
 #include "RadioEncoder.h"
@@ -40,7 +41,11 @@ class AskRadio : public Radio {
   uint16_t airtimeMillis(uint8_t length) const override;
   uint8_t slotMillis() const override;
   uint8_t *receive(uint8_t &length) override;
-  void release() override { decoder_.queue().release(); }
+  void release() override;
+  Mender *mender() override { return &mender_; }
+#if JAVINO_PARITY
+  void follow(Trailer trailer) override { follower_ = trailer; }
+#endif
   void counters(RadioCounters &into) const override;
   bool idle() const override { return decoder_.queue().empty(); }
 
@@ -51,7 +56,6 @@ class AskRadio : public Radio {
   void onAlarm();
 
  private:
-  bool makeWhole(RadioPacket &packet);
   void count(uint32_t &counter);
   void startReceiving();
   void stopReceiving();
@@ -79,7 +83,9 @@ class AskRadio : public Radio {
 
   BitClock bitClock_;
   RadioEncoder encoder_;
+  Trailer follower_ JAVINO_ZEROED;  // what follows the packets that are sent
   RadioDecoder decoder_;
+  Mender mender_;
 };
 
 }  // namespace javino

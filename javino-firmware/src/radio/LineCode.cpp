@@ -28,13 +28,45 @@ uint8_t nibbleOf(uint8_t symbol) {
   return NO_NIBBLE;
 }
 
-bool isOneBitOff(uint8_t symbol) {
-  if (symbol == 0 || symbol == 0x3F) return false;
-  symbol ^= symbol >> 4;
-  symbol ^= symbol >> 2;
-  symbol ^= symbol >> 1;
-  return !(symbol & 1);
+uint8_t onesOf(uint8_t byte) {
+  uint8_t ones = 0;
+  for (; byte != 0; byte = static_cast<uint8_t>(byte & (byte - 1))) ones++;
+  return ones;
 }
+
+uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) {
+  distance = onesOf(one ^ two);
+  if (distance <= 2) {  // what is in the table is nearer than all else, if the other is not
+    const uint8_t first = inTrailer ? trailerNibbleOf(one) : nibbleOf(one);
+    const uint8_t second = one == two ? first : inTrailer ? trailerNibbleOf(two) : nibbleOf(two);
+    if (first != NO_NIBBLE && (first == second || second == NO_NIBBLE)) return static_cast<uint16_t>(1 << first);
+    if (first == NO_NIBBLE && second != NO_NIBBLE) return static_cast<uint16_t>(1 << second);
+  }
+  uint16_t nearest = 0;
+  distance = UINT8_MAX;
+  for (uint8_t nibble = 16; nibble-- != 0;) {
+    const uint8_t symbol = inTrailer ? trailerSymbolOf(nibble) : symbolOf(nibble);
+    const uint8_t wrong = static_cast<uint8_t>(onesOf(symbol ^ one) + onesOf(symbol ^ two));
+    nearest = static_cast<uint16_t>(nearest << 1);
+    if (wrong > distance) continue;
+    if (wrong < distance) nearest = 0;
+    distance = wrong;
+    nearest |= 1;
+  }
+  return nearest;
+}
+
+Trailer trailerOf(uint16_t bits) {
+  for (uint8_t word : {TRAILER_MARK, TRAILER_PARITY}) {
+    const uint16_t wrong = static_cast<uint16_t>(
+        bits ^ (trailerSymbolOf(static_cast<uint8_t>(word >> 4)) | trailerSymbolOf(word) << BITS_PER_SYMBOL));
+    if (onesOf(static_cast<uint8_t>(wrong)) + onesOf(static_cast<uint8_t>(wrong >> 8)) <= 2)
+      return word == TRAILER_MARK ? Trailer::MARK : Trailer::PARITY;
+  }
+  return Trailer::NONE;
+}
+
+uint8_t parityLength(uint8_t count) { return count <= 48 ? 12 : 16; }
 
 uint8_t preambleSymbol(uint8_t index) {
   if (index < PREAMBLE_SYMBOLS - 2) return TRAINING_SYMBOL;

@@ -2,6 +2,9 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
+#include "Radio.h"
+
 namespace javino {
 
 /// The numbers of VirtualWire's line code (SPEC 6): each nibble travels as a symbol of six bits, three of them ones.
@@ -9,15 +12,25 @@ namespace linecode {
 
 static const uint8_t BITS_PER_SYMBOL = 6;
 
-/// The bits of the start symbols 0x38 and 0x2C as they lie in a 12-bit register that is filled from the top.
+/// The bits of the start symbols 0x38 and 0x2C as they lie in a 12-bit register that is filled from the top; and those of the
+/// training before them, in one of 24 bits.
 static const uint16_t START = 0xB38;
 static const uint16_t START_TOP_BIT = 0x800;
+static const uint32_t TRAINING = 0xAAAAAA;
+static const uint32_t TRAINING_TOP_BIT = 0x800000;
 
 /// Symbols ahead of the first byte: six of training, then the two of the start symbol.
 static const uint8_t PREAMBLE_SYMBOLS = 8;
 
 /// Bytes of a packet that are not payload: one of count, two of CRC.
 static const uint8_t PACKET_OVERHEAD = 3;
+
+/// Bytes of the longest trailer (SPEC 6.1).
+static const uint8_t TRAILER_LENGTH = JAVINO_PARITY ? 17 : 0;
+
+/// Bytes of a packet without its trailer.
+static const uint8_t MIN_COUNT = 1 + PACKET_OVERHEAD;
+static const uint8_t MAX_COUNT = MAX_RADIO_PAYLOAD + PACKET_OVERHEAD;
 
 /// What nibbleOf() gives for the 48 symbols that stand for none.
 static const uint8_t NO_NIBBLE = 0xFF;
@@ -29,9 +42,22 @@ uint8_t symbolOf(uint8_t nibble);
 /// @return 0…15, or NO_NIBBLE.
 uint8_t nibbleOf(uint8_t symbol);
 
-/// @param symbol 0…63
-/// @return whether it has two or four ones, and so is one bit off the symbols beside it.
-bool isOneBitOff(uint8_t symbol);
+/// @return how many bits of a byte are ones.
+uint8_t onesOf(uint8_t byte);
+
+/// The nibbles whose symbols differ in the fewest bits from two that came in their place, both together.
+/// @param inTrailer whether they are of the trailers' alphabet
+/// @param distance set to the number of these bits, 0…6
+/// @return bit k for nibble k
+uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance);
+
+/// Reads the word behind a packet, of which two bits may be wrong.
+/// @param bits twelve, the first one lowest
+Trailer trailerOf(uint16_t bits);
+
+/// How many bytes of parity are sent: 12 for a packet that is that short, 16 for others.
+/// @param count 4…80
+uint8_t parityLength(uint8_t count);
 
 /// @param index 0…7
 /// @return that symbol of the training and the start.

@@ -2,6 +2,8 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
+
 namespace javino {
 
 /// The most bytes of payload in one radio packet (SPEC 6). The buffers have room for so many, so the driver of a module
@@ -11,6 +13,15 @@ static const uint8_t MAX_RADIO_PAYLOAD = 77;
 /// The fewest bytes that a radio must be able to carry: an acknowledgement (SPEC 7.3), or the header of a piece before that of
 /// its frame and the nonce.
 static const uint8_t MIN_RADIO_PAYLOAD = 26;
+
+class Mender;
+
+/// What follows a packet (SPEC 6.1).
+enum class Trailer : uint8_t {
+  NONE,
+  MARK,   ///< a word: the sender understands trailers
+  PARITY  ///< another word, and the packet's parity
+};
 
 /// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17, 28).
 struct RadioCounters {
@@ -38,6 +49,15 @@ class Radio {
   /// @return false, and nothing is sent, if another packet is on the air, if the length is out of range, or if so many
   /// received packets wait that there is no room for this one.
   virtual bool send(const uint8_t *payload, uint8_t length) = 0;
+
+#if JAVINO_PARITY
+  /// Says what follows the packets that are sent from now on. A driver need not do that.
+  virtual void follow(Trailer) {}
+#endif
+
+  /// @return what knows how the packet that receive() returned has come, and which packets were lost; null where the driver
+  /// gives intact ones only.
+  virtual Mender *mender() { return nullptr; }
 
   /// @return whether this board has a packet on the air; false again after its last bit.
   virtual bool sending() const = 0;

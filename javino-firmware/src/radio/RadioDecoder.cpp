@@ -7,104 +7,196 @@ namespace javino {
 
 namespace {
 
-const uint8_t MIN_COUNT = 1 + linecode::PACKET_OVERHEAD;
-const uint8_t MAX_COUNT = MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD;
+const uint8_t MOST_START_ERRORS = 3;
+const uint8_t NO_START = 0xFF;
+
+// Up to here a start may be that of a packet whose training looked like one, and whose own start is still to come.
+const uint8_t SYMBOLS_OF_DOUBT = 8;
+
+const int8_t NOISE = 8;
+const int8_t LEAST_NOISE = -8;
+
+const uint8_t COUNT_SYMBOLS = 2;
+
+uint8_t wrongBits(uint16_t difference) {
+  return static_cast<uint8_t>(linecode::onesOf(static_cast<uint8_t>(difference)) +
+                              linecode::onesOf(static_cast<uint8_t>(difference >> 8)));
+}
 
 }  // namespace
 
-RadioDecoder::RadioDecoder(uint16_t bitTicks)
-    : hunting_(true), wrongNibble_(RadioPacket::NO_NIBBLE), carrier_(bitTicks) {}
+RadioDecoder::RadioDecoder(uint16_t bitTicks) : carrier_(bitTicks) {}
 
 void RadioDecoder::add(bool bit) {
+  before_ >>= 1;
+  if (bits_ & 1) before_ |= linecode::TRAINING_TOP_BIT;
   bits_ >>= 1;
   if (bit) bits_ |= linecode::START_TOP_BIT;
-  if (hunting_) {
-    hunting_ = bits_ != linecode::START;
-    return;
-  }
+  if (isStart()) return;
+  if (phase_ == HUNTING) return;
+  store(bit);
   if (++symbolBits_ < linecode::BITS_PER_SYMBOL) return;
   symbolBits_ = 0;
   addSymbol(static_cast<uint8_t>(bits_ >> linecode::BITS_PER_SYMBOL));
 }
 
-void RadioDecoder::endOfSignal() {
-  if (!hunting_) refuse();
+// Looks for a start in the last 36 bits. One that counts begins a packet.
+bool RadioDecoder::isStart() {
+  uint8_t wrong = wrongBits(bits_ ^ linecode::START);
+  if (wrong > MOST_START_ERRORS) return false;
+  const uint32_t training = before_ ^ linecode::TRAINING;
+  // The newest twelve bits of training are those that no receiver has missed.
+  const bool isExact = wrong == 0 && (training >> 12) == 0;
+  wrong = static_cast<uint8_t>(wrong + wrongBits(static_cast<uint16_t>(training)) +
+                               linecode::onesOf(static_cast<uint8_t>(training >> 16)));
+  if (isExact && wrong > MOST_START_ERRORS) wrong = MOST_START_ERRORS;
+  if (wrong > MOST_START_ERRORS || !isBetterStart(wrong)) return false;
+  begin(wrong);
+  return true;
 }
 
-void RadioDecoder::abandon() {
-  if (!hunting_) countUp(counters_.missed);
-  bits_ = 0;
-  hunt();
+bool RadioDecoder::isBetterStart(uint8_t wrong) const {
+  if (phase_ <= TRAILER) return true;
+  return phase_ == COUNT || symbols_ < SYMBOLS_OF_DOUBT ? wrong < startErrors_ : noise_ > 0;
+}
+
+void RadioDecoder::begin(uint8_t wrong) {
+  if (phase_ == COUNT || phase_ == BODY) {
+    countUp(counters_.damaged);
+  } else {
+    close();
+  }
+  phase_ = COUNT;
+  startErrors_ = wrong;
+  noise_ = 0;
+  symbolBits_ = 0;
+  symbols_ = 0;
+  end_ = COUNT_SYMBOLS;
+  byteBits_ = 0;
+}
+
+// The twelve bits of the count wait in the register.
+void RadioDecoder::store(bool bit) {
+  if (phase_ == COUNT) return;
+  byte_ >>= 1;
+  if (bit) byte_ |= 0x80;
+  if (++byteBits_ < 8) return;
+  byteBits_ = 0;
+  if (packet_) *next_++ = byte_;
 }
 
 void RadioDecoder::addSymbol(uint8_t symbol) {
-  uint8_t nibble = linecode::nibbleOf(symbol);
-  if (nibble == linecode::NO_NIBBLE) {
-    if (!mayBeMended(symbol)) {
+  if (linecode::onesOf(symbol) != linecode::BITS_PER_SYMBOL / 2) {
+    if (++noise_ == NOISE) {
       refuse();
       return;
     }
-    wrongNibble_ = static_cast<uint8_t>(2 * received_ + lowNibble_);
-    wrongSymbol_ = symbol;
-    nibble = 0;
+  } else if (noise_ != LEAST_NOISE) {
+    noise_--;
   }
-  lowNibble_ = !lowNibble_;
-  if (lowNibble_) {
-    highNibble_ = nibble;
-  } else {
-    addByte(static_cast<uint8_t>(highNibble_ << 4 | nibble));
+  if (++symbols_ < end_) return;
+  switch (phase_) {
+    case COUNT: startBody(); break;
+    case BODY: endBody(); break;
+    case TRAILER: readTrailer(); break;
+    default: close(); hunt();
   }
 }
 
-bool RadioDecoder::mayBeMended(uint8_t symbol) const {
-  return count_ != 0 && wrongNibble_ == RadioPacket::NO_NIBBLE && linecode::isOneBitOff(symbol);
-}
-
-void RadioDecoder::addByte(uint8_t byte) {
-  if (count_ == 0) {
-    startPacket(byte);
-    return;
+// Of a count with a wrong symbol only the most is known that it can be.
+void RadioDecoder::startBody() {
+  const uint8_t high = linecode::nibbleOf(static_cast<uint8_t>(bits_ & 0x3F));
+  const uint8_t low = linecode::nibbleOf(static_cast<uint8_t>(bits_ >> linecode::BITS_PER_SYMBOL));
+  counted_ = high != linecode::NO_NIBBLE && low != linecode::NO_NIBBLE;
+  uint8_t most = linecode::MAX_COUNT;
+  if (high != linecode::NO_NIBBLE) {
+    const uint8_t count = static_cast<uint8_t>(high << 4 | (counted_ ? low : 0x0F));
+    if (count < linecode::MIN_COUNT || (counted_ && count > most) || high > most >> 4) {
+      refuse();
+      return;
+    }
+    if (count < most) most = count;
   }
-  if (packet_) packet_->bytes[received_] = byte;
-  if (++received_ == count_) endPacket();
-}
-
-void RadioDecoder::startPacket(uint8_t count) {
-  if (count < MIN_COUNT || count > MAX_COUNT) {
-    refuse();
-    return;
-  }
-  count_ = count;
-  received_ = 1;
+  end_ = static_cast<uint8_t>(2 * (counted_ ? most : most + linecode::TRAILER_LENGTH));
+  phase_ = BODY;
+  trailer_ = Trailer::NONE;
   packet_ = queue_.claim();
-  carrier_.expect(static_cast<uint16_t>(2 * linecode::BITS_PER_SYMBOL) * static_cast<uint8_t>(count - 1));
+  if (packet_) {
+    packet_->areBytes = false;
+    packet_->open = false;
+    packet_->room[0] = static_cast<uint8_t>(bits_);
+    next_ = packet_->room + 1;
+  }
+  byte_ = static_cast<uint8_t>(bits_ >> 4);
+  byteBits_ = 4;
+  carrier_.expect(static_cast<uint16_t>(linecode::BITS_PER_SYMBOL) * static_cast<uint8_t>(end_ - COUNT_SYMBOLS));
 }
 
-void RadioDecoder::endPacket() {
-  if (packet_) {
-    packet_->bytes[0] = count_;
-    packet_->wrongNibble = wrongNibble_;
-    packet_->wrongSymbol = wrongSymbol_;
-    queue_.commit();
-  } else {
+void RadioDecoder::endBody() {
+  if (!packet_) {
     countUp(counters_.missed);
+    hunt();
+    return;
   }
+  packet_->symbols = symbols_;
+  // Of an odd number of bytes the last bits are few: they lie where the next ones of the trailer will come.
+  if (byteBits_ != 0) *next_ = static_cast<uint8_t>(byte_ >> 4);
+  const bool mayGoOn = counted_ && linecode::TRAILER_LENGTH != 0;
+  packet_->open = mayGoOn;
+  queue_.commit();
+  if (!mayGoOn) {
+    hunt();
+    return;
+  }
+  phase_ = TRAILER;
+  end_ = static_cast<uint8_t>(end_ + 2);
+  noise_ = LEAST_NOISE;
+}
+
+void RadioDecoder::readTrailer() {
+  trailer_ = linecode::trailerOf(bits_);
+  if (trailer_ != Trailer::PARITY) {
+    close();
+    hunt();
+    return;
+  }
+  const uint8_t symbols = static_cast<uint8_t>(2 * linecode::parityLength(static_cast<uint8_t>((symbols_ - 2) / 2)));
+  end_ = static_cast<uint8_t>(end_ + symbols);
+  phase_ = PARITY;
+  carrier_.expect(static_cast<uint16_t>(linecode::BITS_PER_SYMBOL) * symbols);
+}
+
+// Nothing more comes for the packet that was queued.
+void RadioDecoder::close() {
+  if (phase_ != TRAILER && phase_ != PARITY) return;
+  if (byteBits_ != 0) *next_ = static_cast<uint8_t>(byte_ >> (8 - byteBits_));
+  packet_->symbols = symbols_;
+  packet_->open = false;
+}
+
+void RadioDecoder::endOfSignal() {
+  if (phase_ == BODY && !counted_) {
+    endBody();
+  } else if (phase_ == COUNT || phase_ == BODY) {
+    refuse();
+  }
+  close();
+  hunt();
+}
+
+void RadioDecoder::abandon() {
+  if (phase_ == COUNT || phase_ == BODY) countUp(counters_.missed);
+  close();
+  bits_ = 0;
+  before_ = 0;
   hunt();
 }
 
 void RadioDecoder::refuse() {
-  if (count_ != 0) carrier_.doubt();
-  countUp(counters_.damaged);
+  if (phase_ == BODY) carrier_.doubt();
+  if (phase_ == COUNT || phase_ == BODY) countUp(counters_.damaged);
+  close();
   hunt();
-}
-
-void RadioDecoder::hunt() {
-  hunting_ = true;
-  symbolBits_ = 0;
-  lowNibble_ = false;
-  count_ = 0;
-  received_ = 0;
-  wrongNibble_ = RadioPacket::NO_NIBBLE;
 }
 
 }  // namespace javino

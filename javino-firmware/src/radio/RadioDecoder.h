@@ -10,11 +10,12 @@
 
 namespace javino {
 
-/// Finds radio packets (SPEC 6) in a stream of bits and queues them, their CRC unread.
+/// Finds radio packets (SPEC 6) in a stream of bits and queues them as they came, right or wrong.
 ///
-/// Each packet whose start symbol was found is counted as damaged or missed, or is queued. One symbol outside of the
-/// table is let pass behind the count, where it may be mended. After a damaged packet the hunt for a start symbol goes
-/// on at the very next bit.
+/// A packet begins where at most 3 of the last 36 bits differ from training and start symbol: noise does that once in 73
+/// minutes (2000 bit/s); or where the last 24 are right, since a receiver may have missed the first ones. What follows is given up when it looks like noise: when eight more symbols were impossible
+/// than possible. Meanwhile the search goes on: a start that is better, in the first symbols, or that comes while the
+/// packet looks like noise, takes its place.
 class RadioDecoder {
  public:
   /// @param bitTicks the length of a bit in ticks, 16…13107
@@ -23,14 +24,17 @@ class RadioDecoder {
   /// Takes the next bit from the air.
   JAVINO_OUT_OF_LINE void add(bool bit);
 
-  /// @return whether a packet is under way whose count has come.
-  bool inPacket() const { return count_ != 0; }
+  /// @return whether a packet is under way whose count has come, or its parity.
+  bool inPacket() const { return phase_ >= BODY; }
 
-  /// The line has been silent for longer than the line code allows: a packet under way is damaged.
+  /// The line has been silent for longer than the line code allows: a packet under way has ended, or is damaged.
   void endOfSignal();
 
   /// Forgets all bits; a packet under way counts as missed, since it is the receiver that leaves it.
   void abandon();
+
+  /// What came behind the last packet.
+  Trailer trailer() const { return trailer_; }
 
   CarrierSense &carrier() { return carrier_; }
   const CarrierSense &carrier() const { return carrier_; }
@@ -40,24 +44,40 @@ class RadioDecoder {
   const RadioQueue &queue() const { return queue_; }
 
  private:
-  void addSymbol(uint8_t symbol);
-  bool mayBeMended(uint8_t symbol) const;
-  void addByte(uint8_t byte);
-  void startPacket(uint8_t count);
-  void endPacket();
-  void refuse();
-  void hunt();
+  enum Phase : uint8_t {
+    HUNTING,  // for a start
+    TRAILER,  // the word behind a packet, that says whether parity follows
+    COUNT,    // the first two symbols
+    BODY,     // the others
+    PARITY    // what follows the word
+  };
 
-  uint16_t bits_ JAVINO_ZEROED;       // the last twelve, the newest at the top
-  bool hunting_;                      // for a start symbol
-  uint8_t symbolBits_ JAVINO_ZEROED;  // bits of the symbol under way
-  bool lowNibble_ JAVINO_ZEROED;      // the next nibble is a byte's second
-  uint8_t highNibble_ JAVINO_ZEROED;
-  uint8_t count_ JAVINO_ZEROED;     // bytes of the packet, itself included; 0 until it came
-  uint8_t received_ JAVINO_ZEROED;  // bytes so far
-  uint8_t wrongNibble_;             // as in RadioPacket
-  uint8_t wrongSymbol_ JAVINO_ZEROED;
+  bool isStart();
+  bool isBetterStart(uint8_t wrong) const;
+  void begin(uint8_t wrong);
+  void store(bool bit);
+  void addSymbol(uint8_t symbol);
+  void startBody();
+  void endBody();
+  void readTrailer();
+  void refuse();
+  void close();
+  void hunt() { phase_ = HUNTING; }
+
+  uint16_t bits_ JAVINO_ZEROED;    // the last twelve, the newest at the top
+  uint32_t before_ JAVINO_ZEROED;  // the 24 before those
+  Phase phase_ JAVINO_ZEROED;
+  uint8_t startErrors_ JAVINO_ZEROED;  // wrong bits of the start of the packet under way
+  int8_t noise_ JAVINO_ZEROED;         // impossible symbols less the possible ones, at least LEAST_NOISE
+  uint8_t symbolBits_ JAVINO_ZEROED;   // bits of the symbol under way
+  uint8_t symbols_ JAVINO_ZEROED;      // that have come
+  uint8_t end_ JAVINO_ZEROED;          // how many are to come in all
+  bool counted_ JAVINO_ZEROED;         // both symbols of the count are in the table
+  uint8_t byte_ JAVINO_ZEROED;         // the last bits, on their way to the packet, from the top
+  uint8_t byteBits_ JAVINO_ZEROED;     // how many they are
+  volatile Trailer trailer_ JAVINO_ZEROED;
   RadioPacket *packet_ JAVINO_ZEROED;  // where all goes; null where no slot was free
+  uint8_t *next_ JAVINO_ZEROED;        // in it, where the next byte goes
   CarrierSense carrier_;
   RadioCounters counters_ JAVINO_ZEROED;
   RadioQueue queue_;  // last: AVR reaches only the first 64 bytes of an object in one instruction

@@ -2,15 +2,18 @@
 
 #include <string.h>
 
+#if JAVINO_PARITY
+#include "ReedSolomon.h"
+#endif
 #include "../support/Crc16.h"
 
 namespace javino {
 
-bool RadioEncoder::start(const uint8_t *payload, uint8_t length, uint8_t *packet) {
+bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet) {
   if (length == 0 || length > MAX_RADIO_PAYLOAD) return false;
-  packetLength_ = static_cast<uint8_t>(length + linecode::PACKET_OVERHEAD);
+  const uint8_t count = static_cast<uint8_t>(length + linecode::PACKET_OVERHEAD);
   packet_ = packet;
-  packet[0] = packetLength_;
+  packet[0] = count;
   memcpy(packet + 1, payload, length);
 
   Crc16 crc;
@@ -18,18 +21,39 @@ bool RadioEncoder::start(const uint8_t *payload, uint8_t length, uint8_t *packet
   packet[length + 1] = static_cast<uint8_t>(crc.value());
   packet[length + 2] = static_cast<uint8_t>(crc.value() >> 8);
 
+  symbolCount_ = static_cast<uint8_t>(linecode::PREAMBLE_SYMBOLS + 2 * (count + addTrailer(trailer, packet, count)));
   symbolIndex_ = 0;
   symbol_ = symbolAt(0);
   bitsLeft_ = linecode::BITS_PER_SYMBOL;
   return true;
 }
 
+#if JAVINO_PARITY
+
+// Puts the trailer behind the packet. Returns its length.
+uint8_t RadioEncoder::addTrailer(Trailer trailer, uint8_t *packet, uint8_t length) {
+  if (trailer == Trailer::NONE) return 0;
+  packet[length] = trailer == Trailer::MARK ? linecode::TRAILER_MARK : linecode::TRAILER_PARITY;
+  if (trailer == Trailer::MARK) return 1;
+  uint8_t parity[reedsolomon::PARITY_LENGTH];
+  reedsolomon::encode(packet, length, parity);
+  const uint8_t sent = linecode::parityLength(length);
+  memcpy(packet + length + 1, parity, sent);
+  return static_cast<uint8_t>(1 + sent);
+}
+
+#else
+
+uint8_t RadioEncoder::addTrailer(Trailer, uint8_t *, uint8_t) { return 0; }
+
+#endif
+
 bool RadioEncoder::next() {
   if (bitsLeft_ == 0) return false;
   const bool bit = symbol_ & 1;
   symbol_ >>= 1;
   bitsLeft_--;
-  if (bitsLeft_ == 0 && ++symbolIndex_ < symbolCount()) {
+  if (bitsLeft_ == 0 && ++symbolIndex_ < symbolCount_) {
     symbol_ = symbolAt(symbolIndex_);
     bitsLeft_ = linecode::BITS_PER_SYMBOL;
   }
@@ -41,7 +65,11 @@ uint8_t RadioEncoder::symbolAt(uint8_t index) const {
   const uint8_t nibbleIndex = static_cast<uint8_t>(index - linecode::PREAMBLE_SYMBOLS);
   const uint8_t byte = packet_[nibbleIndex / 2];
   const bool highNibble = nibbleIndex % 2 == 0;
-  return linecode::symbolOf(highNibble ? static_cast<uint8_t>(byte >> 4) : byte);
+  const uint8_t nibble = highNibble ? static_cast<uint8_t>(byte >> 4) : byte;
+#if JAVINO_PARITY
+  if (nibbleIndex >= 2 * packet_[0]) return linecode::trailerSymbolOf(nibble);
+#endif
+  return linecode::symbolOf(nibble);
 }
 
 }  // namespace javino

@@ -8,22 +8,24 @@
 
 namespace javino {
 
-/// Turns a payload into the bits of a radio packet (SPEC 6), one bit at a time: training, start, count, payload, CRC.
+/// Turns a payload into the bits of a radio packet (SPEC 6), one bit at a time: training, start, count, payload, CRC, and
+/// perhaps a trailer.
 class RadioEncoder {
  public:
   /// Builds the packet of a payload and starts at its first training bit.
   /// @param length 1…77
-  /// @param packet room for the packet, 80 bytes, lent until the last bit
+  /// @param trailer what follows; without JAVINO_PARITY nothing does
+  /// @param packet room for the packet, 80 bytes and those of a trailer, lent until the last bit
   /// @return false, and nothing changes, where the length is out of range.
-  bool start(const uint8_t *payload, uint8_t length, uint8_t *packet);
+  bool start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet);
 
-  /// The bits of a packet: 84 + 12 n for n bytes of payload.
+  /// The bits of a packet without trailer: 84 + 12 n for n bytes of payload.
   static uint16_t bitsOf(uint8_t length) {
     return static_cast<uint16_t>(linecode::BITS_PER_SYMBOL *
                                  (linecode::PREAMBLE_SYMBOLS + 2 * (length + linecode::PACKET_OVERHEAD)));
   }
 
-  /// @return whether next() has another bit: bitsOf() times.
+  /// @return whether next() has another bit.
   bool hasNext() const { return bitsLeft_ != 0; }
 
   /// @return the next bit, true for carrier on; false where hasNext() is false.
@@ -31,10 +33,10 @@ class RadioEncoder {
 
  private:
   uint8_t symbolAt(uint8_t index) const;
-  uint8_t symbolCount() const { return static_cast<uint8_t>(linecode::PREAMBLE_SYMBOLS + 2 * packetLength_); }
+  static uint8_t addTrailer(Trailer trailer, uint8_t *packet, uint8_t length);
 
   const uint8_t *packet_ JAVINO_ZEROED;
-  uint8_t packetLength_ JAVINO_ZEROED;
+  uint8_t symbolCount_ JAVINO_ZEROED;
   uint8_t symbolIndex_ JAVINO_ZEROED;  // of the symbol under way
   uint8_t symbol_ JAVINO_ZEROED;       // its bits that are still to go, the next one lowest
   uint8_t bitsLeft_ JAVINO_ZEROED;     // how many of them; 0 only when all is sent

@@ -4,42 +4,76 @@
 
 namespace javino {
 
+const uint8_t RadioPacket::NO_COUNT;
+const uint16_t RadioPacket::CRC_OF_INTACT;
+
 namespace {
 
-// The CRC of anything with its own CRC behind it, low byte first (the complement of X-25's residue 0xF0B8).
-const uint16_t CRC_OF_INTACT_PACKET = 0x0F47;
-
-bool differInOneBit(uint8_t a, uint8_t b) {
-  const uint8_t difference = a ^ b;
-  return difference != 0 && (difference & (difference - 1)) == 0;
-}
+const uint8_t SYMBOL_MASK = 0x3F;
 
 }  // namespace
 
-bool RadioPacket::isIntact() const {
-  Crc16 crc;
-  crc.add(bytes, bytes[0]);
-  return crc.value() == CRC_OF_INTACT_PACKET;
-}
-
-bool RadioPacket::mend() {
-  uint8_t right = NO_NIBBLE;
-  for (uint8_t nibble = 0; nibble < 16; nibble++) {
-    if (!differInOneBit(linecode::symbolOf(nibble), wrongSymbol)) continue;
-    setWrongNibble(nibble);
-    if (!isIntact()) continue;
-    if (right != NO_NIBBLE) return false;
-    right = nibble;
+uint8_t RadioPacket::symbol(uint8_t index) const {
+  if (areBytes) {
+    const uint8_t byte = room[index / 2];
+    return linecode::symbolOf(index % 2 == 0 ? static_cast<uint8_t>(byte >> 4) : byte);
   }
-  if (right == NO_NIBBLE) return false;
-  setWrongNibble(right);
-  return true;
+  // Four symbols lie in three bytes.
+  const uint8_t *at = room + index / 4 * 3;
+  switch (index % 4) {
+    case 0: return at[0] & SYMBOL_MASK;
+    case 1: return static_cast<uint8_t>((at[0] >> 6 | at[1] << 2) & SYMBOL_MASK);
+    case 2: return static_cast<uint8_t>((at[1] >> 4 | at[2] << 4) & SYMBOL_MASK);
+    default: return static_cast<uint8_t>(at[2] >> 2);
+  }
 }
 
-void RadioPacket::setWrongNibble(uint8_t nibble) {
-  uint8_t &byte = bytes[wrongNibble / 2];
-  const bool high = wrongNibble % 2 == 0;
-  byte = static_cast<uint8_t>(high ? (byte & 0x0F) | nibble << 4 : (byte & 0xF0) | nibble);
+uint8_t RadioPacket::count() const {
+  const uint8_t high = linecode::nibbleOf(symbol(0));
+  const uint8_t low = linecode::nibbleOf(symbol(1));
+  if (high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE) return NO_COUNT;
+  const uint8_t count = static_cast<uint8_t>(high << 4 | low);
+  return count >= linecode::MIN_COUNT && count <= linecode::MAX_COUNT ? count : NO_COUNT;
+}
+
+bool RadioPacket::isIntact() const {
+  const uint8_t bytes = count();
+  if (bytes == NO_COUNT || 2 * bytes > symbols) return false;
+  Crc16 crc;
+  for (uint8_t i = 0; i < bytes; i++) {
+    const uint8_t high = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i)));
+    const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i + 1)));
+    if (high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE) return false;
+    const uint8_t byte = static_cast<uint8_t>(high << 4 | low);
+    crc.add(&byte, 1);
+  }
+  return crc.value() == CRC_OF_INTACT;
+}
+
+// Three bytes of symbols make two bytes: none is overwritten before it was read.
+void RadioPacket::makeBytes(uint8_t length) {
+  for (uint8_t i = 0; i < length; i++) {
+    const uint8_t high = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i)));
+    room[i] = static_cast<uint8_t>(high << 4 | linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i + 1))));
+  }
+  areBytes = true;
+}
+
+bool RadioPacket::hasRightCrc() const {
+  Crc16 crc;
+  crc.add(room, room[0]);
+  return crc.value() == CRC_OF_INTACT;
+}
+
+uint16_t RadioPacket::wrongBits(uint8_t first, const uint8_t *bytes, uint8_t length) const {
+  if (first + 2 * length > symbols) return UINT16_MAX;
+  uint16_t wrong = 0;
+  for (uint8_t i = 0; i < 2 * length; i++) {
+    const uint8_t byte = bytes[i / 2];
+    const uint8_t right = linecode::symbolOf(i % 2 == 0 ? static_cast<uint8_t>(byte >> 4) : byte);
+    wrong = static_cast<uint16_t>(wrong + linecode::onesOf(symbol(static_cast<uint8_t>(first + i)) ^ right));
+  }
+  return wrong;
 }
 
 }  // namespace javino

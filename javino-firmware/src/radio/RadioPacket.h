@@ -2,38 +2,58 @@
 
 #include <stdint.h>
 
+#include "../Config.h"
 #include "LineCode.h"
 #include "Radio.h"
+#include "../support/Zeroed.h"
 
 namespace javino {
 
-/// A packet as it came from the air (SPEC 6), whose CRC nobody has looked at yet.
+/// A packet as it came from the air (SPEC 6), or one that is being sent.
 ///
-/// A wrong bit makes a symbol of three ones one of two or four, which is in no table: so it is known where the bit is,
-/// and the CRC tells which of the symbols around it was sent. Both are done outside of interrupts, as they take up to
-/// 24 000 cycles for the longest packet.
+/// Its symbols are kept as they came, right or wrong: a wrong one still tells most of its bits, and with another copy of the
+/// packet, or with parity, they all come right (Mender.h). Bytes are made of them outside of interrupts.
 struct RadioPacket {
-  static const uint8_t NO_NIBBLE = 0xFF;
+  /// Of count, payload, CRC and trailer.
+  static const uint8_t MAX_BYTES = MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH;
+  static const uint8_t MAX_SYMBOLS = 2 * MAX_BYTES;
+  static const uint8_t NO_COUNT = 0;
 
-  uint8_t bytes[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD];  ///< count (4…80), payload, CRC
-  uint8_t wrongNibble;  ///< of the bytes, high nibbles first; NO_NIBBLE where each symbol was in the table
-  uint8_t wrongSymbol;  ///< what came in its place
+  /// The CRC of anything with its own CRC behind it, low byte first (the complement of X-25's residue 0xF0B8).
+  static const uint16_t CRC_OF_INTACT = 0x0F47;
 
-  uint8_t *payload() { return bytes + 1; }
-  const uint8_t *payload() const { return bytes + 1; }
+  uint8_t symbols JAVINO_ZEROED;     ///< that have come, 0…MAX_SYMBOLS; of bytes that are known, two each
+  bool areBytes JAVINO_ZEROED;       ///< room has the bytes; else six bits of each symbol, the first one lowest
+  volatile bool open JAVINO_ZEROED;  ///< more may still come: only the interrupt has this, and no one else writes it
+  uint8_t room[(MAX_BYTES * linecode::BITS_PER_SYMBOL * 2 + 7) / 8];
 
-  /// @return 1…77.
-  uint8_t payloadLength() const { return static_cast<uint8_t>(bytes[0] - linecode::PACKET_OVERHEAD); }
+  /// @param index less than `symbols`
+  uint8_t symbol(uint8_t index) const;
 
-  /// @return whether the CRC is right.
+  /// The count, 4…80, if both of its symbols are in the table; NO_COUNT else. At least two symbols have come.
+  uint8_t count() const;
+
+  /// Whether each symbol is in the table and the CRC is right.
   bool isIntact() const;
 
-  /// Puts in the one symbol at a distance of one bit from the wrong one with which the CRC is right.
-  /// @return false where there is no such symbol, or where there are several.
-  bool mend();
+  /// Bytes, once they are known: of so many as the count says, and perhaps of more.
+  uint8_t *bytes() { return room; }
+  const uint8_t *bytes() const { return room; }
+  uint8_t *payload() { return room + 1; }
+  const uint8_t *payload() const { return room + 1; }
 
- private:
-  void setWrongNibble(uint8_t nibble);
+  /// @return 1…77.
+  uint8_t payloadLength() const { return static_cast<uint8_t>(room[0] - linecode::PACKET_OVERHEAD); }
+
+  /// Puts so many bytes in the place of their symbols, each of which is in the table.
+  void makeBytes(uint8_t length);
+
+  /// Whether the CRC of the bytes is right.
+  bool hasRightCrc() const;
+
+  /// By how many bits the symbols from `first` on differ from those of these bytes.
+  /// @return 65535 where fewer have come
+  uint16_t wrongBits(uint8_t first, const uint8_t *bytes, uint8_t length) const;
 };
 
 }  // namespace javino

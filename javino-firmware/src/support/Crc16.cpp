@@ -28,4 +28,10 @@ void Crc16::add(const uint8_t *bytes, size_t length) {
   value_ = static_cast<uint16_t>(~remainder);
 }
 
+uint16_t Crc16::changeOf(uint8_t bits, uint8_t following) {
+  uint16_t change = step(0, bits);
+  for (; following != 0; following--) change = step(change, 0);
+  return change;
+}
+
 }  // namespace javino

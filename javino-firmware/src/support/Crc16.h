@@ -15,6 +15,11 @@ class Crc16 {
   /// The CRC of all bytes added so far; its low byte goes first on the line and on the air.
   uint16_t value() const { return value_; }
 
+  /// By what the CRC of some bytes changes where one of them changes.
+  /// @param bits of that byte that change
+  /// @param following bytes behind it
+  static uint16_t changeOf(uint8_t bits, uint8_t following);
+
  private:
   uint16_t value_;  // the complement of the remainder
 };

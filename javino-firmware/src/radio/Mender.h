@@ -1,0 +1,105 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../Config.h"
+#include "../support/Inlining.h"
+#include "RadioPacket.h"
+#if JAVINO_PARITY
+#include "ReedSolomon.h"
+#endif
+#include "../support/Zeroed.h"
+
+namespace javino {
+
+/// Makes packets whole that came with wrong bits:
+///
+/// - A few wrong symbols are mended. Of the symbols nearest to them those are taken with which the CRC is right.
+/// - A damaged packet that is like an earlier one is another copy of it, as a sender repeats the same bytes. Both together
+///   tell what neither tells alone. One that is like a packet that was right is that packet again.
+/// - Parity behind the packet mends what is left (SPEC 6.1).
+///
+/// It works outside of interrupts, in steps of at most 3 ms. Its memory is bounded. So whoever sends damaged packets costs a
+/// board no more than their time on the air allows.
+class Mender {
+ public:
+  enum Progress : uint8_t {
+    PENDING,  ///< step() has more to do, or the packet's end is still on the air
+    WHOLE,    ///< the packet's bytes are right, as far as CRC and parity tell
+    LOST      ///< they cannot be found
+  };
+
+  Mender() : like_(NONE) {}
+
+  /// Begins with another packet.
+  void begin() { progress_ = PENDING; }
+
+  /// Does the next part of the work, if any is left.
+  Progress step(RadioPacket &packet);
+
+  /// The packet whose bytes cannot be found, or null: some of it may be known beforehand.
+  const RadioPacket *lost() const { return progress_ == LOST ? packet_ : nullptr; }
+
+  /// Whether the packet that is whole was damaged.
+  bool hasMended() const { return mended_; }
+
+  /// Whether parity was behind it.
+  bool hasParity() const { return hasParity_; }
+
+  /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
+  /// leaves no doubt.
+  bool isDoubtful() const { return doubtful_; }
+
+  /// Keeps the packet that is whole, as long as there is room: a damaged copy that comes later is taken for it.
+  void keep();
+
+ private:
+  static const uint8_t NONE = 0xFF;
+  static const uint8_t MOST_CHOICES = 64;  // of symbols that are tried
+  static const uint8_t MOST_UNDECIDED = 6;
+  static const uint8_t MOST_NIBBLES = 20;  // of all undecided symbols together: 16 + 4, if their product is at most 64
+
+  enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, CORRECTING };
+
+  Progress work(RadioPacket &packet);
+  Progress look(RadioPacket &packet);
+  Progress compare(RadioPacket &packet);
+  Progress choose(RadioPacket &packet);
+  Progress correct(RadioPacket &packet);
+  Progress lose(const RadioPacket &packet);
+  JAVINO_NOINLINE bool isLike(const RadioPacket &packet, const RadioPacket &copy) const;
+  bool mayHaveCount(const RadioPacket &packet, uint8_t count) const;
+  JAVINO_NOINLINE uint16_t nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const;
+  uint16_t nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t count, uint8_t &distance) const;
+  void decide(const RadioPacket &packet, uint8_t count);
+  JAVINO_NOINLINE bool tryChoices(uint8_t count);
+  JAVINO_NOINLINE void makeBytes(RadioPacket &packet, uint8_t count);
+  bool findsParity(const RadioPacket &packet, uint8_t count) const;
+  void beginParity(RadioPacket &packet, uint8_t count);
+  void save(const RadioPacket &packet);
+  const RadioPacket *copy() const;
+
+  const RadioPacket *packet_ JAVINO_ZEROED;
+  Progress progress_ JAVINO_ZEROED;
+  Phase phase_ JAVINO_ZEROED;
+  bool hasParity_ JAVINO_ZEROED;
+  bool mended_ JAVINO_ZEROED;
+  bool doubtful_ JAVINO_ZEROED;
+  uint8_t next_ JAVINO_ZEROED;    // copy to compare, or count to try
+  uint8_t like_;                  // the copy that is like the packet
+  uint8_t oldest_ JAVINO_ZEROED;  // copy
+  uint8_t distance_ JAVINO_ZEROED;  // of the last undecided symbol from the nearest ones
+  uint8_t choices_ JAVINO_ZEROED;   // of the undecided symbols' nibbles, 1…64; 0 for more
+  uint8_t undecided_ JAVINO_ZEROED;  // symbols
+  uint16_t crc_ JAVINO_ZEROED;       // of what was decided, with the first nibble of each undecided symbol
+  uint8_t places_[MOST_UNDECIDED];   // of the undecided symbols
+  uint16_t nibbles_[MOST_UNDECIDED];  // that they may be: bit k for nibble k; in the end one bit each
+#if JAVINO_PARITY
+  reedsolomon::Decoder parity_;
+#endif
+#if JAVINO_DAMAGED_COPIES
+  RadioPacket copies_[config::DAMAGED_COPIES] JAVINO_ZEROED;
+#endif
+};
+
+}  // namespace javino
