@@ -95,6 +95,11 @@
 #define JAVINO_KEY_RENEWAL 1
 #endif
 
+/// Whether packets get parity behind them when it is needed, and are mended by it, 0 or 1 (SPEC 6.1).
+#ifndef JAVINO_PARITY
+#define JAVINO_PARITY JAVINO_BY_CHIP(1, 0)
+#endif
+
 /// Whether what the board does and drops is counted, 0 or 1: 100 bytes of RAM. With 0 the command S is UNKNOWN_COMMAND.
 #ifndef JAVINO_STATISTICS
 #define JAVINO_STATISTICS 1
@@ -138,6 +143,7 @@ static const uint8_t BROADCAST_ORIGINS = JAVINO_BROADCAST_ORIGINS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t DEAD_BANDS = JAVINO_DEAD_BANDS;
 static const bool KEY_RENEWAL = JAVINO_KEY_RENEWAL;
+static const bool PARITY = JAVINO_PARITY;
 static const bool STATISTICS = JAVINO_STATISTICS;
 static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
@@ -164,6 +170,7 @@ static_assert(JAVINO_DEAD_BANDS >= 0 && JAVINO_DEAD_BANDS <= 254, "JAVINO_DEAD_B
 static_assert(JAVINO_BROADCAST_ORIGINS >= 1 && JAVINO_BROADCAST_ORIGINS <= 16, "JAVINO_BROADCAST_ORIGINS must be 1…16");
 static_assert(JAVINO_ACTIONS >= 0 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 0…254");
 static_assert(JAVINO_KEY_RENEWAL == 0 || JAVINO_KEY_RENEWAL == 1, "JAVINO_KEY_RENEWAL must be 0 or 1");
+static_assert(JAVINO_PARITY == 0 || JAVINO_PARITY == 1, "JAVINO_PARITY must be 0 or 1");
 static_assert(JAVINO_STATISTICS == 0 || JAVINO_STATISTICS == 1, "JAVINO_STATISTICS must be 0 or 1");
 static_assert(JAVINO_ROUND_KEYS == 0 || JAVINO_ROUND_KEYS == 1, "JAVINO_ROUND_KEYS must be 0 or 1");
 static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 4…64");
