@@ -68,11 +68,6 @@
 #define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
 #endif
 
-/// Whether parity is sent behind packets that come with errors, and used to mend them (SPEC 6.1), 0 or 1.
-#ifndef JAVINO_PARITY
-#define JAVINO_PARITY JAVINO_BY_CHIP(1, 0)
-#endif
-
 /// Packets of which a copy is kept, damaged ones to be combined with the next copy, and right ones to know a damaged repeat,
 /// 0…16. 149 bytes of RAM each, 123 without parity.
 #ifndef JAVINO_DAMAGED_COPIES
@@ -104,6 +99,11 @@
 /// replaced at once.
 #ifndef JAVINO_KEY_RENEWAL
 #define JAVINO_KEY_RENEWAL 1
+#endif
+
+/// Whether packets get parity behind them when it is needed, and are mended by it, 0 or 1 (SPEC 6.1).
+#ifndef JAVINO_PARITY
+#define JAVINO_PARITY JAVINO_BY_CHIP(1, 0)
 #endif
 
 /// Whether what the board does and drops is counted, 0 or 1: 100 bytes of RAM. With 0 the command S is UNKNOWN_COMMAND.
@@ -144,13 +144,13 @@ static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
 static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
-static const bool PARITY = JAVINO_PARITY;
 static const uint8_t DAMAGED_COPIES = JAVINO_DAMAGED_COPIES;
 static const uint8_t ACKNOWLEDGEMENTS = JAVINO_ACKNOWLEDGEMENTS;
 static const uint8_t BROADCAST_ORIGINS = JAVINO_BROADCAST_ORIGINS;
 static const uint8_t ACTIONS = JAVINO_ACTIONS;
 static const uint8_t DEAD_BANDS = JAVINO_DEAD_BANDS;
 static const bool KEY_RENEWAL = JAVINO_KEY_RENEWAL;
+static const bool PARITY = JAVINO_PARITY;
 static const bool STATISTICS = JAVINO_STATISTICS;
 static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
@@ -170,7 +170,6 @@ static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 12 && JAVINO_TRANSMI
               "JAVINO_TRANSMIT_BYTES must hold the longest frame and 2 bytes, and be at most 4096");
 static_assert(JAVINO_REASSEMBLIES >= 0 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 0…8");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
-static_assert(JAVINO_PARITY == 0 || JAVINO_PARITY == 1, "JAVINO_PARITY must be 0 or 1");
 static_assert(JAVINO_DAMAGED_COPIES >= 0 && JAVINO_DAMAGED_COPIES <= 16, "JAVINO_DAMAGED_COPIES must be 0…16");
 static_assert(JAVINO_ACKNOWLEDGEMENTS >= 2 && JAVINO_ACKNOWLEDGEMENTS <= 16, "JAVINO_ACKNOWLEDGEMENTS must be 2…16");
 static_assert(JAVINO_MULTICAST_SENDS >= 1 && JAVINO_MULTICAST_SENDS <= 4, "JAVINO_MULTICAST_SENDS must be 1…4");
@@ -179,6 +178,7 @@ static_assert(JAVINO_DEAD_BANDS >= 0 && JAVINO_DEAD_BANDS <= 254, "JAVINO_DEAD_B
 static_assert(JAVINO_BROADCAST_ORIGINS >= 1 && JAVINO_BROADCAST_ORIGINS <= 16, "JAVINO_BROADCAST_ORIGINS must be 1…16");
 static_assert(JAVINO_ACTIONS >= 0 && JAVINO_ACTIONS <= 254, "JAVINO_ACTIONS must be 0…254");
 static_assert(JAVINO_KEY_RENEWAL == 0 || JAVINO_KEY_RENEWAL == 1, "JAVINO_KEY_RENEWAL must be 0 or 1");
+static_assert(JAVINO_PARITY == 0 || JAVINO_PARITY == 1, "JAVINO_PARITY must be 0 or 1");
 static_assert(JAVINO_STATISTICS == 0 || JAVINO_STATISTICS == 1, "JAVINO_STATISTICS must be 0 or 1");
 static_assert(JAVINO_ROUND_KEYS == 0 || JAVINO_ROUND_KEYS == 1, "JAVINO_ROUND_KEYS must be 0 or 1");
 static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 4…64");

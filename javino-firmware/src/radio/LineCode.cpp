@@ -10,6 +10,11 @@ namespace {
 const uint8_t SYMBOLS[16] JAVINO_FLASH = {0x0D, 0x0E, 0x13, 0x15, 0x16, 0x19, 0x1A, 0x1C,
                                           0x23, 0x25, 0x26, 0x29, 0x2A, 0x2C, 0x32, 0x34};
 
+// The one symbol in which the trailer's alphabet differs.
+const uint8_t REPLACED_NIBBLE = 4;
+const uint8_t REPLACED_SYMBOL = 0x16;
+const uint8_t TRAILER_SYMBOL = 0x07;
+
 const uint8_t TRAINING_SYMBOL = 0x2A;
 const uint8_t FIRST_START_SYMBOL = 0x38;
 const uint8_t SECOND_START_SYMBOL = 0x2C;
@@ -32,6 +37,16 @@ uint8_t onesOf(uint8_t byte) {
   uint8_t ones = 0;
   for (; byte != 0; byte = static_cast<uint8_t>(byte & (byte - 1))) ones++;
   return ones;
+}
+
+uint8_t trailerSymbolOf(uint8_t nibble) {
+  const uint8_t symbol = symbolOf(nibble);
+  return symbol == REPLACED_SYMBOL ? TRAILER_SYMBOL : symbol;
+}
+
+uint8_t trailerNibbleOf(uint8_t symbol) {
+  if (symbol == TRAILER_SYMBOL) return REPLACED_NIBBLE;
+  return symbol == REPLACED_SYMBOL ? NO_NIBBLE : nibbleOf(symbol);
 }
 
 uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) {

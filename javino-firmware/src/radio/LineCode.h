@@ -42,6 +42,17 @@ uint8_t symbolOf(uint8_t nibble);
 /// @return 0…15, or NO_NIBBLE.
 uint8_t nibbleOf(uint8_t symbol);
 
+/// The first byte of a trailer (SPEC 6.1). On the air the two differ in each of their twelve bits, and in four or more from
+/// silence, training and start.
+static const uint8_t TRAILER_MARK = 0x78;    ///< nothing follows: the sender understands trailers
+static const uint8_t TRAILER_PARITY = 0x87;  ///< the packet's parity follows
+
+/// As symbolOf(), in the alphabet of trailers: no bits of these symbols, nor of others with these behind them, are the start.
+uint8_t trailerSymbolOf(uint8_t nibble);
+
+/// As nibbleOf(), in the alphabet of trailers.
+uint8_t trailerNibbleOf(uint8_t symbol);
+
 /// @return how many bits of a byte are ones.
 uint8_t onesOf(uint8_t byte);
 

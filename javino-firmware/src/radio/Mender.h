@@ -46,6 +46,10 @@ class Mender {
   /// Whether parity was behind it.
   bool hasParity() const { return hasParity_; }
 
+  /// Whether the last packet of all was followed by a mark: that is known only when its end has come.
+  bool isMarked() const { return marked_; }
+  void setMarked(bool marked) { marked_ = marked; }
+
   /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
   /// leaves no doubt.
   bool isDoubtful() const { return doubtful_; }
@@ -83,6 +87,7 @@ class Mender {
   Progress progress_ JAVINO_ZEROED;
   Phase phase_ JAVINO_ZEROED;
   bool hasParity_ JAVINO_ZEROED;
+  bool marked_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;
   uint8_t next_ JAVINO_ZEROED;    // copy to compare, or count to try

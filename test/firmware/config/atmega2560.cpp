@@ -22,6 +22,7 @@ static_assert(config::RADIO_PACKETS == 3, "");
 static_assert(config::ACKNOWLEDGEMENTS == 6, "");
 static_assert(config::ACTIONS == 16, "");
 static_assert(config::DEAD_BANDS == 8, "");
+static_assert(config::PARITY, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 static_assert(config::EEPROM_START == 0, "");
 

@@ -22,6 +22,7 @@ static_assert(config::RADIO_PACKETS == 2, "");
 static_assert(config::ACKNOWLEDGEMENTS == 3, "");
 static_assert(config::ACTIONS == 8, "");
 static_assert(config::DEAD_BANDS == 2, "");
+static_assert(!config::PARITY, "");
 static_assert(config::EPOCH_SLOTS == 16, "");
 static_assert(config::EEPROM_START == 0, "");
 

@@ -15,7 +15,7 @@ class Decoder {
   void endOfSignal() { decoder_.endOfSignal(); }
   void abandon() { decoder_.abandon(); }
 
-  // The oldest packet that waits; one whose count is 0 where none does.
+  // The oldest packet that waits; one without symbols where none does.
   javino::RadioPacket take() {
     javino::RadioPacket packet = javino::RadioPacket();
     javino::RadioQueue &queue = decoder_.queue();
@@ -28,9 +28,9 @@ class Decoder {
 
   // Its payload, where its CRC is right without mending.
   Bytes takeIntact() {
-    const javino::RadioPacket packet = take();
-    if (packet.bytes[0] == 0 || packet.wrongNibble != javino::RadioPacket::NO_NIBBLE || !packet.isIntact())
-      return Bytes();
+    javino::RadioPacket packet = take();
+    if (packet.symbols == 0 || !packet.isIntact()) return Bytes();
+    packet.makeBytes(packet.count());
     return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }
 

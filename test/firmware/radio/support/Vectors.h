@@ -16,5 +16,23 @@ struct InvalidRadioVector {
   Bits bits;
 };
 
+struct TrailerVector {
+  Bytes payload, trailer;
+  Bits bits;  // of the packet and the trailer
+};
+
 std::vector<RadioVector> radioVectors();
 std::vector<InvalidRadioVector> invalidRadioVectors();
+std::vector<TrailerVector> trailerVectors();
+
+// test/vectors/parity.json.
+struct ParityVector {
+  Bytes bytes, parity;
+};
+
+struct DamagedVector {
+  Bytes received, erasures, codeword;
+};
+
+std::vector<ParityVector> parityVectors();
+std::vector<DamagedVector> damagedVectors();

@@ -23,6 +23,14 @@ public final class RadioVectors {
     /** Six times 2A, then 38 and 2C. */
     private static final String START = "010101".repeat(6) + "000111" + "001101";
 
+    /** The trailer's: the symbol 16 is 07. */
+    private static final String[] TRAILER_SYMBOLS = {
+            "101100", "011100", "110010", "101010", "111000", "100110", "010110", "001110",
+            "110001", "101001", "011001", "100101", "010101", "001101", "010011", "001011"
+    };
+    private static final int MARK = 0x78;
+    private static final int PARITY = 0x87;
+
     private RadioVectors() {
     }
 
@@ -46,11 +54,27 @@ public final class RadioVectors {
                 invalid(START + "111111" + code(packet).substring(6), "symbol 3F is not in the table"),
                 invalid(START + code(packet).substring(0, code(packet).length() - 12), "cut off a byte before its end"),
                 invalid("010101".repeat(6) + "000111" + "101101" + code(packet), "no start symbol")));
+        lists.put("trailers", List.of(
+                trailed(frame, bytes(MARK)), trailed(frame, parity(packet)),
+                trailed(repeated(0, 77), parity(packet(repeated(0, 77)))),
+                trailed(counting(0xB0, 77), parity(packet(counting(0xB0, 77)))),
+                // All bytes there are.
+                trailed(bytes(0), bytes(MARK)), trailed(bytes(0), counting(0, 128)),
+                trailed(bytes(0), counting(128, 128))));
         return lists;
+    }
+
+    private static byte[] parity(byte[] packet) {
+        return join(bytes(PARITY), ParityVectors.of(packet));
     }
 
     private static Map<String, Object> valid(byte[] payload) {
         return vector("payload", Wire.hex(payload), "bits", bits(payload));
+    }
+
+    private static Map<String, Object> trailed(byte[] payload, byte[] trailer) {
+        return vector("payload", Wire.hex(payload), "trailer", Wire.hex(trailer), "bits",
+                bits(payload) + code(trailer, TRAILER_SYMBOLS));
     }
 
     private static Map<String, Object> invalid(String bits, String why) {
@@ -79,9 +103,13 @@ public final class RadioVectors {
     }
 
     private static String code(byte[] packet) {
+        return code(packet, SYMBOLS);
+    }
+
+    private static String code(byte[] bytes, String[] symbols) {
         StringBuilder bits = new StringBuilder();
-        for (byte value : packet) {
-            bits.append(SYMBOLS[value >> 4 & 0xF]).append(SYMBOLS[value & 0xF]);
+        for (byte value : bytes) {
+            bits.append(symbols[value >> 4 & 0xF]).append(symbols[value & 0xF]);
         }
         return bits.toString();
     }

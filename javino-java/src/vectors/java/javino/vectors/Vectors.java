@@ -36,6 +36,7 @@ public final class Vectors {
         files.put("packets.json", format(PacketVectors.all()));
         files.put("commands.json", format(CommandVectors.all()));
         files.put("radio.json", format(RadioVectors.all()));
+        files.put("parity.json", format(ParityVectors.all()));
         files.put("envelopes.json", format(EnvelopeVectors.all()));
         files.put("pieces.json", format(PieceVectors.all()));
         files.put("acknowledgements.json", format(AcknowledgementVectors.all()));
