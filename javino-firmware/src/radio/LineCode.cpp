@@ -71,14 +71,19 @@ uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) 
   return nearest;
 }
 
+namespace {
+
+bool isWord(uint16_t bits, uint8_t word) {
+  const uint16_t wrong = static_cast<uint16_t>(
+      bits ^ (trailerSymbolOf(static_cast<uint8_t>(word >> 4)) | trailerSymbolOf(word) << BITS_PER_SYMBOL));
+  return onesOf(static_cast<uint8_t>(wrong)) + onesOf(static_cast<uint8_t>(wrong >> 8)) <= 2;
+}
+
+}  // namespace
+
 Trailer trailerOf(uint16_t bits) {
-  for (uint8_t word : {TRAILER_MARK, TRAILER_PARITY}) {
-    const uint16_t wrong = static_cast<uint16_t>(
-        bits ^ (trailerSymbolOf(static_cast<uint8_t>(word >> 4)) | trailerSymbolOf(word) << BITS_PER_SYMBOL));
-    if (onesOf(static_cast<uint8_t>(wrong)) + onesOf(static_cast<uint8_t>(wrong >> 8)) <= 2)
-      return word == TRAILER_MARK ? Trailer::MARK : Trailer::PARITY;
-  }
-  return Trailer::NONE;
+  if (isWord(bits, TRAILER_PARITY)) return Trailer::PARITY;
+  return isWord(bits, TRAILER_MARK) ? Trailer::MARK : Trailer::NONE;
 }
 
 uint8_t parityLength(uint8_t count) { return count <= 48 ? 12 : 16; }

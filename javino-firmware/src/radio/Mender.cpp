@@ -76,28 +76,27 @@ Mender::Progress Mender::look(RadioPacket &packet) {
   return PENDING;
 }
 
-Mender::Progress Mender::compare(RadioPacket &packet) {
 #if JAVINO_DAMAGED_COPIES
-  if (next_ < config::DAMAGED_COPIES) {
-    const RadioPacket &copy = copies_[next_];
-    if (isLike(packet, copy)) {
-      like_ = next_;
-    } else if (++next_ < config::DAMAGED_COPIES) {
-      return PENDING;
-    }
-    if (like_ != NONE && copy.areBytes) {
-      memcpy(packet.room, copy.room, sizeof packet.room);
-      packet.areBytes = true;
-      return WHOLE;
-    }
+
+// Looks at one copy at a time.
+Mender::Progress Mender::compare(RadioPacket &packet) {
+  const RadioPacket &copy = copies_[next_];
+  if (isLike(packet, copy)) {
+    like_ = next_;
+  } else if (++next_ < config::DAMAGED_COPIES) {
+    return PENDING;
   }
-#endif
+  if (like_ != NONE && copy.areBytes) {
+    memcpy(packet.room, copy.room, sizeof packet.room);
+    packet.areBytes = true;
+    return WHOLE;
+  }
   next_ = linecode::MIN_COUNT;
   phase_ = Phase::CHOOSING;
   return PENDING;
 }
 
-bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) const {
+bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) {
   if (copy.symbols == 0) return false;
   const uint8_t count = packet.count();
   const uint8_t other = copy.count();
@@ -117,12 +116,19 @@ bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) const {
   return true;
 }
 
-const RadioPacket *Mender::copy() const {
-#if JAVINO_DAMAGED_COPIES
-  if (like_ != NONE) return copies_ + like_;
-#endif
-  return nullptr;
+const RadioPacket *Mender::copy() const { return like_ != NONE ? copies_ + like_ : nullptr; }
+
+#else
+
+Mender::Progress Mender::compare(RadioPacket &) {
+  next_ = linecode::MIN_COUNT;
+  phase_ = Phase::CHOOSING;
+  return PENDING;
 }
+
+const RadioPacket *Mender::copy() const { return nullptr; }
+
+#endif
 
 // Whether this is the packet's count; where that came with a wrong bit, whether it may be.
 bool Mender::mayHaveCount(const RadioPacket &packet, uint8_t count) const {
@@ -144,7 +150,8 @@ Mender::Progress Mender::choose(RadioPacket &packet) {
       return WHOLE;
     }
     if (parity) {
-      if (!copy()) save(packet);
+      isSaved_ = !copy();
+      if (isSaved_) save(packet);
       beginParity(packet, next_);
       phase_ = Phase::CORRECTING;
       return PENDING;
@@ -164,8 +171,9 @@ Mender::Progress Mender::lose(const RadioPacket &packet) {
 // of the one that is there.
 uint16_t Mender::nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const {
   const RadioPacket *const other = copy();
-  uint8_t one = index < packet.symbols ? packet.symbol(index) : other->symbol(index);
-  uint8_t two = other && index < other->symbols ? other->symbol(index) : one;
+  const bool inOther = other && index < other->symbols;
+  const uint8_t one = !inOther || index < packet.symbols ? packet.symbol(index) : other->symbol(index);
+  const uint8_t two = inOther ? other->symbol(index) : one;
   return linecode::nearestTo(one, two, inTrailer, distance);
 }
 
@@ -259,6 +267,7 @@ void Mender::makeBytes(RadioPacket &packet, uint8_t count) {
 #if JAVINO_PARITY
 
 bool Mender::findsParity(const RadioPacket &packet, uint8_t count) const {
+  if (count < LEAST_KEPT) return false;
   const uint8_t end = static_cast<uint8_t>(2 * (count + 1 + linecode::parityLength(count)));
   const RadioPacket *from = packet.symbols >= end ? &packet : copy() && copy()->symbols >= end ? copy() : nullptr;
   if (!from) return false;
@@ -297,9 +306,17 @@ void Mender::beginParity(RadioPacket &packet, uint8_t count) {
 Mender::Progress Mender::correct(RadioPacket &packet) {
   const reedsolomon::Progress progress = parity_.step();
   if (progress == reedsolomon::Progress::PENDING) return PENDING;
-  hasParity_ = true;
-  const bool right = progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && packet.hasRightCrc();
-  return right ? WHOLE : LOST;
+  if (progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && packet.hasRightCrc()) {
+    hasParity_ = true;
+    return WHOLE;
+  }
+  if (!isSaved_ || !copy()) return LOST;
+  // Its symbols are needed again: it may have another count.
+  memcpy(packet.room, copy()->room, sizeof packet.room);
+  packet.areBytes = false;
+  next_++;
+  phase_ = Phase::CHOOSING;
+  return PENDING;
 }
 
 #else

@@ -71,7 +71,7 @@ class Mender {
   Progress choose(RadioPacket &packet);
   Progress correct(RadioPacket &packet);
   Progress lose(const RadioPacket &packet);
-  JAVINO_NOINLINE bool isLike(const RadioPacket &packet, const RadioPacket &copy) const;
+  static bool isLike(const RadioPacket &packet, const RadioPacket &copy);
   bool mayHaveCount(const RadioPacket &packet, uint8_t count) const;
   JAVINO_NOINLINE uint16_t nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const;
   uint16_t nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t count, uint8_t &distance) const;
@@ -87,6 +87,7 @@ class Mender {
   Progress progress_ JAVINO_ZEROED;
   Phase phase_ JAVINO_ZEROED;
   bool hasParity_ JAVINO_ZEROED;
+  bool isSaved_ JAVINO_ZEROED;  // the packet's symbols, in the copy that is like it
   bool marked_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;

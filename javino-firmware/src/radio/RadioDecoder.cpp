@@ -10,11 +10,10 @@ namespace {
 const uint8_t MOST_START_ERRORS = 3;
 const uint8_t NO_START = 0xFF;
 
-// Up to here a start may be that of a packet whose training looked like one, and whose own start is still to come.
-const uint8_t SYMBOLS_OF_DOUBT = 8;
-
+// Two of three symbols of noise are impossible, and the training and start behind it are six possible ones.
 const int8_t NOISE = 8;
-const int8_t LEAST_NOISE = -8;
+const int8_t NO_NOISE = -8;
+const int8_t LEAST_NOISE = -16;
 
 const uint8_t COUNT_SYMBOLS = 2;
 
@@ -55,9 +54,12 @@ bool RadioDecoder::isStart() {
   return true;
 }
 
+// Training with one wrong bit may look like a start, up to twelve bits before it. What follows a start differs from one in six
+// bits or more, whatever the count.
 bool RadioDecoder::isBetterStart(uint8_t wrong) const {
-  if (phase_ <= TRAILER) return true;
-  return phase_ == COUNT || symbols_ < SYMBOLS_OF_DOUBT ? wrong < startErrors_ : noise_ > 0;
+  if (phase_ <= COUNT) return true;
+  if (startErrors_ == 0) return noise_ > 0;
+  return noise_ > (wrong <= startErrors_ ? LEAST_NOISE : NO_NOISE);
 }
 
 void RadioDecoder::begin(uint8_t wrong) {

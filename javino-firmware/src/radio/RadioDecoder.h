@@ -13,9 +13,9 @@ namespace javino {
 /// Finds radio packets (SPEC 6) in a stream of bits and queues them as they came, right or wrong.
 ///
 /// A packet begins where at most 3 of the last 36 bits differ from training and start symbol: noise does that once in 73
-/// minutes (2000 bit/s); or where the last 24 are right, since a receiver may have missed the first ones. What follows is given up when it looks like noise: when eight more symbols were impossible
-/// than possible. Meanwhile the search goes on: a start that is better, in the first symbols, or that comes while the
-/// packet looks like noise, takes its place.
+/// minutes (2000 bit/s); or where the last 24 are right, since a receiver may have missed the first ones. What follows is
+/// given up when it looks like noise: when eight symbols more were impossible than possible. Meanwhile the search goes on,
+/// and another start takes the packet's place where that looks like noise.
 class RadioDecoder {
  public:
   /// @param bitTicks the length of a bit in ticks, 16…13107

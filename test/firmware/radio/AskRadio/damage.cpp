@@ -2,10 +2,10 @@
 
 #include "support/Modem.h"
 
-TEST(AskRadio, mendsAndCountsAPacketWithAWrongBitBehindTheCount) {
+TEST(AskRadio, mendsAndCountsAPacketWithAWrongBit) {
   const Bytes payload = {'t', 'e', 'l', 'l'};
   const Bits whole = reference::packetBits(payload);
-  for (size_t i = 60; i < whole.size(); i++) {
+  for (size_t i = 48; i < whole.size(); i++) {
     Bits bits = whole;
     bits[i] = !bits[i];
     Modem modem;
@@ -17,22 +17,9 @@ TEST(AskRadio, mendsAndCountsAPacketWithAWrongBitBehindTheCount) {
   }
 }
 
-TEST(AskRadio, dropsAndCountsAPacketWithAWrongBitInItsCount) {
-  const Bits whole = reference::packetBits({'t', 'e', 'l', 'l'});
-  for (size_t i = 48; i < 60; i++) {
-    Bits bits = whole;
-    bits[i] = !bits[i];
-    Modem modem;
-    modem.hardware.play(AirLine().bits(bits, Modem::BIT).silence(12 * Modem::BIT));
-    EXPECT_EQ(modem.take(), Bytes()) << "bit " << i;
-    EXPECT_EQ(modem.counters().received, 0u);
-    EXPECT_GE(modem.counters().damaged, 1u);
-  }
-}
-
 TEST(AskRadio, dropsAndCountsATruncatedPacketAndTakesTheNext) {
   const Bits whole = reference::packetBits({'t', 'e', 'l', 'l'});
-  for (size_t length = 48; length < whole.size() - 6; length++) {
+  for (size_t length = 48; length < whole.size() - 12; length++) {
     Modem modem;
     modem.hardware.play(
         AirLine().bits(Bits(whole.begin(), whole.begin() + length), Modem::BIT).silence(12 * Modem::BIT));

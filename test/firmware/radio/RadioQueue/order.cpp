@@ -12,8 +12,8 @@ namespace {
 void put(RadioQueue &queue, const char *text) {
   RadioPacket *packet = queue.claim();
   ASSERT_NE(packet, nullptr);
-  packet->bytes[0] = static_cast<uint8_t>(std::strlen(text) + 3);
-  std::memcpy(packet->bytes + 1, text, std::strlen(text));
+  packet->room[0] = static_cast<uint8_t>(std::strlen(text) + 3);
+  std::memcpy(packet->room + 1, text, std::strlen(text));
   queue.commit();
 }
 

@@ -2,39 +2,88 @@
 
 #include <random>
 
-#include "support/Decoder.h"
+#include "support/Modem.h"
+#include "support/ReferencePacket.h"
 
-// What becomes of packets with random bit errors: they come intact, or mended, or are lost, or - never - come wrong.
+// Each bit wrong with this probability.
+inline Bits damaged(Bits bits, double rate, std::mt19937 &random) {
+  std::geometric_distribution<size_t> distance(rate);
+  for (size_t i = distance(random); i < bits.size(); i += 1 + distance(random)) bits[i].flip();
+  return bits;
+}
+
+// A decoder with a mender behind it: what an AskRadio has between the line and the loop.
+class MendingDecoder {
+ public:
+  MendingDecoder() : decoder_(1000) {}
+
+  void add(const Bits &bits) {
+    for (bool bit : bits) decoder_.add(bit);
+  }
+
+  // The bits, and the silence that ends them.
+  void addAll(const Bits &bits) {
+    add(bits);
+    add(Bits(10, false));
+    decoder_.endOfSignal();
+  }
+
+  // What becomes of the oldest packet that waits; LOST where none does.
+  javino::Mender::Progress take() {
+    payload = Bytes();
+    javino::RadioQueue &queue = decoder_.queue();
+    javino::RadioPacket *packet = queue.oldest();
+    if (packet == nullptr) return javino::Mender::LOST;
+    mender.begin();
+    javino::Mender::Progress progress;
+    steps = 0;
+    do {
+      progress = mender.step(*packet);
+      steps++;
+    } while (progress == javino::Mender::PENDING && steps < 1000);
+    if (progress == javino::Mender::WHOLE) {
+      payload = Bytes(packet->payload(), packet->payload() + packet->payloadLength());
+      if (keeps) mender.keep();
+    }
+    queue.release();
+    return progress;
+  }
+
+  bool isEmpty() const { return decoder_.queue().empty(); }
+
+  bool keeps = false;
+  int steps = 0;
+  Bytes payload;
+  javino::Mender mender;
+
+ private:
+  javino::RadioDecoder decoder_;
+};
+
+// What becomes of packets with random bit errors: they come intact, or mended without a doubt, or are lost, or - never - come
+// wrong without a doubt.
 struct Damage {
-  unsigned packets = 0, untouched = 0, intact = 0, mended = 0, wrong = 0;
+  unsigned packets = 0, untouched = 0, intact = 0, mended = 0, doubtful = 0, wrong = 0;
 
   unsigned damaged() const { return packets - untouched; }
 
-  // Each bit is wrong with this probability.
   void tryPacket(const Bytes &payload, double rate, std::mt19937 &random) {
-    Bits bits = reference::packetBits(payload);
-    std::geometric_distribution<size_t> distance(rate);
-    bool touched = false;
-    for (size_t i = distance(random); i < bits.size(); i += 1 + distance(random)) {
-      bits[i] = !bits[i];
-      touched = true;
-    }
+    const Bits bits = reference::packetBits(payload);
+    const Bits came = ::damaged(bits, rate, random);
     packets++;
-    if (!touched) untouched++;
-    decoder_.add(bits);
-    decoder_.endOfSignal();
-    for (javino::RadioPacket packet = decoder_.take(); packet.bytes[0] != 0; packet = decoder_.take())
-      judge(packet, payload);
+    if (came == bits) untouched++;
+    decoder_.addAll(came);
+    while (!decoder_.isEmpty()) {
+      if (decoder_.take() != javino::Mender::WHOLE) continue;
+      const bool isDoubtful = decoder_.mender.isDoubtful();
+      unsigned &counter = isDoubtful                      ? doubtful
+                          : decoder_.payload != payload   ? wrong
+                          : decoder_.mender.hasMended() ? mended
+                                                          : intact;
+      counter++;
+    }
   }
 
  private:
-  void judge(javino::RadioPacket packet, const Bytes &payload) {
-    const bool complete = packet.wrongNibble == javino::RadioPacket::NO_NIBBLE;
-    if (!(complete ? packet.isIntact() : packet.mend())) return;
-    const bool right = Bytes(packet.payload(), packet.payload() + packet.payloadLength()) == payload;
-    unsigned &counter = !right ? wrong : complete ? intact : mended;
-    counter++;
-  }
-
-  Decoder decoder_;
+  MendingDecoder decoder_;
 };

@@ -12,7 +12,7 @@ class Modem {
   // The next packet that is whole. What is damaged is mended in steps.
   Bytes take() {
     uint8_t length = 0;
-    const uint8_t *payload = nullptr;
+    const uint8_t *payload = radio.receive(length);
     for (int steps = 0; payload == nullptr && !radio.idle() && steps < 1000; steps++) payload = radio.receive(length);
     if (payload == nullptr) return Bytes();
     const Bytes taken(payload, payload + length);

@@ -53,7 +53,7 @@ public final class RadioVectors {
                         "symbol 00 is not in the table"),
                 invalid(START + "111111" + code(packet).substring(6), "symbol 3F is not in the table"),
                 invalid(START + code(packet).substring(0, code(packet).length() - 12), "cut off a byte before its end"),
-                invalid("010101".repeat(6) + "000111" + "101101" + code(packet), "no start symbol")));
+                invalid("010101".repeat(6) + "111001" + "101101" + code(packet), "no start symbol")));
         lists.put("trailers", List.of(
                 trailed(frame, bytes(MARK)), trailed(frame, parity(packet)),
                 trailed(repeated(0, 77), parity(packet(repeated(0, 77)))),
