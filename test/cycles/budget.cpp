@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <jansson.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <stdexcept>
@@ -61,6 +62,61 @@ double cyclesToMend() {
   return static_cast<double>(mended.cycles);
 }
 
+const size_t PARITY_LENGTH = 16;
+
+Bytes parity() { return perform(Mailbox::ADD_PARITY, {}, {}, random(80)).bytes(PARITY_LENGTH); }
+
+// So many bytes of the longest codeword that are erased, and so many more that are wrong.
+struct Damage {
+  uint8_t erasures, errors;
+};
+
+struct Mending {
+  double longestStep = 0, erasing = 0, all = 0;
+  bool mended = false;
+};
+
+Mending mend(const Damage &damage) {
+  const Bytes codeword = random(80) + parity();
+  Outcome state = {};
+  state.mailbox.length = static_cast<uint16_t>(codeword.size());
+  state.mailbox.measured = damage.erasures;
+  std::copy(codeword.begin(), codeword.end(), state.mailbox.bytes);
+  for (uint8_t i = 0; i < damage.erasures + damage.errors; i++) {
+    const uint8_t position = static_cast<uint8_t>(5 * i);
+    if (i < damage.erasures) state.mailbox.second[i] = position;
+    state.mailbox.bytes[position] ^= static_cast<uint8_t>(i + 1);
+  }
+  Mending mending;
+  Mailbox mailbox = state.mailbox;
+  mending.erasing = static_cast<double>(mega().perform(Mailbox::ERASE, mailbox));
+  for (uint8_t steps = 0;; steps++) {
+    mailbox = state.mailbox;
+    mailbox.nonce[0] = steps;
+    const double cycles = static_cast<double>(mega().perform(Mailbox::MEND_STEP, mailbox));
+    mending.longestStep = std::max(mending.longestStep, cycles);
+    mending.all += cycles;
+    if (mailbox.length != 0) break;
+  }
+  mending.mended = std::equal(codeword.begin(), codeword.end(), mailbox.bytes);
+  return mending;
+}
+
+// The most that any damage takes, which may be too much to be mended.
+Mending longestMending() {
+  Mending longest;
+  for (const Damage &damage :
+       {Damage{0, 8}, Damage{8, 4}, Damage{15, 0}, Damage{16, 0}, Damage{0, 12}, Damage{14, 5}}) {
+    const Mending mending = mend(damage);
+    if (mending.mended != (2 * damage.errors + damage.erasures <= 16))
+      throw std::runtime_error("the codeword was not mended, or was by chance");
+    longest.longestStep = std::max(longest.longestStep, mending.longestStep);
+    longest.erasing = std::max(longest.erasing, mending.erasing);
+    longest.all = std::max(longest.all, mending.all);
+  }
+  return longest;
+}
+
 // COBS, CRC, and little more: nothing is done before a hello.
 double cyclesAByteHeard() {
   const Bytes packet = longestPacket();
@@ -95,6 +151,11 @@ Figures measured() {
   figures["serial packet received, a byte"] = cyclesAByteHeard();
   figures["radio interrupts, a bit received"] = cyclesABitHeard();
   figures["radio, mending the longest packet"] = cyclesToMend();
+  figures["parity of 80 bytes"] = cyclesOf(Mailbox::ADD_PARITY, random(80));
+  const Mending mending = longestMending();
+  figures["parity, 16 bytes erased"] = mending.erasing;
+  figures["parity, the longest step of mending 96 bytes"] = mending.longestStep;
+  figures["parity, all steps of mending 96 bytes"] = mending.all;
   figures["reading of 40 percepts, to its first byte"] = cyclesOfReading();
   return figures;
 }

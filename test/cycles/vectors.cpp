@@ -56,6 +56,13 @@ TEST(Vectors, derived_keys) {
   }
 }
 
+TEST(Vectors, parities) {
+  for (const Vector &vector : vectors("parity.json", "parities")) {
+    const Outcome outcome = perform(Mailbox::ADD_PARITY, {}, {}, vector.bytes("bytes"));
+    EXPECT_EQ(vector.text("parity"), toHex(outcome.bytes(16))) << vector.toString();
+  }
+}
+
 TEST(Vectors, sealed_frames) {
   for (const Vector &vector : vectors("envelopes.json", "valid")) {
     const Bytes kenc = vector.bytes("kenc");

@@ -9,8 +9,8 @@ namespace reedsolomon {
 
 namespace {
 
-// Tables of 528 bytes of flash. Without them a product takes some 80 cycles instead of 20, and a codeword of 96 bytes needs
-// 5000 of them.
+// These two take 512 bytes of flash. Without them a product takes 140 cycles instead of 30: the parity of 80 bytes 178 000
+// instead of 37 000.
 const uint8_t POWERS[256] JAVINO_FLASH = {
     0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0x1D, 0x3A, 0x74, 0xE8, 0xCD, 0x87, 0x13, 0x26, 0x4C, 0x98, 0x2D,
     0x5A, 0xB4, 0x75, 0xEA, 0xC9, 0x8F, 0x03, 0x06, 0x0C, 0x18, 0x30, 0x60, 0xC0, 0x9D, 0x27, 0x4E, 0x9C, 0x25, 0x4A,
@@ -27,7 +27,7 @@ const uint8_t POWERS[256] JAVINO_FLASH = {
     0x3D, 0x7A, 0xF4, 0xF5, 0xF7, 0xF3, 0xFB, 0xEB, 0xCB, 0x8B, 0x0B, 0x16, 0x2C, 0x58, 0xB0, 0x7D, 0xFA, 0xE9, 0xCF,
     0x83, 0x1B, 0x36, 0x6C, 0xD8, 0xAD, 0x47, 0x8E, 0x01};
 
-// Of what power of alpha a byte is; that of 0 is never read.
+// Of what power of alpha a byte is; 0 is none.
 const uint8_t LOGARITHMS[256] JAVINO_FLASH = {
     0x00, 0x00, 0x01, 0x19, 0x02, 0x32, 0x1A, 0xC6, 0x03, 0xDF, 0x33, 0xEE, 0x1B, 0x68, 0xC7, 0x4B, 0x04, 0x64, 0xE0,
     0x0E, 0x34, 0x8D, 0xEF, 0x81, 0x1C, 0xC1, 0x69, 0xF8, 0xC8, 0x08, 0x4C, 0x71, 0x05, 0x8A, 0x65, 0x2F, 0xE1, 0x24,
@@ -52,8 +52,8 @@ const uint8_t ORDER = 255;  // alpha^255 = 1
 
 // What a step does of each phase, so that none takes more than 40 000 cycles.
 const uint8_t SYNDROMES_A_STEP = 4;
-const uint8_t ROUNDS_A_STEP = 8;
-const uint8_t POSITIONS_A_STEP = 48;
+const uint8_t ROUNDS_A_STEP = 4;
+const uint8_t POSITIONS_A_STEP = 32;
 
 uint8_t power(uint8_t exponent) { return flashByte(POWERS + exponent); }
 
@@ -61,8 +61,13 @@ uint8_t logarithm(uint8_t value) { return flashByte(LOGARITHMS + value); }
 
 // Of exponents 0...255, modulo 255; the result may be 255 too, which POWERS has.
 uint8_t addExponents(uint8_t a, uint8_t b) {
+#ifdef __AVR__
+  __asm__("add %0, %1\n\tadc %0, __zero_reg__" : "+r"(a) : "r"(b));  // a tenth fewer cycles
+  return a;
+#else
   const uint16_t sum = static_cast<uint16_t>(a + b);
   return static_cast<uint8_t>(sum + (sum >> 8));
+#endif
 }
 
 // value * alpha^exponent
@@ -85,11 +90,15 @@ void encode(const uint8_t *bytes, uint8_t length, uint8_t *parity) {
   memset(parity, 0, PARITY_LENGTH);
   for (; length > 0; length--) {
     const uint8_t highest = static_cast<uint8_t>(*bytes++ ^ parity[0]);
-    memmove(parity, parity + 1, PARITY_LENGTH - 1);
-    parity[PARITY_LENGTH - 1] = 0;
-    if (highest == 0) continue;
     const uint8_t exponent = logarithm(highest);
-    for (uint8_t i = 0; i < PARITY_LENGTH; i++) parity[i] ^= power(addExponents(exponent, flashByte(GENERATOR + i)));
+    const uint8_t mask = highest == 0 ? 0 : 0xFF;
+    uint8_t shifted = 0;
+    uint8_t *at = parity + PARITY_LENGTH;
+    for (uint8_t i = PARITY_LENGTH; i-- > 0;) {
+      const uint8_t here = *--at;
+      *at = static_cast<uint8_t>(shifted ^ (power(addExponents(exponent, flashByte(GENERATOR + i))) & mask));
+      shifted = here;
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "crypto/Cmac.h"
 #include "support/Crc16.h"
 #include "radio/AskRadio.h"
+#include "radio/ReedSolomon.h"
 #include "secure/Envelope.h"
 
 extern "C" void measured_javino_aes128_expand(uint8_t *roundKeys, const uint8_t *key);
@@ -162,6 +163,26 @@ void mendPacket() {
   mailbox.length = mended;
 }
 
+void addParity() {
+  static uint8_t parity[reedsolomon::PARITY_LENGTH];
+  measure([] { reedsolomon::encode(mailbox.bytes, static_cast<uint8_t>(mailbox.length), parity); });
+  memcpy(mailbox.bytes, parity, sizeof parity);
+}
+
+void erase(reedsolomon::Decoder &decoder) {
+  decoder.begin(mailbox.bytes, static_cast<uint8_t>(mailbox.length));
+  for (uint8_t i = 0; i < mailbox.measured; i++) decoder.erase(mailbox.second[i]);
+}
+
+void mendStep() {
+  static reedsolomon::Decoder decoder;
+  erase(decoder);
+  for (uint8_t i = 0; i < mailbox.nonce[0]; i++) decoder.step();
+  reedsolomon::Progress progress;
+  measure([&] { progress = decoder.step(); });
+  mailbox.length = static_cast<uint8_t>(progress);
+}
+
 const uint8_t PERCEPTS = 40;
 const char PIN_NAME[] JAVINO_FLASH = "pin";
 const FlashText *const PIN = reinterpret_cast<const FlashText *>(PIN_NAME);
@@ -212,6 +233,13 @@ void perform() {
     case Mailbox::ADD_TO_CRC: addToCrc(); break;
     case Mailbox::HEAR_PACKET: hearPacket(); break;
     case Mailbox::MEND_PACKET: mendPacket(); break;
+    case Mailbox::ADD_PARITY: addParity(); break;
+    case Mailbox::ERASE: {
+      static reedsolomon::Decoder decoder;
+      measure([] { erase(decoder); });
+      break;
+    }
+    case Mailbox::MEND_STEP: mendStep(); break;
     case Mailbox::ANSWER: answer(); break;
   }
 }

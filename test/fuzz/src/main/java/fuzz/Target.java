@@ -16,7 +16,8 @@ public record Target(String name, List<String> command) {
     private static final List<Class<?>> JAVA =
             List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
                     ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class);
-    private static final List<String> FIRMWARE = List.of("packet_decoder", "arguments", "radio", "board");
+    private static final List<String> FIRMWARE =
+            List.of("packet_decoder", "arguments", "radio", "reed_solomon", "board");
 
     /** The decoders of the Java library, under Jazzer. */
     public static List<Target> ofJava() {

@@ -28,9 +28,16 @@ public final class Transmitter implements AutoCloseable {
 
     /** Sends a packet's bytes as they are, and waits until they have been on the air. */
     public void sendPacket(byte[] packet) throws LinkException {
-        byte[] request = new byte[packet.length + 1];
+        sendPacket(packet, new byte[0]);
+    }
+
+    /** Sends a packet's bytes and a trailer's (SPEC 6.1) as they are, and waits until they have been on the air. */
+    public void sendPacket(byte[] packet, byte[] trailer) throws LinkException {
+        byte[] request = new byte[2 + packet.length + trailer.length];
         request[0] = (byte) packet.length;
-        System.arraycopy(packet, 0, request, 1, packet.length);
+        request[1] = (byte) trailer.length;
+        System.arraycopy(packet, 0, request, 2, packet.length);
+        System.arraycopy(trailer, 0, request, 2 + packet.length, trailer.length);
         link.write(request);
         byte[] answer = new byte[1];
         if (link.read(answer, Duration.ofSeconds(60)) != 1 || answer[0] != SENT) {
