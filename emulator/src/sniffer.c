@@ -58,6 +58,7 @@ static void expect(sniffer_station *station, size_t source, const line_packet *p
   sniffer_expected *expected = &station->expected[station->expected_count++];
   expected->source = source;
   expected->start = packet->start;
+  expected->end = packet->end;
   expected->deadline = packet->end + RF_DELAY + (cycles_t)(ARRIVAL_BITS * s->bit_cycles);
   expected->length = packet->length;
   memcpy(expected->payload, packet->payload, packet->length);
@@ -174,6 +175,7 @@ static void report_damaged(sniffer_station *station, const sniffer_expected *los
   trace_text(s->out, "from", board_name(s, lost->source));
   trace_text(s->out, "why", why);
   trace_time(s->out, "start", lost->start);
+  trace_time(s->out, "end", lost->end);
   trace_end(s->out);
 }
 

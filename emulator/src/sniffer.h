@@ -19,7 +19,7 @@
 // A packet that was sent in a receiver's range and has not arrived yet.
 typedef struct {
   size_t source;
-  cycles_t start;
+  cycles_t start, end;
   cycles_t deadline;
   uint8_t payload[LINE_MAX_PAYLOAD];
   size_t length;

@@ -43,9 +43,15 @@
 #define JAVINO_RECEIVE_BYTES JAVINO_BY_CHIP(640, 96)
 #endif
 
-/// Bytes of RAM for messages that wait for the air: each takes its content and 26 bytes more, a broadcast 12.
+/// Bytes of RAM for messages that wait for the air: each takes its content and 27 bytes more, a broadcast 13.
 #ifndef JAVINO_TRANSMIT_BYTES
-#define JAVINO_TRANSMIT_BYTES JAVINO_BY_CHIP(640, 96)
+#define JAVINO_TRANSMIT_BYTES JAVINO_BY_CHIP(640, 97)
+#endif
+
+/// Messages that can be under way at once, each to another device, 1…8, so that one to a device that is absent does not
+/// hold up the others (SPEC 7.2). 28 bytes of RAM each.
+#ifndef JAVINO_PARTNERS
+#define JAVINO_PARTNERS JAVINO_BY_CHIP(4, 1)
 #endif
 
 /// Messages in pieces that can be received at the same time, 0…8. RAM: the longest message and 172 bytes each. With 0,
@@ -140,6 +146,7 @@ static const uint8_t FLOOR_SLOTS = JAVINO_FLOOR_SLOTS;
 static const uint16_t MAX_MESSAGE = JAVINO_MAX_MESSAGE;
 static const uint16_t RECEIVE_BYTES = JAVINO_RECEIVE_BYTES;
 static const uint16_t TRANSMIT_BYTES = JAVINO_TRANSMIT_BYTES;
+static const uint8_t PARTNERS = JAVINO_PARTNERS;
 static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
@@ -162,12 +169,13 @@ static_assert(JAVINO_REPLAY_ENTRIES >= JAVINO_KEYS && JAVINO_REPLAY_ENTRIES <= 2
               "JAVINO_REPLAY_ENTRIES must be JAVINO_KEYS at least, and at most 253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,
               "JAVINO_FLOOR_SLOTS must be greater than JAVINO_REPLAY_ENTRIES, and at most 254");
-// A board must be able to receive any single radio packet, and to tell its host the outcomes of 16 transmissions.
+// A board must be able to receive any single radio packet, and to tell its host the outcomes of 8 transmissions.
 static_assert(JAVINO_MAX_MESSAGE >= 84 && JAVINO_MAX_MESSAGE <= 511, "JAVINO_MAX_MESSAGE must be 84…511");
 static_assert(JAVINO_RECEIVE_BYTES >= JAVINO_MAX_MESSAGE + 3 && JAVINO_RECEIVE_BYTES <= 4096,
               "JAVINO_RECEIVE_BYTES must hold the longest message and 3 bytes, and be at most 4096");
-static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 12 && JAVINO_TRANSMIT_BYTES <= 4096,
-              "JAVINO_TRANSMIT_BYTES must hold the longest frame and 2 bytes, and be at most 4096");
+static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 13 && JAVINO_TRANSMIT_BYTES <= 4096,
+              "JAVINO_TRANSMIT_BYTES must hold the longest frame and 3 bytes, and be at most 4096");
+static_assert(JAVINO_PARTNERS >= 1 && JAVINO_PARTNERS <= 8, "JAVINO_PARTNERS must be 1…8");
 static_assert(JAVINO_REASSEMBLIES >= 0 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 0…8");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
 static_assert(JAVINO_DAMAGED_COPIES >= 0 && JAVINO_DAMAGED_COPIES <= 16, "JAVINO_DAMAGED_COPIES must be 0…16");

@@ -81,8 +81,7 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'N':
       if (name == 'N' && !config::KEY_RENEWAL) return Status::UNKNOWN_COMMAND;
       return keysChanged(keyCommands_.store(name == 'N', body, length, reply));
-    case 'U':
-      return config::KEY_RENEWAL ? keyCommands_.use(body, length, delivery_.underWay()) : Status::UNKNOWN_COMMAND;
+    case 'U': return config::KEY_RENEWAL ? keyCommands_.use(body, length, delivery_) : Status::UNKNOWN_COMMAND;
     case 'F': return config::KEY_RENEWAL ? keysChanged(keyCommands_.finish(body, length)) : Status::UNKNOWN_COMMAND;
     case 'D': return keysChanged(keyCommands_.erase(body, length));
     case 'L': return keyCommands_.list(length, reply);

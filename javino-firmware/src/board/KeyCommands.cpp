@@ -48,10 +48,10 @@ bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
   return address.isDevice() && (renews ? keys_.other(address) : keys_.current(address)) == KeyStore::NO_SLOT;
 }
 
-Status KeyCommands::use(const uint8_t *body, uint16_t length, uint8_t underWay) {
+Status KeyCommands::use(const uint8_t *body, uint16_t length, const Delivery &delivery) {
   Address address;
   if (!parseAddress(body, length, address)) return Status::BAD_ARGUMENT;
-  if (keys_.next(address) != KeyStore::NO_SLOT && keys_.current(address) == underWay) return Status::BUSY;
+  if (keys_.next(address) != KeyStore::NO_SLOT && delivery.isUnderWay(keys_.current(address))) return Status::BUSY;
   return keys_.use(address);
 }
 

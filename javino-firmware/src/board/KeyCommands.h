@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "../delivery/Delivery.h"
 #include "../secure/NonceSource.h"
 #include "../secure/ReplayMemory.h"
 #include "../storage/KeyStore.h"
@@ -29,9 +30,9 @@ class KeyCommands {
   JAVINO_NOINLINE Status store(bool renews, const uint8_t *body, uint16_t length, Reply &reply);
 
   /// U: makes the next key of an address the current one.
-  /// @param underWay the place of the key that seals what is under way, or NO_SLOT. BUSY where that key is to be replaced:
-  ///        when a board has taken a key into use, nothing of what it sends is sealed with the one before
-  Status use(const uint8_t *body, uint16_t length, uint8_t underWay);
+  /// @return BUSY while a message is under way that is sealed with the key to be replaced: when a board has taken a key into
+  ///         use, nothing of what it sends is sealed with the one before
+  Status use(const uint8_t *body, uint16_t length, const Delivery &delivery);
 
   /// F: deletes the previous key.
   Status finish(const uint8_t *body, uint16_t length);

@@ -72,7 +72,7 @@ bool Poll::answer(Reply &reply, bool released) {
   return true;
 }
 
-bool Poll::isWaiting() const { return outcomes_.first() != outcomes_.end() || inbox_.first().bytes != nullptr; }
+bool Poll::isWaiting() const { return outcomes_.areUntold() || inbox_.first().bytes != nullptr; }
 
 void Poll::addWaiting(Reply &reply) {
   const uint16_t flagsAt = reply.mark();
@@ -83,13 +83,13 @@ void Poll::addWaiting(Reply &reply) {
 
 // All of them fit: Outcomes::MAX_UNREPORTED sees to that.
 void Poll::addOutcomes(Reply &reply) {
-  for (uint8_t number = outcomes_.first(); number != outcomes_.end(); number++) {
+  while (outcomes_.areUntold()) {
+    const Outcomes::End &end = outcomes_.tell();
     Record record(reply, 'T');
-    record.add(number);
-    record.add(static_cast<uint8_t>(outcomes_.of(number)));
+    record.add(end.number);
+    record.add(static_cast<uint8_t>(end.outcome));
     record.close();
   }
-  outcomes_.markTold();
 }
 
 // Returns whether all messages fitted.

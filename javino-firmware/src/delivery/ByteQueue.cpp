@@ -16,10 +16,11 @@ uint8_t *ByteQueue::append(uint16_t length) {
   return head + HEAD_LENGTH;
 }
 
-void ByteQueue::removeFirst() {
-  const uint16_t taken = static_cast<uint16_t>(HEAD_LENGTH + first().length);
+void ByteQueue::remove(uint8_t *bytes) {
+  const uint16_t at = static_cast<uint16_t>(bytes - block_ - HEAD_LENGTH);
+  const uint16_t taken = static_cast<uint16_t>(HEAD_LENGTH + recordAt(at).length);
   used_ = static_cast<uint16_t>(used_ - taken);
-  memmove(block_, block_ + taken, used_);
+  memmove(block_ + at, block_ + at + taken, used_ - at);
   count_--;
 }
 

@@ -41,8 +41,9 @@ class ByteQueue {
     return recordAt(static_cast<uint16_t>(record.bytes - block_ + record.length));
   }
 
-  /// Only while there is one.
-  JAVINO_NOINLINE void removeFirst();
+  /// Removes a record. Those after it move.
+  /// @param bytes where it begins
+  JAVINO_NOINLINE void remove(uint8_t *bytes);
 
  private:
   static const uint8_t HEAD_LENGTH = 2;

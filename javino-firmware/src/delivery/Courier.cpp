@@ -12,10 +12,18 @@ static const uint8_t MAX_ATTEMPTS = 8;
 static const uint8_t PATIENCE_MILLIS = 150;
 static const uint8_t IDS = 64;
 
+bool Courier::isUnderWay(uint8_t slot) const {
+  for (const Message &message : messages_) {
+    if (message.slot == slot && message.phase != IDLE) return true;
+  }
+  return false;
+}
+
 void Courier::run() {
-  if (phase_ == IDLE && !outbox_.isEmpty()) takeUpNext();
-  switch (phase_) {
-    case IDLE: break;
+  if (current().phase <= READY && outbox_.count() != 0) nextTurn();
+  switch (current().phase) {
+    case IDLE:
+    case READY: break;
     case CONTENDING:
       noteCarrier();
       if (backoff_.isOver(medium_.quietSlots())) send();
@@ -34,54 +42,95 @@ void Courier::run() {
   }
 }
 
-// Takes up the next message. What can no longer be sealed ends at once: its key was deleted meanwhile, or no nonce is left.
-void Courier::takeUpNext() {
-  Frame frame;
-  Frame::parseHeader(outbox_.first().bytes, frame);
-  destination_ = frame.destination;
-  sender_ = frame.origin;
-  slot_ = KeyStore::NO_SLOT;
-  resealed_ = false;
-  sendsLeft_ = destination_.isMulticast() ? config::MULTICAST_SENDS : config::BROADCAST_SENDS;
-  if (destination_.isBroadcast() || seal(false)) {
-    restart();
-  } else {
-    finish(Outcome::UNDELIVERED);
+// Exchanges the first message and another one.
+void Courier::exchange(uint8_t place) {
+  const Message first = messages_[0];
+  messages_[0] = messages_[place];
+  messages_[place] = first;
+}
+
+// Gives each place its turn, one after the other: to go on with its message, or to take one up.
+void Courier::nextTurn() {
+  for (uint8_t left = config::PARTNERS; left != 0; left--) {
+    if (config::PARTNERS > 1) {
+      turn_ = static_cast<uint8_t>(turn_ + 1 < config::PARTNERS ? turn_ + 1 : 1);
+      exchange(turn_);
+    }
+    if (current().phase == READY || takeUp()) {
+      contend();
+      return;
+    }
   }
+}
+
+// Takes up the oldest message whose destination has none under way. What can no longer be sealed ends at once: its key was
+// deleted meanwhile, or no nonce is left.
+bool Courier::takeUp() {
+  Message &message = current();
+  Frame frame;
+  ByteQueue::Record record = outbox_.first();
+  for (;; record = outbox_.after(record)) {
+    if (record.bytes == nullptr) return false;
+    Frame::parseHeader(record.bytes, frame);
+    if (!isAwaited(frame.destination)) break;
+  }
+  message.number = Outbox::numberOf(record);
+  message.destination = frame.destination;
+  message.sender = frame.origin;
+  message.slot = KeyStore::NO_SLOT;
+  message.resealed = false;
+  if (frame.destination.isBroadcast() || seal(false)) {
+    restart();
+    return true;
+  }
+  finish(Outcome::UNDELIVERED);
+  return false;
+}
+
+// Whether a message to this destination is under way; for what goes to many, to any many.
+bool Courier::isAwaited(const Address &destination) const {
+  for (uint8_t place = 1; place < config::PARTNERS; place++) {
+    const Message &other = messages_[place];
+    if (other.phase == IDLE) continue;
+    if (other.destination == destination || !(other.destination.isDevice() || destination.isDevice())) return true;
+  }
+  return false;
 }
 
 // Seals the frame in its place in the outbox, under a new nonce.
 bool Courier::seal(bool again) {
+  Message &message = current();
   DerivedKeys keys;
-  if (!again) slot_ = state_.keys.current(destination_);
-  if (!state_.keys.load(slot_, keys) || state_.nonces.status() != Status::OK) return false;
-  const ByteQueue::Record record = outbox_.first();
+  if (!again) message.slot = state_.keys.current(message.destination);
+  if (!state_.keys.load(message.slot, keys) || state_.nonces.status() != Status::OK) return false;
+  const ByteQueue::Record record = outbox_.find(message.number);
   const Envelope envelope(keys);
   if (again) envelope.open(record.bytes, record.length);
-  state_.nonces.take(nonce_);
-  const Frame plain = {destination_, sender_, record.bytes + Envelope::CONTENT_AT,
+  state_.nonces.take(message.nonce);
+  const Frame plain = {message.destination, message.sender, record.bytes + Envelope::CONTENT_AT,
                        static_cast<uint16_t>(record.length - Envelope::MIN_FRAME_LENGTH)};
-  envelope.seal(plain, nonce_, record.bytes);
+  envelope.seal(plain, message.nonce, record.bytes);
   return true;
 }
 
-// Begins the first attempt of a frame that nobody has seen yet.
+// Prepares the first attempt of a frame that nobody has seen yet.
 void Courier::restart() {
-  count_ = pieces::count(outbox_.first().length, medium_.pieceLength());
-  if (count_ > 1) {
-    id_ = nextId_;
+  Message &message = current();
+  message.count = pieces::count(outbox_.find(message.number).length, medium_.pieceLength());
+  if (message.count > 1) {
+    message.id = nextId_;
     nextId_ = static_cast<uint8_t>((nextId_ + 1) % IDS);
   }
-  sent_ = 0;
-  arrived_ = 0;
-  attempt_ = 0;
-  contend(pieces::all(count_));
+  message.sent = 0;
+  message.arrived = 0;
+  message.attempt = 0;
+  message.pending = pieces::all(message.count);
 }
 
-void Courier::contend(uint8_t pending) {
-  pending_ = pending;
-  backoff_.begin(attempt_, medium_.quietSlots(), state_.random);
-  phase_ = CONTENDING;
+void Courier::contend() {
+  backoff_.begin(current().attempt, medium_.quietSlots(), state_.random);
+  current().phase = CONTENDING;
+  deferred_ = false;
 }
 
 // Counts each packet that waits for another's carrier to end, once.
@@ -92,34 +141,38 @@ void Courier::noteCarrier() {
 }
 
 void Courier::send() {
-  const ByteQueue::Record record = outbox_.first();
+  Message &message = current();
+  const ByteQueue::Record record = outbox_.find(message.number);
   uint8_t index = 0;
-  for (onAir_ = 1; (pending_ & onAir_) == 0; onAir_ = static_cast<uint8_t>(onAir_ << 1)) index++;
-  const bool wantsAnswer = isUnicast() && pending_ == onAir_;
+  for (onAir_ = 1; (message.pending & onAir_) == 0; onAir_ = static_cast<uint8_t>(onAir_ << 1)) index++;
+  const bool wantsAnswer = isUnicast() && message.pending == onAir_;
   uint8_t piece[MAX_RADIO_PAYLOAD];
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
-  const bool taken =
-      count_ == 1
-          ? medium_.send(record.bytes, static_cast<uint8_t>(record.length))
-          : medium_.send(piece, pieces::cut(record.bytes, record.length, id_, digit, medium_.pieceLength(), piece));
+  const bool taken = message.count == 1 ? medium_.send(record.bytes, static_cast<uint8_t>(record.length))
+                                        : medium_.send(piece, pieces::cut(record.bytes, record.length, message.id,
+                                                                          digit, medium_.pieceLength(), piece));
   if (!taken) return;
-  if (sent_ == 0) sentAt_ = clock::millis();
-  if ((sent_ & onAir_) != 0) state_.count(Counter::RADIO_RESENT);
-  sent_ |= onAir_;
+  if (message.sent == 0) message.sentAt = clock::millis();
+  if ((message.sent & onAir_) != 0) state_.count(Counter::RADIO_RESENT);
+  message.sent |= onAir_;
   deferred_ = false;
-  phase_ = ON_AIR;
+  message.phase = ON_AIR;
 }
 
+// A broadcast or multicast keeps its turn until it was sent as often as it is to be: receivers know a broadcast's repeat by
+// the time between the two.
 void Courier::packetSent() {
-  pending_ = static_cast<uint8_t>(pending_ & ~onAir_);
-  if (pending_ != 0) {
-    phase_ = PAUSING;
+  Message &message = current();
+  message.pending = static_cast<uint8_t>(message.pending & ~onAir_);
+  if (message.pending != 0) {
+    message.phase = PAUSING;
   } else if (isUnicast()) {
     patience_ = PATIENCE_MILLIS;
-    phase_ = AWAITING;
-  } else if (--sendsLeft_ != 0) {
-    attempt_++;
-    contend(pieces::all(count_));
+    message.phase = AWAITING;
+  } else if (++message.attempt !=
+             (message.destination.isMulticast() ? config::MULTICAST_SENDS : config::BROADCAST_SENDS)) {
+    message.pending = pieces::all(message.count);
+    contend();
   } else {
     finish(Outcome::SENT);
   }
@@ -128,51 +181,70 @@ void Courier::packetSent() {
 // No answer came: of a frame in pieces one asks what has arrived, in the end the first one, without which none can be
 // answered; where that was there, the one that has just asked, every other time, as it is likely what is lacking.
 void Courier::attemptFailed() {
-  attempt_++;
-  if (attempt_ == MAX_ATTEMPTS) {
+  Message &message = current();
+  if (++message.attempt == MAX_ATTEMPTS) {
     finish(Outcome::UNDELIVERED);
   } else {
-    contend((arrived_ & attempt_ & 1) != 0 ? onAir_ : 1);
+    message.pending = (message.arrived & message.attempt & 1) != 0 ? onAir_ : 1;
+    message.phase = READY;
+    nextTurn();
   }
 }
 
 void Courier::finish(Outcome outcome) {
-  if (outcome != Outcome::SENT) slot_ = KeyStore::NO_SLOT;
+  Message &message = current();
+  if (outcome != Outcome::SENT) message.slot = KeyStore::NO_SLOT;
   if (isUnicast()) {
     state_.count(outcome == Outcome::DELIVERED ? Counter::RADIO_ACKNOWLEDGED : Counter::RADIO_UNDELIVERED);
   }
-  outbox_.close(outcome);
-  deferred_ = false;
-  phase_ = IDLE;
+  outbox_.close(message.number, outcome);
+  message.phase = IDLE;
 }
 
 void Courier::keysChanged() {
-  if (slot_ != KeyStore::NO_SLOT && state_.keys.isFree(slot_)) slot_ = KeyStore::NO_SLOT;
+  for (Message &message : messages_) {
+    if (message.slot != KeyStore::NO_SLOT && state_.keys.isFree(message.slot)) message.slot = KeyStore::NO_SLOT;
+  }
 }
 
+// It may be about one whose turn has passed: that takes the first place meanwhile. Of two with the same bits in their nonces
+// the proof tells which it is about.
 bool Courier::acknowledged(const Frame &frame) {
-  if (!concerns(frame)) return false;
-  const uint16_t bodyLength = static_cast<uint16_t>(frame.length - PROOF_LENGTH);
+  bool concerned = false;
+  bool accepted = false;
+  for (uint8_t place = 0; place < config::PARTNERS && !accepted; place++) {
+    if (config::PARTNERS > 1 && place != 0) exchange(place);
+    if (concerns(frame)) {
+      concerned = true;
+      accepted = accept(frame);
+    }
+    if (config::PARTNERS > 1 && place != 0) exchange(place);
+  }
+  if (concerned && !accepted) state_.count(Counter::RADIO_BAD_PROOFS);
+  return concerned;
+}
+
+bool Courier::concerns(const Frame &acknowledgement) const {
+  const Message &message = current();
+  const uint16_t bits = static_cast<uint16_t>((message.nonce[4] << 8 | message.nonce[5]) & 0xFFF);
+  return message.sent != 0 && message.slot != KeyStore::NO_SLOT && acknowledgement.destination.member() == bits &&
+         (!isUnicast() || acknowledgement.origin == message.destination);
+}
+
+bool Courier::accept(const Frame &acknowledgement) {
+  const uint16_t bodyLength = static_cast<uint16_t>(acknowledgement.length - PROOF_LENGTH);
   const Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
                               : bodyLength == 1 ? Proof::PIECES
                                                 : Proof::STALE,
-                              nonce_, sender_, frame.origin, frame.message};
-  const bool right = frame.length >= PROOF_LENGTH && bodyLength == Proof::bodyLength(claim.type) &&
-                     isProved(claim, frame.message + bodyLength) && onAnswer(claim.type, claim.body);
-  if (!right) state_.count(Counter::RADIO_BAD_PROOFS);
-  return true;
+                              current().nonce, current().sender, acknowledgement.origin, acknowledgement.message};
+  return acknowledgement.length >= PROOF_LENGTH && bodyLength == Proof::bodyLength(claim.type) &&
+         isProved(claim, acknowledgement.message + bodyLength) && onAnswer(claim.type, claim.body);
 }
 
 // Apart from what follows, which may seal the message anew: the stack has no room for the keys of both.
 bool Courier::isProved(const Proof::Claim &claim, const uint8_t *proof) const {
   DerivedKeys keys;
-  return state_.keys.load(slot_, keys) && Proof(keys).isRight(claim, proof);
-}
-
-bool Courier::concerns(const Frame &acknowledgement) const {
-  const uint16_t bits = static_cast<uint16_t>((nonce_[4] << 8 | nonce_[5]) & 0xFFF);
-  return slot_ != KeyStore::NO_SLOT && acknowledgement.destination.member() == bits &&
-         (!isUnicast() || acknowledgement.origin == destination_);
+  return state_.keys.load(current().slot, keys) && Proof(keys).isRight(claim, proof);
 }
 
 // Returns false where what was said, though proved, cannot be.
@@ -188,30 +260,33 @@ bool Courier::onAnswer(Proof::Type type, const uint8_t *body) {
 }
 
 // Sends what is lacking, as soon as pieces follow each other: whoever heard the answer or the question leaves the air to
-// them. While a new attempt is already on the air, its own answer is waited for.
+// them. While a new attempt is already on the air, its own answer is waited for. What waits for its turn goes on waiting.
 bool Courier::onPieces(uint8_t have) {
-  const uint8_t all = pieces::all(count_);
-  if (!isUnicast() || count_ == 1 || (have & 1) == 0 || (have & ~all) != 0) return false;
-  const bool isNews = (have & ~arrived_) != 0;
-  arrived_ |= have;
-  if (have == all || (phase_ != AWAITING && phase_ != CONTENDING)) return true;
+  Message &message = current();
+  const uint8_t all = pieces::all(message.count);
+  if (!isUnicast() || message.count == 1 || (have & 1) == 0 || (have & ~all) != 0) return false;
+  const bool isNews = (have & ~message.arrived) != 0;
+  message.arrived |= have;
+  if (have == all || message.phase == PAUSING || message.phase == ON_AIR) return true;
   if (isNews) {
-    attempt_ = 0;
-  } else if (phase_ == AWAITING && ++attempt_ == MAX_ATTEMPTS) {
+    message.attempt = 0;
+  } else if (message.phase == AWAITING && ++message.attempt == MAX_ATTEMPTS) {
     finish(Outcome::UNDELIVERED);
     return true;
   }
-  pending_ = static_cast<uint8_t>(all & ~have);
-  phase_ = PAUSING;
+  message.pending = static_cast<uint8_t>(all & ~have);
+  if (message.phase != READY) message.phase = PAUSING;
   return true;
 }
 
 bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
-  if (!state_.nonces.raiseAbove(floor, nonce_)) return false;
+  Message &message = current();
+  if (!state_.nonces.raiseAbove(floor, message.nonce)) return false;
   if (!isUnicast()) return true;
-  if (!resealed_ && cannotHaveHadIt(uptime) && seal(true)) {
-    resealed_ = true;
+  if (!message.resealed && cannotHaveHadIt(uptime) && seal(true)) {
+    message.resealed = true;
     restart();
+    message.phase = READY;
   } else {
     finish(Outcome::UNDELIVERED);
   }
@@ -221,7 +296,7 @@ bool Courier::onStale(const uint8_t *floor, uint16_t uptime) {
 // Whether the receiver has been up for longer than this message is on its way, so that it did not have it before it lost
 // its memory: by a sixteenth and 1 s more, since clocks differ.
 bool Courier::cannotHaveHadIt(uint16_t uptime) const {
-  const uint32_t onItsWay = clock::millis() - sentAt_;
+  const uint32_t onItsWay = clock::millis() - current().sentAt;
   return uptime * 100ul > onItsWay + onItsWay / 16 + 1000;
 }
 

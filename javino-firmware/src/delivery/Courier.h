@@ -14,21 +14,22 @@
 
 namespace javino {
 
-/// Sends the messages of the outbox, one at a time: seals and cuts each, waits for the air, sends, waits for the
-/// acknowledgement of a unicast and tries again, until its outcome is known (SPEC 7).
+/// Sends the messages of the outbox: seals and cuts each, waits for the air, sends, waits for the acknowledgement of a
+/// unicast and tries again, until its outcome is known (SPEC 7).
+///
+/// Some are under way at once, each to another device, or one of them to many. They take turns: one is on the air, or has
+/// its answer awaited, until its attempt has come to nothing. So who is absent holds up nobody else.
 class Courier {
  public:
-  Courier(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state), slot_(KeyStore::NO_SLOT) {}
+  Courier(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state) {}
 
   /// To be called once, after a boot, when the random numbers are seeded.
   void begin() { nextId_ = static_cast<uint8_t>(state_.random.next(0x3F)); }
 
   Outbox &outbox() { return outbox_; }
 
-  /// Whether a message is under way or waits.
-
-  /// The place of the key that the message under way is sealed with, or NO_SLOT.
-  uint8_t underWay() const { return phase_ == IDLE ? KeyStore::NO_SLOT : slot_; }
+  /// Whether a message is under way that is sealed with the key in this place.
+  bool isUnderWay(uint8_t slot) const;
 
   /// Does what air and clock allow now.
   JAVINO_NOINLINE void run();
@@ -43,23 +44,49 @@ class Courier {
  private:
   enum Phase : uint8_t {
     IDLE,        // nothing is under way
-    CONTENDING,  // an attempt waits for its turn
+    READY,       // its next attempt waits for its turn
+    CONTENDING,  // it has its turn: an attempt waits for the air
     PAUSING,     // the next piece of an attempt waits for a quiet slot
     ON_AIR,      // a packet is being sent
     AWAITING     // an answer is awaited
   };
 
-  void takeUpNext();
+  // What is under way. What a multicast was sealed with stays when it has ended, until another message takes its place: a
+  // stale notice for it may come when all is sent.
+  struct Message {
+    Phase phase;
+    uint8_t number;   // of its transmission
+    uint8_t attempt;  // attempts in a row that came to nothing; of a broadcast or multicast, how often it was sent
+    uint8_t count;    // pieces; 1: it travels whole
+    uint8_t id;       // where it is in pieces
+    uint8_t pending;  // pieces that this attempt still has to send
+    uint8_t sent;     // pieces that have been sent at least once; 0: nothing was ever sent from this place
+    uint8_t arrived;  // pieces that the receiver has ever had
+    bool resealed;
+    uint32_t sentAt;  // when it was first sent, in ms
+    uint8_t slot;     // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
+    Address destination;
+    Address sender;
+    uint8_t nonce[NONCE_LENGTH];
+  };
+
+  Message &current() { return messages_[0]; }
+  const Message &current() const { return messages_[0]; }
+  JAVINO_NOINLINE void exchange(uint8_t place);
+  JAVINO_NOINLINE void nextTurn();
+  bool takeUp();
+  bool isAwaited(const Address &destination) const;
   JAVINO_NOINLINE bool seal(bool again);
   void restart();
-  JAVINO_NOINLINE void contend(uint8_t pending);
+  JAVINO_NOINLINE void contend();
   void noteCarrier();
   JAVINO_NOINLINE void send();
   void packetSent();
   void attemptFailed();
   JAVINO_NOINLINE void finish(Outcome outcome);
-  bool isUnicast() const { return destination_.isDevice(); }
+  bool isUnicast() const { return current().destination.isDevice(); }
   bool concerns(const Frame &acknowledgement) const;
+  bool accept(const Frame &acknowledgement);
   JAVINO_NOINLINE bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
   bool onAnswer(Proof::Type type, const uint8_t *body);
   bool onPieces(uint8_t have);
@@ -68,29 +95,18 @@ class Courier {
 
   MediumAccess &medium_;
   BoardState &state_;
+
+  // Of the message that has its turn.
   Backoff backoff_;
-
-  Phase phase_ JAVINO_ZEROED;
-  uint8_t attempt_;    // attempts in a row that came to nothing
-  uint8_t sendsLeft_;  // of a broadcast or multicast
-  uint8_t count_;      // pieces of this message; 1: it travels whole
-  uint8_t id_;         // of this message, where it is in pieces
-  uint8_t pending_;    // pieces that this attempt still has to send
-  uint8_t onAir_;      // the one of them that is being sent
-  uint8_t sent_;       // pieces that have been sent at least once
-  uint8_t arrived_;    // pieces that the receiver has ever had
-  uint8_t patience_;   // quiet milliseconds that are left until the next attempt
-  bool resealed_;
+  uint8_t onAir_;                // the piece that is being sent
+  uint8_t patience_;             // quiet milliseconds that are left until its attempt has failed
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
-  uint32_t sentAt_;              // when this message was first sent, in ms
-
-  // What is under way, or was last: a stale notice for a multicast may come when all is sent.
-  uint8_t slot_;  // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
-  Address destination_;
-  Address sender_;
-  uint8_t nonce_[NONCE_LENGTH];
 
   uint8_t nextId_ JAVINO_ZEROED;
+  uint8_t turn_ JAVINO_ZEROED;  // the place of the message that had the last turn but one
+
+  // The first is the one that has its turn, so that AVR reaches it in one instruction; the others wait.
+  Message messages_[config::PARTNERS] JAVINO_ZEROED;
   Outbox outbox_;
 };
 

@@ -52,8 +52,8 @@ class Delivery {
   /// Opens or blocks the radio for messages (SPEC 4.3).
   void open(bool open) { receiver_.open(open); }
 
-  /// The place of the key that the message under way is sealed with, or NO_SLOT.
-  uint8_t underWay() const { return courier_.underWay(); }
+  /// Whether a message is under way that is sealed with the key in this place.
+  bool isUnderWay(uint8_t slot) const { return courier_.isUnderWay(slot); }
 
   /// Whether a frame of this length fits the radio's packets.
   bool carries(uint16_t frameLength) const { return pieces::count(frameLength, medium_.pieceLength()) <= MAX_PIECES; }

@@ -41,7 +41,7 @@ void Inbox::taken(uint8_t number) {
   firstNumber_ = static_cast<uint8_t>(number + 1);
   for (uint8_t left = static_cast<uint8_t>(index + 1); left != 0; left--) {
     settle(records_.first().bytes);
-    records_.removeFirst();
+    records_.remove(first().bytes);
   }
 }
 

@@ -10,14 +10,14 @@
 
 namespace javino {
 
-/// Messages that wait for the air, in the order of their numbers, as frames: those that are to be sealed with room for
-/// nonce and tag. The first one stays until it has ended.
+/// Messages that wait for the air or are under way, in the order of their numbers, as frames: those that are to be sealed
+/// with room for nonce and tag. Each stays until it has ended.
 class Outbox {
  public:
   Outbox() : records_(block_, sizeof block_) {}
 
   /// Whether a frame of this length, in bytes with its header and, if it is to be sealed, SEAL_LENGTH, can be taken in.
-  bool fits(uint16_t frameLength) const { return !outcomes_.isFull() && records_.fits(frameLength); }
+  bool fits(uint16_t frameLength) const;
 
   /// Takes in a broadcast as it is. Only while HEADER_LENGTH and its message fit.
   /// @return the transmission's number
@@ -27,24 +27,31 @@ class Outbox {
   /// @return the transmission's number
   uint8_t addUnsealed(const Frame &frame);
 
-  bool isEmpty() const { return records_.count() == 0; }
+  /// How many there are.
+  uint8_t count() const { return records_.count(); }
 
-  /// The frame whose turn it is. Only while it is not empty.
+  /// Goes through the frames, each with a byte more, its number: no bytes stand for the end.
   ByteQueue::Record first() const { return records_.first(); }
+  ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
+  static uint8_t numberOf(const ByteQueue::Record &record) { return record.bytes[record.length - 1]; }
 
-  /// That frame has ended.
-  void close(Outcome outcome);
+  /// The frame of this number, which has not ended.
+  JAVINO_NOINLINE ByteQueue::Record find(uint8_t number) const;
+
+  /// The transmission of this number ends.
+  void close(uint8_t number, Outcome outcome);
 
   Outcomes &outcomes() { return outcomes_; }
 
  private:
-  static_assert(config::TRANSMIT_BYTES >= 2 + HEADER_LENGTH + SEAL_LENGTH + MAX_CONTENT_LENGTH,
+  static_assert(config::TRANSMIT_BYTES >= 3 + HEADER_LENGTH + SEAL_LENGTH + MAX_CONTENT_LENGTH,
                 "JAVINO_TRANSMIT_BYTES: too few");
 
   uint8_t add(const Frame &frame, uint8_t contentAt, uint16_t length);
 
   ByteQueue records_;
   Outcomes outcomes_;
+  uint8_t nextNumber_ JAVINO_ZEROED;
   uint8_t block_[config::TRANSMIT_BYTES];
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <stdint.h>
+#include <string.h>
 
 #include "../framing/Limits.h"
+#include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
 namespace javino {
@@ -14,49 +16,50 @@ enum class Outcome : uint8_t {
   UNDELIVERED = 2  ///< it is not known to have; or what was accepted could not be sealed when its turn came
 };
 
-/// The numbers of transmissions, and their outcomes until the host has had them (SPEC 4.3). Transmissions end in the order
-/// of their numbers.
+/// The outcomes of transmissions, in the order in which they ended, until the host has had them (SPEC 4.3).
 class Outcomes {
  public:
   /// Transmissions without a reported outcome, at most: a host that never polls gets QUEUE_FULL instead of losing
-  /// outcomes. All of them fit a poll reply, with 5 bytes each. Divides 256.
-  static const uint8_t MAX_UNREPORTED = 2 + 5 * 32 <= MAX_MESSAGE_LENGTH ? 32 : 16;
+  /// outcomes. All of them fit a poll reply, with 5 bytes each.
+  static const uint8_t MAX_UNREPORTED = 2 + 5 * 32 <= MAX_MESSAGE_LENGTH ? 32 : 8;
 
-  /// Whether there is no number for another transmission.
-  bool isFull() const { return static_cast<uint8_t>(nextNumber_ - first_) >= MAX_UNREPORTED; }
+  struct End {
+    uint8_t number;  ///< of the transmission
+    Outcome outcome;
+  };
 
-  /// Numbers a transmission. Only while it is not full.
-  uint8_t open() { return nextNumber_++; }
+  /// How many have ended that the host is not known to know of.
+  uint8_t count() const { return count_; }
 
-  /// The oldest transmission that has not ended ends.
-  void close(Outcome outcome) { outcomes_[nextEnded_++ % MAX_UNREPORTED] = outcome; }
+  /// A transmission has ended. Only while there are fewer than MAX_UNREPORTED.
+  void add(uint8_t number, Outcome outcome) {
+    End &end = ends_[count_++];
+    end.number = number;
+    end.outcome = outcome;
+  }
 
-  /// The first transmission whose outcome is to be told, or has not ended.
-  uint8_t first() const { return nextTold_; }
+  /// Whether outcomes are to be told.
+  bool areUntold() const { return told_ != count_; }
 
-  /// The first transmission that has not ended: those from first() to the one before it have.
-  uint8_t end() const { return nextEnded_; }
+  /// The next one to be told, which is told now. Only while there is one.
+  const End &tell() { return ends_[told_++]; }
 
-  /// How a transmission ended that has.
-  Outcome of(uint8_t number) const { return outcomes_[number % MAX_UNREPORTED]; }
+  /// The host has had all that was told.
+  void forgetTold() {
+    count_ = static_cast<uint8_t>(count_ - told_);
+    memmove(ends_, ends_ + told_, count_ * sizeof(End));
+    told_ = 0;
+  }
 
-  /// All outcomes have been written into a reply.
-  void markTold() { nextTold_ = nextEnded_; }
-
-  /// The host has had that reply.
-  void forgetTold() { first_ = nextTold_; }
-
-  /// The host may not have had that reply.
-  void keepTold() { nextTold_ = first_; }
+  /// The host may not have had it.
+  void keepTold() { told_ = 0; }
 
  private:
-  uint8_t nextNumber_ JAVINO_ZEROED;
-  uint8_t nextEnded_ JAVINO_ZEROED;
-  uint8_t nextTold_ JAVINO_ZEROED;
-  uint8_t first_ JAVINO_ZEROED;
   static_assert(2 + 5 * MAX_UNREPORTED <= MAX_MESSAGE_LENGTH, "a poll reply tells all outcomes");
 
-  Outcome outcomes_[MAX_UNREPORTED];
+  uint8_t count_ JAVINO_ZEROED;
+  uint8_t told_ JAVINO_ZEROED;
+  End ends_[MAX_UNREPORTED];
 };
 
 }  // namespace javino

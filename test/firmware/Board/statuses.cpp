@@ -133,7 +133,7 @@ TEST_F(BoardStatus, answers_TOO_LONG_beyond_494_bytes) {
 TEST_F(BoardStatus, answers_QUEUE_FULL_to_what_finds_no_room_and_takes_it_later) {
   int accepted = 0;
   while (board.transmit("////", "ROMA", std::string(90, 'x')).status == Status::OK) accepted++;
-  EXPECT_EQ(javino::config::TRANSMIT_BYTES / (2 + 10 + 90), accepted);
+  EXPECT_EQ(javino::config::TRANSMIT_BYTES / (3 + 10 + 90), accepted);
   EXPECT_EQ(Status::QUEUE_FULL, board.transmit("////", "ROMA", std::string(90, 'x')).status);
   EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", "tell;help").status) << "a shorter one still fits";
   board.sendNext();

@@ -30,9 +30,12 @@ TEST(ByteQueue, keeps_records_of_any_length_in_order_over_many_random_steps) {
       expected.push_back(record);
       used += 2 + record.size();
     } else if (!expected.empty()) {
-      queue.removeFirst();
-      used -= 2 + expected.front().size();
-      expected.pop_front();
+      const uint32_t index = random.number(random.number(2) == 0 ? 1 : static_cast<uint32_t>(expected.size()));
+      ByteQueue::Record removed = queue.first();
+      for (uint32_t before = index; before != 0; before--) removed = queue.after(removed);
+      queue.remove(removed.bytes);
+      used -= 2 + expected[index].size();
+      expected.erase(expected.begin() + index);
     }
     ASSERT_EQ(expected.size(), queue.count());
     ByteQueue::Record at = queue.first();

@@ -57,6 +57,26 @@ struct Field {
     }
   }
 
+  // What reached a station from another one did so in the order in which it was sent, and so did each sender learn of it.
+  void checkOrder() {
+    for (const auto &from : stations) {
+      for (const auto &to : stations) {
+        std::vector<std::string> sent, ends;
+        for (const Unicast &unicast : unicasts) {
+          if (unicast.from == from.get() && unicast.to == to.get()) sent.push_back(unicast.content);
+        }
+        const auto isOfThese = [&](const std::string &text) { return timesIn(sent, text) != 0; };
+        std::copy_if(from->endedInOrder.begin(), from->endedInOrder.end(), std::back_inserter(ends), isOfThese);
+        EXPECT_EQ(sent, ends) << from->id << " to " << to->id;
+        std::vector<std::string> received, inOrder;
+        std::copy_if(to->received.begin(), to->received.end(), std::back_inserter(received), isOfThese);
+        std::copy_if(sent.begin(), sent.end(), std::back_inserter(inOrder),
+                     [&](const std::string &text) { return timesIn(received, text) != 0; });
+        EXPECT_EQ(inOrder, received) << from->id << " to " << to->id;
+      }
+    }
+  }
+
   int delivered() {
     return static_cast<int>(std::count_if(unicasts.begin(), unicasts.end(), [](const Unicast &unicast) {
       return unicast.from->ended[unicast.content] == Station::DELIVERED;
@@ -126,6 +146,33 @@ TEST(Delivery, over_many_seeds_and_losses_nothing_is_delivered_twice_or_falsely_
   }
   EXPECT_GT(sent, 60);
   EXPECT_GT(delivered, sent * 9 / 10);
+}
+
+TEST(Delivery, to_several_of_whom_some_are_away_each_gets_its_messages_in_order_and_each_end_is_told_once) {
+  int delivered = 0;
+  for (uint32_t seed = 1; seed <= 8; seed++) {
+    SCOPED_TRACE(seed);
+    Field field(6, seed);
+    field.air.lostInThousand = 30 * (seed % 4);
+    for (int i = 0; i < 40; i++) {
+      // Those who are away hear nothing and come back later.
+      for (int j = 1; j < 6; j++) {
+        if (field.air.random.number(10) == 0) field.air.leave(*field.stations[j], field.air.random.number(2) != 0);
+      }
+      const int to = 1 + static_cast<int>(field.air.random.number(5));
+      const bool isLong = field.air.random.number(6) == 0;
+      const bool isFromOther = field.air.random.number(4) == 0;
+      field.unicast(isFromOther ? to : 0, isFromOther ? 0 : to,
+                    content(i, 12 + field.air.random.number(isLong ? 300 : 40)));
+      if (i % 10 == 0) field.stations[0]->send(i % 20 == 0 ? "////" : "//SU", content(100 + i, 20));
+      field.air.pass(field.air.random.number(800));
+    }
+    EXPECT_TRUE(field.air.settle(600000)) << "every transmission ends";
+    field.check();
+    field.checkOrder();
+    delivered += field.delivered();
+  }
+  EXPECT_GT(delivered, 100);
 }
 
 TEST(Delivery, resets_of_either_side_with_and_without_their_RAM_deliver_nothing_twice) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Addresses.h"
+#include "support/FakeRadio.h"
 #include "support/Keys.h"
 #include "support/ReplayRig.h"
 
@@ -35,9 +36,7 @@ class KeyCommandsTest : public testing::Test {
   Status renew(const Bytes &body) {
     return commands.store(true, body.data(), static_cast<uint16_t>(body.size()), begin());
   }
-  Status use(const Bytes &body, uint8_t underWay = javino::KeyStore::NO_SLOT) {
-    return commands.use(body.data(), static_cast<uint16_t>(body.size()), underWay);
-  }
+  Status use(const Bytes &body) { return commands.use(body.data(), static_cast<uint16_t>(body.size()), idle); }
   Status raise(const Bytes &body) { return commands.raiseEpoch(body.data(), static_cast<uint16_t>(body.size())); }
   Status finish(const Bytes &body) { return commands.finish(body.data(), static_cast<uint16_t>(body.size())); }
   Status erase(const Bytes &body) { return commands.erase(body.data(), static_cast<uint16_t>(body.size())); }
@@ -58,6 +57,9 @@ class KeyCommandsTest : public testing::Test {
   javino::BootEpoch epoch;
   javino::NonceSource nonces;
   KeyCommands commands;
+  FakeRadio radio;
+  javino::BoardState state;
+  const javino::Delivery idle{radio, state};  // nothing is under way
   Reply reply;
 };
 
@@ -115,16 +117,6 @@ TEST_F(KeyCommandsTest, take_each_step_of_a_renewal_only_after_the_one_before) {
   EXPECT_EQ(Status::NO_KEY, use(TO_SUPO));
   EXPECT_EQ(Status::OK, finish(TO_SUPO));
   EXPECT_EQ(Status::NO_KEY, finish(TO_SUPO));
-}
-
-TEST_F(KeyCommandsTest, do_not_replace_a_key_under_which_something_is_under_way) {
-  set(TO_SUPO + KEY);
-  const uint8_t old = rig.keys.current(SUPO);
-  renew(TO_SUPO + OTHER_KEY);
-  EXPECT_EQ(Status::BUSY, use(TO_SUPO, old));
-  EXPECT_EQ(old, rig.keys.current(SUPO));
-  EXPECT_EQ(Status::OK, use(TO_SUPO, static_cast<uint8_t>(old + 5))) << "what goes to others does not matter";
-  EXPECT_EQ(Status::NO_KEY, use(TO_SUPO, rig.keys.current(SUPO)));
 }
 
 TEST_F(KeyCommandsTest, raise_the_epoch_and_never_lower_it) {

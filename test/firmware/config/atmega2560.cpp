@@ -14,6 +14,7 @@ static_assert(config::FLOOR_SLOTS == 96, "");
 static_assert(config::MAX_MESSAGE == 511, "");
 static_assert(config::RECEIVE_BYTES == 640, "");
 static_assert(config::TRANSMIT_BYTES == 640, "");
+static_assert(config::PARTNERS == 4, "");
 static_assert(config::REASSEMBLIES == 2, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
@@ -28,6 +29,6 @@ static_assert(config::EEPROM_START == 0, "");
 
 static_assert(EEPROM_END == 3354, "");
 static_assert(sizeof(TakenNonces) == 318, "retained RAM, beside the board's");
-static_assert(sizeof(Board) <= 4464, "the protocol's part of static RAM");
+static_assert(sizeof(Board) <= 4580, "the protocol's part of static RAM");
 
 }  // namespace javino

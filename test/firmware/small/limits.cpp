@@ -92,7 +92,7 @@ TEST_F(SmallBoard, tells_all_outcomes_in_one_poll) {
     accepted++;
     board.sendNext();
   }
-  EXPECT_EQ(16u, accepted);
+  EXPECT_EQ(8u, accepted);
   EXPECT_EQ(accepted, board.poll().texts('T').size());
 }
 

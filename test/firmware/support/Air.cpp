@@ -28,6 +28,14 @@ void Air::pass(uint32_t millis) {
   for (; millis != 0; millis--) step();
 }
 
+void Air::leave(Station &station, bool away) {
+  if (away) {
+    away_.insert(&station);
+  } else {
+    away_.erase(&station);
+  }
+}
+
 bool Air::settle(uint32_t millis) {
   for (; millis != 0; millis--) {
     step();
@@ -56,7 +64,8 @@ void Air::start(Station *from, const Bytes &payload) {
 void Air::finish(const Packet &packet) {
   if (packet.from != nullptr) packet.from->board.radio.finishSending();
   for (Station *station : stations_) {
-    const bool deaf = std::count(packet.deaf.begin(), packet.deaf.end(), station) != 0;
+    const bool apart = away_.count(station) != 0 || away_.count(packet.from) != 0;
+    const bool deaf = apart || std::count(packet.deaf.begin(), packet.deaf.end(), station) != 0;
     if (station == packet.from || deaf || packet.broken || random.number(1000) < lostInThousand) continue;
     station->board.radio.arrive(packet.payload);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "Station.h"
@@ -12,6 +13,9 @@ class Air {
   explicit Air(uint32_t seed) : random(seed) {}
 
   void join(Station &station) { stations_.push_back(&station); }
+
+  /// A station is out of range of all others, or is back.
+  void leave(Station &station, bool away);
 
   /// Lets a millisecond pass.
   void step();
@@ -46,6 +50,7 @@ class Air {
   void listen(Station &station);
 
   std::vector<Station *> stations_;
+  std::set<const Station *> away_;
   std::vector<Packet> onAir_;
   uint32_t now_ = 0;
 };

@@ -49,6 +49,7 @@ void Station::poll() {
     if (record.type == 'M') take(PolledMessage(record.value));
     if (record.type != 'T') continue;
     ended[underWay.at(record.value.at(0))] = static_cast<End>(record.value.at(1));
+    endedInOrder.push_back(underWay.at(record.value.at(0)));
     underWay.erase(record.value.at(0));
   }
 }

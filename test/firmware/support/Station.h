@@ -38,6 +38,7 @@ class Station {
   TestBoard board;
   std::vector<std::string> received;  ///< contents that the host has handed on
   std::map<std::string, End> ended;   ///< by content
+  std::vector<std::string> endedInOrder;
   std::map<uint8_t, std::string> underWay;
 
  private:

@@ -94,6 +94,9 @@ final class RadioCell {
                     + " sends other bytes under the nonce of an earlier message; expected: " + message);
         }
         byPayload.put(payload.identity(), message);
+        if (payload.isPiece() && payload.index() == 0) {
+            board.begin(payload.pieceId(), message);
+        }
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
         message.sender(attempt ? "send" : "part");
         return message;
@@ -101,16 +104,15 @@ final class RadioCell {
 
     /** The message that this is, or is a piece of; null where it is a new one. */
     private Message known(Station board, Payload payload) throws RefusedException {
-        Optional<Message> current = board.current().map(transmission -> transmission.message);
         if (payload.index() == 0) {
             Payload whole = payload.whole();
             if (!whole.kind().equals("broadcast")) {
                 return messages.get(key(whole));
             }
-            return current.filter(message -> payload.isPiece() && message == byPayload.get(payload.identity()))
-                    .orElse(null);
+            return board.current(whole.destination()).map(transmission -> transmission.message)
+                    .filter(message -> payload.isPiece() && message == byPayload.get(payload.identity())).orElse(null);
         }
-        return current.orElseThrow(() -> new RefusedException(board.name()
+        return board.cut(payload.pieceId()).orElseThrow(() -> new RefusedException(board.name()
                 + " sends a piece of a message that it has not begun; expected a first piece"));
     }
 
@@ -135,7 +137,12 @@ final class RadioCell {
 
     private Message begun(Station board, Payload payload) throws RefusedException {
         Payload whole = payload.whole();
-        Transmission current = board.current().orElse(null);
+        Transmission current = board.current(whole.destination()).orElse(null);
+        String last = current == null || current.message == null ? "" : current.message.nonce;
+        if (!whole.kind().equals("broadcast") && whole.nonce().compareTo(last) <= 0) {
+            throw new RefusedException(board.name() + " seals a message to " + whole.destination() + " under nonce "
+                    + whole.nonce() + "; expected one above " + last);
+        }
         boolean anew = current != null && current.message != null && current.before == null && current.outcome.isEmpty()
                 && current.destination.equals(whole.destination()) && current.message.mayDo("reseal");
         if (anew) {

@@ -80,8 +80,10 @@ public final class Replay {
         switch (event.name()) {
             case "rf-tx" -> steps.add(new Step(event.number("start"), event));
             case "host-transmit" -> steps.add(new Step(event.number("asked"), event));
-            case "rf-rx", "rf-damaged", "reset", "host-id", "host-handed", "host-taking", "host-taken",
-                    "host-outcome" ->
+            // Known some bits after its end; a board may have mended it at its end.
+            case "rf-damaged" ->
+                steps.add(new Step(event.fields().has("end") ? event.number("end") : event.seconds(), event));
+            case "rf-rx", "reset", "host-id", "host-handed", "host-taking", "host-taken", "host-outcome" ->
                 steps.add(new Step(event.seconds(), event));
             default -> {} // nothing that the model speaks of
         }

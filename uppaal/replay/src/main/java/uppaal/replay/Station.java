@@ -19,15 +19,18 @@ final class Station {
     private final String name;
     private final Set<String> ids = new HashSet<>();
     private final Deque<Packet> packets = new ArrayDeque<>();
-    /** Transmissions of which nothing was on the air yet, in their order. */
+    /** Transmissions of which nothing was on the air yet, in the order in which its host gave them. */
     private final Deque<Transmission> waiting = new ArrayDeque<>();
     private final Map<Integer, Transmission> numbered = new HashMap<>();
     /** Messages that the host has not taken, by their numbers, in the order in which they were handed over. */
     final Map<Integer, Message> handed = new LinkedHashMap<>();
     /** The highest nonce that the host has taken, for each origin and destination. */
     final Map<String, String> highest = new HashMap<>();
+    /** What it has sent last, for each partner. */
+    private final Map<String, Transmission> current = new HashMap<>();
+    /** What it has cut last, by the ids of pieces. */
+    private final Map<Integer, Message> cut = new HashMap<>();
     private String id = "";
-    private Transmission current;
 
     Station(String name) {
         this.name = name;
@@ -78,23 +81,44 @@ final class Station {
         numbered.put(transmission.number, transmission);
     }
 
-    Optional<Transmission> current() {
-        return Optional.ofNullable(current);
+    /** Messages to a partner are under way one after the other; all that goes to many has one turn together. */
+    private static String partner(String destination) {
+        return destination.startsWith("//") ? "//" : destination;
+    }
+
+    /** What it has sent last to a destination, or to its like. */
+    Optional<Transmission> current(String destination) {
+        return Optional.ofNullable(current.get(partner(destination)));
+    }
+
+    /** It sends the first piece of a message. */
+    void begin(int pieceId, Message message) {
+        cut.put(pieceId, message);
+    }
+
+    /** The message whose pieces have this id. */
+    Optional<Message> cut(int pieceId) {
+        return Optional.ofNullable(cut.get(pieceId));
     }
 
     Optional<Transmission> numbered(int number) {
         return Optional.ofNullable(numbered.get(number));
     }
 
-    /** The next transmission to a destination becomes the current one; those before it could not be sealed. */
+    /** The next transmission to a destination becomes the current one; those to this partner before it could not be sealed. */
     Optional<Transmission> takeUp(String destination) {
-        if (waiting.stream().noneMatch(transmission -> transmission.destination.equals(destination))) {
-            return Optional.empty();
-        }
-        do {
-            current = waiting.remove();
-        } while (!current.destination.equals(destination));
-        return Optional.of(current);
+        Optional<Transmission> next =
+                waiting.stream().filter(transmission -> transmission.destination.equals(destination)).findFirst();
+        next.ifPresent(transmission -> {
+            String partner = partner(destination);
+            while (current.get(partner) != transmission) {
+                Transmission first = waiting.stream().filter(each -> partner(each.destination).equals(partner))
+                        .findFirst().orElseThrow();
+                waiting.remove(first);
+                current.put(partner, first);
+            }
+        });
+        return next;
     }
 
     /** It begins anew: what it was to send and what it has not handed over is gone. */
@@ -102,6 +126,7 @@ final class Station {
         waiting.clear();
         numbered.clear();
         handed.clear();
-        current = null;
+        current.clear();
+        cut.clear();
     }
 }

@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
+import java.nio.charset.StandardCharsets;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -243,6 +246,112 @@ class ReplayTest {
     }
 
     @Test
+    void replay_messagesToSeveralDevices_takeTurnsAndEndInAnyOrder() {
+        Lines lines = severalAsked("SUPP", "SUHO", "SUPP", "SUHO");
+        for (int attempt = 0; attempt < 8; attempt++) {
+            send(lines, 2 + attempt, "police", unicast("SUPP", 0), "unicast");
+            send(lines, 2.5 + attempt, "police", unicast("SUHO", 1), "unicast");
+        }
+        outcome(lines, 10, 1, "undelivered");
+        send(lines, 11, "police", unicast("SUHO", 2), "unicast");
+        outcome(lines, 11.5, 0, "undelivered");
+        send(lines, 12, "police", unicast("SUPP", 3), "unicast");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        outcome(lines, 13, 3, "undelivered");
+        assertRefused(lines, lines.all.size(), "SUPO reports it undelivered (SUPO to SUHO, nonce 000001000002)");
+    }
+
+    @Test
+    void replay_twoMessagesUnderWayToOneDevice_areRefusedWithTheSecond() {
+        Lines lines = severalAsked("SUPP", "SUHO", "SUPP");
+        send(lines, 2, "police", unicast("SUPP", 0), "unicast");
+        send(lines, 3, "police", unicast("SUHO", 1), "unicast");
+        send(lines, 4, "police", unicast("SUPP", 2), "unicast");
+        assertRefused(lines, lines.all.size(), "SUPO goes on to another message (SUPO to SUPP, nonce 000001000000)");
+    }
+
+    @Test
+    void replay_lowerNonceForALaterMessageToADevice_isRefused() {
+        Lines lines = severalAsked("SUPP", "SUHO", "SUPP");
+        for (int attempt = 0; attempt < 8; attempt++) {
+            send(lines, 2 + attempt, "police", unicast("SUPP", 2), "unicast");
+        }
+        send(lines, 10, "police", unicast("SUHO", 0), "unicast");
+        assertTrue(lines.replay().refusal().isEmpty(), "the order among devices is free");
+        send(lines, 11, "police", unicast("SUPP", 1), "unicast");
+        assertRefused(lines, lines.all.size(),
+                "police seals a message to SUPP under nonce 000001000001; expected one above 000001000002");
+    }
+
+    @Test
+    void replay_messagesToMany_goOneAfterTheOtherBesideUnicasts() {
+        Lines lines = severalAsked("SUPP", "//SU", "////");
+        send(lines, 2, "police", unicast("SUPP", 0), "unicast");
+        send(lines, 3, "police", unicast("//SU", 1), "multicast");
+        Lines early = new Lines();
+        early.all.addAll(lines.all);
+        String broadcast = "2f2f2f2f5355504f415978";
+        send(early, 4, "police", broadcast, "broadcast");
+        assertRefused(early, early.all.size(), "SUPO goes on to another message (SUPO to //SU, ");
+        send(lines, 4, "police", unicast("SUPP", 0), "unicast");
+        send(lines, 5, "police", unicast("//SU", 1), "multicast");
+        send(lines, 6, "police", broadcast, "broadcast");
+        outcome(lines, 7, 1, "sent");
+        outcome(lines, 7, 2, "sent");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
+    @Test
+    void replay_piecesOfTwoMessages_areToldApartByTheirIds() {
+        for (String id : List.of("43", "41")) {
+            Lines lines = severalAsked("SUPP", "SUHO");
+            for (int message = 0; message < 2; message++) {
+                String digit = message == 0 ? "41" : "43";
+                String whole = unicast(message == 0 ? "SUPP" : "SUHO", message);
+                String header = whole.substring(0, 16) + "4e77" + whole.substring(20);
+                send(lines, 2 + message, "police", piece(digit, "41", header + "77".repeat(41)), "piece");
+            }
+            send(lines, 4, "police", piece("41", "4a", "0077"), "piece");
+            send(lines, 5, "police", piece(id, "4a", "0177"), "piece");
+            if (id.equals("43")) {
+                assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+            } else {
+                assertRefused(lines, lines.all.size(), "sends other bytes under the nonce of an earlier message");
+            }
+        }
+    }
+
+    /** Receivers combine damaged copies, and know what acknowledgement they wait for. */
+    @Test
+    void replay_damagedPackets_mayHaveBeenTakenFromTheirEndOn() {
+        for (boolean heard : List.of(true, false)) {
+            Lines lines = severalAsked("SUPP");
+            for (int attempt = 0; attempt < 3; attempt++) {
+                send(lines, 2 + attempt, "police", unicast("SUPP", 0), "unicast");
+                if (heard) {
+                    damage(lines, 2 + attempt, "support", "police");
+                }
+            }
+            hand(lines, 4.3015, 0, "010000");
+            if (!heard) {
+                assertRefused(lines, lines.all.size(), "support hands it to its host");
+                continue;
+            }
+            sort(lines);
+            take(lines, 4.4, 0);
+            send(lines, 5, "support", "2b4b4141535550504241" + "00".repeat(8), "acknowledgement");
+            Lines unheard = new Lines();
+            unheard.all.addAll(lines.all);
+            outcome(unheard, 5.3005, 0, "delivered");
+            assertRefused(unheard, unheard.all.size(), "SUPO reports it delivered");
+            damage(lines, 5, "police", "support");
+            outcome(lines, 5.3005, 0, "delivered");
+            sort(lines);
+            assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        }
+    }
+
+    @Test
     void replay_forgery_mayBeOnTheAirButIsNeverHandedOver() {
         Lines lines = twoBoards();
         reach(lines, 2, "thief", UNICAST + "00".repeat(10), "unicast");
@@ -433,6 +542,40 @@ class ReplayTest {
         replay.line("{\"t\":2,\"board\":\"a\",\"event\":\"host-handed\"}");
         assertEquals("line 7 is no line of a trace: an event 'host-handed' without 'number'",
                 assertThrows(IllegalArgumentException.class, replay::finish).getMessage());
+    }
+
+    /** The police has been asked to send to these, at once. */
+    private static Lines severalAsked(String... destinations) {
+        Lines lines = twoBoards();
+        for (int number = 0; number < destinations.length; number++) {
+            lines.add(1.1, "police", "host-transmit",
+                    Map.of("number", number, "destination", destinations[number], "asked", 1.0));
+        }
+        return lines;
+    }
+
+    /** A sealed frame of the police in its first epoch. */
+    private static String unicast(String destination, int counter) {
+        return HexFormat.of().formatHex(destination.getBytes(StandardCharsets.US_ASCII)) + "5355504f4449000001"
+                + String.format("%06x", counter) + "00".repeat(10);
+    }
+
+    private static String piece(String id, String index, String message) {
+        return "2b46" + id + index + "5355504f" + "4141" + message;
+    }
+
+    private static void outcome(Lines lines, double seconds, int number, String outcome) {
+        lines.add(seconds, "police", "host-outcome", Map.of("number", number, "outcome", outcome));
+    }
+
+    /** A packet comes damaged; the line about it comes some bits after the packet. */
+    private static void damage(Lines lines, double start, String board, String from) {
+        lines.add(start + 0.302, board, "rf-damaged",
+                Map.of("from", from, "why", "CRC", "start", start, "end", start + 0.3));
+    }
+
+    private static void sort(Lines lines) {
+        lines.all.sort(Comparator.comparingDouble(line -> line.get("t").getAsDouble()));
     }
 
     private static Lines greeted(String board, String id) {
