@@ -8,6 +8,7 @@
 #include "../secure/BoardState.h"
 #include "../secure/Proof.h"
 #include "../support/Inlining.h"
+#include "KeyFlags.h"
 #include "MediumAccess.h"
 #include "../support/Zeroed.h"
 
@@ -19,7 +20,7 @@ namespace javino {
 /// A few wait at a time; when more come the oldest is dropped, as its sender will ask again.
 class Acknowledger {
  public:
-  Acknowledger(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state), slots_(FRESH_SLOTS) {}
+  Acknowledger(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state), slots_(FRESH_SLOTS), heard_(KeyStore::NO_SLOT) {}
 
   /// The host has a message.
   /// @param slot the place of the key of the frame that is answered
@@ -37,6 +38,16 @@ class Acknowledger {
 
   /// A frame was refused since it is not above the floor.
   void stale(uint8_t slot, const Address &sender, const uint8_t *nonce) { add(Proof::STALE, slot, sender, nonce, 0); }
+
+  /// A frame under a key has come. Answers under it do not ask for parity, until its packet is known to have been damaged.
+  /// @param slot the place of the key, or NO_SLOT where none is known
+  void heard(uint8_t slot) {
+    heard_ = slot;
+    asking_.set(slot, false);
+  }
+
+  /// The packet of that frame was damaged, or came again, and its sender understands trailers.
+  void askForParity() { asking_.set(heard_, true); }
 
   /// To be called when keys were deleted: what was to be proved with them is dropped.
   JAVINO_NOINLINE void keysChanged();
@@ -68,6 +79,8 @@ class Acknowledger {
   uint8_t count_ JAVINO_ZEROED;
   uint8_t slots_;                // of quiet air that the first one waits for
   bool deferred_ JAVINO_ZEROED;  // it has been counted as deferred
+  uint8_t heard_;                // the place of the key of what came last
+  KeyFlags asking_;              // for parity
   Entry entries_[CAPACITY];      // the first is the oldest
 };
 

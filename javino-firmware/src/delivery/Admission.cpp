@@ -70,6 +70,7 @@ uint8_t Admission::slotOf(const Frame &frame, bool other) const {
 
 bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
                             uint16_t length) {
+  acknowledger_.heard(slot);
   const uint8_t *nonce = bytes + Envelope::NONCE_AT;
   const ReplayMemory::Verdict verdict = state_.replays.judge(slot, frame.origin, nonce);
   if (verdict != ReplayMemory::NEWER) return refuse(verdict, slot, frame, nonce);
@@ -106,7 +107,10 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
     hasKey = true;
     const bool taken = state_.replays.judge(slot, frame.origin, nonce) == ReplayMemory::REPEATED;
     if (!taken && inbox_.waiting(slot, frame.origin, nonce) != Inbox::THIS) continue;
-    if (taken && wantsAnswer && frame.destination.isDevice()) acknowledger_.delivered(slot, frame.origin, nonce);
+    if (taken && wantsAnswer && frame.destination.isDevice()) {
+      acknowledger_.heard(slot);
+      acknowledger_.delivered(slot, frame.origin, nonce);
+    }
     return drop(Counter::RADIO_REPEATS);
   }
   return hasKey || drop(Counter::RADIO_NO_KEY);
@@ -115,7 +119,9 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
 void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have) {
   for (uint8_t other = 0; other < KeyStore::KEYS_OF_ADDRESS; other++) {
     const uint8_t slot = slotOf(frame, other != 0);
-    if (slot != KeyStore::NO_SLOT) acknowledger_.pieces(slot, frame.origin, nonce, have);
+    if (slot == KeyStore::NO_SLOT) continue;
+    acknowledger_.heard(slot);
+    acknowledger_.pieces(slot, frame.origin, nonce, have);
   }
 }
 

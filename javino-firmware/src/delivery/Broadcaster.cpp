@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../radio/Mender.h"
 #include "../support/Counters.h"
 #include "../support/Clock.h"
 
@@ -30,7 +31,11 @@ void Broadcaster::run() {
   medium_.update();
   uint8_t length;
   while (const uint8_t *packet = medium_.receive(length)) {
-    hear(packet, length);
+    if (medium_.mender() && medium_.mender()->isDoubtful()) {
+      countUp(ignored_);
+    } else {
+      hear(packet, length);
+    }
     medium_.release();
   }
   if (isBusy() && backoff_.isOver(medium_.quietSlots()) && medium_.send(frame_, length_)) length_ = 0;

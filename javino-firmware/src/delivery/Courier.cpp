@@ -12,6 +12,18 @@ static const uint8_t MAX_ATTEMPTS = 8;
 static const uint8_t PATIENCE_MILLIS = 150;
 static const uint8_t IDS = 64;
 
+// In a packet's symbols, of which each byte takes two; the first two are the count.
+static const uint8_t HEADER_AT = 2;
+static const uint8_t BODY_AT = HEADER_AT + 2 * HEADER_LENGTH;
+
+// A damaged acknowledgement is taken where no more of its bits are wrong. Of the 96 of a proof so many let a forger's guess
+// succeed with 2^-44 (SECURITY.md), and only so many guesses are looked at.
+static const uint8_t MOST_WRONG_PROOF_BITS = 7;
+static const uint8_t MOST_WRONG_HEADER_BITS = 15;
+static const uint8_t MOST_WRONG_PIECES_BITS = 2;
+static const uint8_t MOST_PIECES_GUESSED = 4;
+static const uint8_t MOST_GUESSES = 16;
+
 bool Courier::isUnderWay(uint8_t slot) const {
   for (const Message &message : messages_) {
     if (message.slot == slot && message.phase != IDLE) return true;
@@ -124,6 +136,8 @@ void Courier::restart() {
   message.sent = 0;
   message.arrived = 0;
   message.attempt = 0;
+  message.guesses = 0;
+  message.trailed = false;
   message.pending = pieces::all(message.count);
 }
 
@@ -131,6 +145,22 @@ void Courier::contend() {
   backoff_.begin(current().attempt, medium_.quietSlots(), state_.random);
   current().phase = CONTENDING;
   deferred_ = false;
+}
+
+// Parity follows where the partner has asked for it; a packet that is sent again, if the partner is known to understand it. To
+// others such a packet tells that we do.
+Trailer Courier::trailer() const {
+  const Message &message = current();
+  if (!config::PARITY || !isUnicast()) return Trailer::NONE;
+  const bool again = (message.sent & onAir_) != 0;
+  if (parity_.has(message.slot) || (again && understands_.has(message.slot))) return Trailer::PARITY;
+  return again ? Trailer::MARK : Trailer::NONE;
+}
+
+void Courier::noteParity(const Proof::Claim &claim) {
+  if (!config::PARITY || claim.type == Proof::STALE) return;
+  parity_.set(current().slot, claim.asksParity);
+  if (claim.asksParity) understands_.set(current().slot, true);
 }
 
 // Counts each packet that waits for another's carrier to end, once.
@@ -146,12 +176,15 @@ void Courier::send() {
   uint8_t index = 0;
   for (onAir_ = 1; (message.pending & onAir_) == 0; onAir_ = static_cast<uint8_t>(onAir_ << 1)) index++;
   const bool wantsAnswer = isUnicast() && message.pending == onAir_;
+  const Trailer trailer = this->trailer();
   uint8_t piece[MAX_RADIO_PAYLOAD];
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
-  const bool taken = message.count == 1 ? medium_.send(record.bytes, static_cast<uint8_t>(record.length))
+  const bool taken = message.count == 1 ? medium_.send(record.bytes, static_cast<uint8_t>(record.length), trailer)
                                         : medium_.send(piece, pieces::cut(record.bytes, record.length, message.id,
-                                                                          digit, medium_.pieceLength(), piece));
+                                                                          digit, medium_.pieceLength(), piece),
+                         trailer);
   if (!taken) return;
+  message.trailed = message.trailed || trailer != Trailer::NONE;
   if (message.sent == 0) message.sentAt = clock::millis();
   if ((message.sent & onAir_) != 0) state_.count(Counter::RADIO_RESENT);
   message.sent |= onAir_;
@@ -205,6 +238,11 @@ void Courier::keysChanged() {
   for (Message &message : messages_) {
     if (message.slot != KeyStore::NO_SLOT && state_.keys.isFree(message.slot)) message.slot = KeyStore::NO_SLOT;
   }
+  for (uint8_t slot = 0; config::PARITY && slot < KeyStore::SLOTS; slot++) {
+    if (!state_.keys.isFree(slot)) continue;
+    parity_.set(slot, false);
+    understands_.set(slot, false);
+  }
 }
 
 // It may be about one whose turn has passed: that takes the first place meanwhile. Of two with the same bits in their nonces
@@ -233,12 +271,73 @@ bool Courier::concerns(const Frame &acknowledgement) const {
 
 bool Courier::accept(const Frame &acknowledgement) {
   const uint16_t bodyLength = static_cast<uint16_t>(acknowledgement.length - PROOF_LENGTH);
-  const Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
-                              : bodyLength == 1 ? Proof::PIECES
-                                                : Proof::STALE,
-                              current().nonce, current().sender, acknowledgement.origin, acknowledgement.message};
-  return acknowledgement.length >= PROOF_LENGTH && bodyLength == Proof::bodyLength(claim.type) &&
-         isProved(claim, acknowledgement.message + bodyLength) && onAnswer(claim.type, claim.body);
+  Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
+                        : bodyLength == 1 ? Proof::PIECES
+                                          : Proof::STALE,
+                        current().nonce, current().sender, acknowledgement.origin, acknowledgement.message, false};
+  if (acknowledgement.length < PROOF_LENGTH || bodyLength != Proof::bodyLength(claim.type)) return false;
+  while (!isProved(claim, acknowledgement.message + bodyLength)) {
+    if (claim.asksParity || !current().trailed) return false;
+    claim.asksParity = true;
+  }
+  noteParity(claim);
+  return onAnswer(claim.type, claim.body);
+}
+
+void Courier::acknowledged(const RadioPacket &lost) {
+  bool borne = false;
+  for (uint8_t place = 0; place < config::PARTNERS && !borne; place++) {
+    if (config::PARTNERS > 1 && place != 0) exchange(place);
+    const Message &message = current();
+    if (isUnicast() && message.sent != 0 && message.slot != KeyStore::NO_SLOT) {
+      borne = isExpected(Proof::DELIVERED, lost) || (message.count > 1 && isExpected(Proof::PIECES, lost));
+    }
+    if (config::PARTNERS > 1 && place != 0) exchange(place);
+  }
+  if (borne) state_.count(Counter::RADIO_ANSWERS_BORNE);
+}
+
+// Compares with the answers that the partner can give. All bits but those of the proof only show what it is about.
+bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
+  Message &message = current();
+  const uint8_t bodyLength = Proof::bodyLength(type);
+  const uint8_t length = static_cast<uint8_t>(bodyLength + PROOF_LENGTH);
+  const uint8_t count = lost.count();
+  if (count != RadioPacket::NO_COUNT && count != HEADER_LENGTH + length + linecode::PACKET_OVERHEAD) return false;
+  uint8_t header[HEADER_LENGTH];
+  const uint16_t bits = static_cast<uint16_t>((message.nonce[4] << 8 | message.nonce[5]) & 0xFFF);
+  Frame::writeHeader(header, Address::acknowledgement(bits), message.destination, length);
+  if (lost.wrongBits(HEADER_AT, header, HEADER_LENGTH) > MOST_WRONG_HEADER_BITS) return false;
+  if (message.guesses == MOST_GUESSES) return false;
+  message.guesses++;
+  const uint8_t last = bodyLength == 0 ? 0 : pieces::all(message.count);
+  uint8_t have = bodyLength == 0 ? 0 : static_cast<uint8_t>(message.arrived | 1);
+  for (uint8_t left = MOST_PIECES_GUESSED; left != 0; have++) {
+    if (bodyLength == 0 || lost.wrongBits(BODY_AT, &have, 1) <= MOST_WRONG_PIECES_BITS) {
+      left--;
+      Proof::Claim claim = {type, message.nonce, message.sender, message.destination, &have, false};
+      bool borne = isBorne(claim, lost);
+      if (!borne && message.trailed) {
+        claim.asksParity = true;
+        borne = isBorne(claim, lost);
+      }
+      if (borne) {
+        noteParity(claim);
+        return onAnswer(type, &have);
+      }
+    }
+    if (have == last) break;
+  }
+  return false;
+}
+
+bool Courier::isBorne(const Proof::Claim &claim, const RadioPacket &lost) const {
+  DerivedKeys keys;
+  if (!state_.keys.load(current().slot, keys)) return false;
+  uint8_t proof[PROOF_LENGTH];
+  Proof(keys).make(claim, proof);
+  const uint8_t at = static_cast<uint8_t>(BODY_AT + 2 * Proof::bodyLength(claim.type));
+  return lost.wrongBits(at, proof, PROOF_LENGTH) <= MOST_WRONG_PROOF_BITS;
 }
 
 // Apart from what follows, which may seal the message anew: the stack has no room for the keys of both.

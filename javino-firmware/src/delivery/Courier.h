@@ -3,11 +3,13 @@
 #include <stdint.h>
 
 #include "../framing/Frame.h"
+#include "../radio/RadioPacket.h"
 #include "../secure/BoardState.h"
 #include "../secure/Envelope.h"
 #include "../secure/Proof.h"
 #include "../support/Inlining.h"
 #include "Backoff.h"
+#include "KeyFlags.h"
 #include "MediumAccess.h"
 #include "Outbox.h"
 #include "../support/Zeroed.h"
@@ -38,6 +40,10 @@ class Courier {
   /// @return false where it is not about what is under way
   JAVINO_NOINLINE bool acknowledged(const Frame &frame);
 
+  /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong
+  /// bits can be borne.
+  JAVINO_NOINLINE void acknowledged(const RadioPacket &lost);
+
   /// To be called when keys were deleted: what was sealed with one of them can no longer be acknowledged.
   void keysChanged();
 
@@ -63,6 +69,8 @@ class Courier {
     uint8_t sent;     // pieces that have been sent at least once; 0: nothing was ever sent from this place
     uint8_t arrived;  // pieces that the receiver has ever had
     bool resealed;
+    bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
+    uint8_t guesses;  // damaged answers that were compared with the expected one
     uint32_t sentAt;  // when it was first sent, in ms
     uint8_t slot;     // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
     Address destination;
@@ -87,6 +95,10 @@ class Courier {
   bool isUnicast() const { return current().destination.isDevice(); }
   bool concerns(const Frame &acknowledgement) const;
   bool accept(const Frame &acknowledgement);
+  bool isExpected(Proof::Type type, const RadioPacket &lost);
+  JAVINO_NOINLINE bool isBorne(const Proof::Claim &claim, const RadioPacket &lost) const;
+  Trailer trailer() const;
+  void noteParity(const Proof::Claim &claim);
   JAVINO_NOINLINE bool isProved(const Proof::Claim &claim, const uint8_t *proof) const;
   bool onAnswer(Proof::Type type, const uint8_t *body);
   bool onPieces(uint8_t have);
@@ -102,6 +114,8 @@ class Courier {
   uint8_t patience_;             // quiet milliseconds that are left until its attempt has failed
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
 
+  KeyFlags parity_;       // whether the partner has asked for parity in its last answer
+  KeyFlags understands_;  // or in any
   uint8_t nextId_ JAVINO_ZEROED;
   uint8_t turn_ JAVINO_ZEROED;  // the place of the message that had the last turn but one
 

@@ -29,7 +29,7 @@ class Delivery {
         inbox_(state.replays, acknowledger_),
         admission_(state, inbox_, acknowledger_),
         courier_(medium_, state),
-        receiver_(medium_, admission_, courier_) {}
+        receiver_(medium_, admission_, courier_, acknowledger_) {}
 
   /// Starts the radio; to be called once, after a boot, when id and epoch are known.
   /// @return false where it does not start

@@ -30,7 +30,12 @@ void MediumAccess::update() {
   }
 }
 
-bool MediumAccess::send(const uint8_t *payload, uint8_t length) {
+bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer) {
+#if JAVINO_PARITY
+  radio_.follow(trailer);
+#else
+  (void)trailer;
+#endif
   if (!radio_.send(payload, length)) return false;
   busy_ = true;
   quietSlots_ = 0;

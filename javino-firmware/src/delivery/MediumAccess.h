@@ -34,15 +34,19 @@ class MediumAccess {
   uint8_t quietMillis() const { return quietMillis_; }
 
   /// Starts to send a packet; the air counts as busy from now on.
+  /// @param trailer what follows it
   /// @return false where the radio did not take it
-  bool send(const uint8_t *payload, uint8_t length);
+  bool send(const uint8_t *payload, uint8_t length, Trailer trailer = Trailer::NONE);
 
   /// The oldest packet that the radio holds; it belongs to the caller until release().
   /// @param length set to its length
   /// @return null where none waits
   uint8_t *receive(uint8_t &length) { return radio_.receive(length); }
 
-  /// Drops that packet.
+  /// What knows how that packet came; null where the radio gives intact ones only.
+  Mender *mender() { return radio_.mender(); }
+
+  /// Drops that packet, or the one that is lost.
   void release() { radio_.release(); }
 
   /// Whether the radio holds none. Safe to call with interrupts off.

@@ -9,7 +9,7 @@ namespace javino {
 static const uint8_t INDEX_MASK = MAX_PIECES - 1;
 static const uint8_t INDEXES = MAX_PIECES + pieces::WANTS_ANSWER;
 
-void PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun) {
+bool PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun, bool isDoubtful) {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const uint8_t id = pieces::idOf(piece.destination);
   const uint8_t index = pieces::indexOf(piece.destination);
@@ -17,17 +17,26 @@ void PieceReceiver::accept(const Frame &piece, uint8_t longest, uint32_t begun) 
   const bool wantsAnswer = (index & pieces::WANTS_ANSWER) != 0;
   Frame whole;
   if (index >= INDEXES || piece.length == 0 || (at == 0 && !startsFrame(piece, longest, whole))) {
-    admission_.drop(Counter::RADIO_PIECES_DROPPED);
-    return;
+    return admission_.drop(Counter::RADIO_PIECES_DROPPED);
   }
-  if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return;
+  if (at == 0 ? !isWanted(piece, id, whole, wantsAnswer, now) : ignored_.covers(piece.origin, id, now)) return false;
+  if (isDoubtful && !isSealed(piece, id, at)) return admission_.drop(Counter::RADIO_DOUBTFUL);
   PartialFrame *partial = placeFor(piece.origin, id, longest, at == 0, begun);
   if (partial == nullptr || !partial->add(at, piece.message, static_cast<uint8_t>(piece.length), now)) {
-    admission_.drop(Counter::RADIO_PIECES_DROPPED);
-    return;
+    return admission_.drop(Counter::RADIO_PIECES_DROPPED);
   }
   finish(*partial, now);
   if (wantsAnswer && partial->hasFirst()) answer(admission_, *partial);
+  return true;
+}
+
+// Whether a piece is known to be of a sealed frame: the first piece tells.
+bool PieceReceiver::isSealed(const Frame &piece, uint8_t id, uint8_t index) {
+  const PartialFrame *const partial = index == 0 ? nullptr : reassembly_.find(piece.origin, id);
+  if (index != 0 && (partial == nullptr || !partial->hasFirst())) return false;
+  Frame whole;
+  Frame::parseHeader(index == 0 ? piece.message : partial->bytes(), whole);
+  return !whole.destination.isBroadcast();
 }
 
 // Whether a first piece begins a frame that has to be cut, and that can be handed on. Reads its header.

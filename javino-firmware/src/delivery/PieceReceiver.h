@@ -18,7 +18,9 @@ class PieceReceiver {
   /// Takes in a frame to a piece's address, from another board.
   /// @param longest the most bytes of a piece, 16…67
   /// @param begun when its packet began, in ms
-  JAVINO_NOINLINE void accept(const Frame &piece, uint8_t longest, uint32_t begun);
+  /// @param isDoubtful whether only a tag can tell if it is right: then it must be of a sealed frame
+  /// @return whether it is of use
+  JAVINO_NOINLINE bool accept(const Frame &piece, uint8_t longest, uint32_t begun, bool isDoubtful);
 
   /// Forgets what has got no new piece for 5 s; to be called often.
   void run();
@@ -29,6 +31,7 @@ class PieceReceiver {
  private:
   static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
   bool isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
+  bool isSealed(const Frame &piece, uint8_t id, uint8_t index);
   PartialFrame *placeFor(const Address &origin, uint8_t id, uint8_t longest, bool isFirst, uint32_t begun);
   JAVINO_NOINLINE void finish(PartialFrame &partial, uint16_t now);
   static void answer(Admission &admission, const PartialFrame &partial);
@@ -43,7 +46,7 @@ class NoPieceReceiver {
  public:
   explicit NoPieceReceiver(Admission &admission) : admission_(admission) {}
 
-  void accept(const Frame &, uint8_t, uint32_t) { admission_.drop(Counter::RADIO_PIECES_DROPPED); }
+  bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_.drop(Counter::RADIO_PIECES_DROPPED); }
   void run() {}
   void clear() {}
 

@@ -1,16 +1,31 @@
 #include "Receiver.h"
 
+#include "../radio/Mender.h"
 #include "../support/Clock.h"
 
 namespace javino {
 
 void Receiver::run() {
+  const Mender *const mender = medium_.mender();
   uint8_t length;
   while (uint8_t *packet = medium_.receive(length)) {
+    isDoubtful_ = mender && mender->isDoubtful();
+    acknowledger_.heard(KeyStore::NO_SLOT);
     accept(packet, length);
+    if (mender && mender->hasMended() && mender->hasParity()) acknowledger_.askForParity();
     medium_.release();
   }
-  pieces_.run();
+  if (!mender) return;
+  if (mender->lost()) {
+    courier_.acknowledged(*mender->lost());
+    medium_.release();
+  }
+  if (mender->isMarked()) acknowledger_.askForParity();  // the mark comes when the packet has been handled
+}
+
+void Receiver::keep() {
+  Mender *const mender = medium_.mender();
+  if (mender) mender->keep();
 }
 
 void Receiver::open(bool open) {
@@ -31,15 +46,20 @@ void Receiver::accept(uint8_t *packet, uint8_t length) {
   }
 }
 
+// What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
+// is right, if there is a doubt.
 void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
   const uint32_t begun = clock::millis() - medium_.airtimeMillis(length);
   if (frame.destination.classOf() == Address::PIECE) {
     if (admission_.isOwn(frame)) {
       admission_.drop(Counter::RADIO_OWN);
     } else {
-      pieces_.accept(frame, medium_.pieceLength(), begun);
+      if (pieces_.accept(frame, medium_.pieceLength(), begun, isDoubtful_)) keep();
     }
+  } else if (isDoubtful_ && frame.destination.isBroadcast()) {
+    admission_.drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_.isForUs(frame)) {
+    if (frame.destination.isDevice()) keep();
     admission_.accept(frame, packet, length, begun);
   }
 }

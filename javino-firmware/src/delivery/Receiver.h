@@ -16,8 +16,8 @@ namespace javino {
 /// blocked only acknowledgements of our own messages are looked at.
 class Receiver {
  public:
-  Receiver(MediumAccess &medium, Admission &admission, Courier &courier)
-      : medium_(medium), admission_(admission), courier_(courier), pieces_(admission) {}
+  Receiver(MediumAccess &medium, Admission &admission, Courier &courier, Acknowledger &acknowledger)
+      : medium_(medium), admission_(admission), courier_(courier), acknowledger_(acknowledger), pieces_(admission) {}
 
   /// Takes in all that the radio holds.
   JAVINO_NOINLINE void run();
@@ -28,11 +28,14 @@ class Receiver {
  private:
   JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length);
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
+  void keep();
 
   MediumAccess &medium_;
   Admission &admission_;
   Courier &courier_;
+  Acknowledger &acknowledger_;
   bool open_ JAVINO_ZEROED;
+  bool isDoubtful_ JAVINO_ZEROED;  // the packet that is looked at
   PiecesTaken<config::REASSEMBLIES != 0>::Type pieces_;
 };
 

@@ -9,6 +9,7 @@ namespace javino {
 
 const uint8_t Proof::MAX_BODY_LENGTH;
 const uint8_t Proof::LENGTH;
+const uint8_t Proof::ASKS_PARITY;
 
 static const uint8_t NONCE_AT = 1;
 static const uint8_t SENDER_AT = NONCE_AT + NONCE_LENGTH;
@@ -18,7 +19,7 @@ static const uint8_t BODY_AT = ACKNOWLEDGER_AT + Address::TEXT_LENGTH;
 void Proof::make(const Claim &claim, uint8_t *proof) const {
   uint8_t covered[BODY_AT + MAX_BODY_LENGTH];
   const uint8_t bodyLength = Proof::bodyLength(claim.type);
-  covered[0] = claim.type;
+  covered[0] = static_cast<uint8_t>(claim.asksParity ? claim.type | ASKS_PARITY : claim.type);
   memcpy(covered + NONCE_AT, claim.nonce, NONCE_LENGTH);
   claim.sender.write(covered + SENDER_AT);
   claim.acknowledger.write(covered + ACKNOWLEDGER_AT);

@@ -20,6 +20,9 @@ class Proof {
     STALE = 0x08       ///< eight bytes come before it: the floor and the receiver's uptime
   };
 
+  /// Added to the type where the acknowledger asks for parity (SPEC 7.3).
+  static const uint8_t ASKS_PARITY = 0x10;
+
   static const uint8_t MAX_BODY_LENGTH = 8;
 
   /// How many bytes come before the proof.
@@ -32,6 +35,7 @@ class Proof {
     Address sender;        ///< of that frame
     Address acknowledger;
     const uint8_t *body;  ///< what comes before the proof: bodyLength(type) bytes
+    bool asksParity;
   };
 
   /// @param keys of the frame that is answered; they outlive this object

@@ -40,6 +40,8 @@ enum class Counter : uint8_t {
   RADIO_MENDED,
   RADIO_BLOCKED,
   RADIO_ANSWERS_DROPPED,
+  RADIO_DOUBTFUL,
+  RADIO_ANSWERS_BORNE,
   END  ///< one more than the last
 };
 

@@ -72,7 +72,7 @@ Bytes proof(const Bytes &key, Proof::Type type, const Bytes &nonce, const std::s
             const std::string &acknowledger, const Bytes &body) {
   javino::DerivedKeys keys;
   keys.derive(key.data());
-  Proof::Claim claim = {type, nonce.data(), javino::Address(), javino::Address(), body.data()};
+  Proof::Claim claim = {type, nonce.data(), javino::Address(), javino::Address(), body.data(), false};
   javino::Address::parse(bytesOf(sender).data(), claim.sender);
   javino::Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
   Bytes made(javino::PROOF_LENGTH);

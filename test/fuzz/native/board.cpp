@@ -189,7 +189,7 @@ class Scene {
     javino::DerivedKeys keys;
     keys.derive(PAIR_KEY.data());
     javino::Proof::Claim claim = {static_cast<javino::Proof::Type>(javino::Proof::DELIVERED + type), nonce.data(),
-                                  javino::Address(), javino::Address(), body.data()};
+                                  javino::Address(), javino::Address(), body.data(), false};
     javino::Address::parse(bytesOf("SUPO").data(), claim.sender);
     javino::Address::parse(bytesOf("ROMA").data(), claim.acknowledger);
     Bytes made(javino::PROOF_LENGTH);
