@@ -260,15 +260,16 @@ static bool slot_error(rf_bus *bus, rf_receiver *receiver, uint64_t heard, cycle
   return prng_chance(&receiver->errors, rate) != burst_error(bus, receiver, now);
 }
 
-// Bit errors fall into slots of one bit, from the first carrier heard until the last is gone. Noise comes between.
-static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t heard, cycles_t now) {
-  bool begun_or_ended = receiver->hearing != (heard != 0);
+// Bit errors fall into slots of one bit, from the first carrier heard until the last is gone. Noise comes between, but for
+// who sends: its own carrier is the strongest of all.
+static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t heard, bool sends, cycles_t now) {
+  bool changed = receiver->hearing != (heard != 0) || (sends && !heard);
   receiver->hearing = heard != 0;
-  if (receiver->next_slot > now && !begun_or_ended) return;
+  if (receiver->next_slot > now && !changed) return;
   if (heard) {
     receiver->flip = bus->has_errors && slot_error(bus, receiver, heard, now);
     receiver->next_slot = bus->has_errors ? now + bus->bit_cycles : NEVER;
-  } else if (begun_or_ended) {
+  } else if (changed) {
     receiver->flip = false;
     receiver->next_slot = noise_start(bus, now);
   } else {
@@ -294,7 +295,7 @@ static void update_receivers(rf_bus *bus, cycles_t now) {
   for (size_t r = 0; r < bus->board_count; r++) {
     rf_receiver *receiver = &bus->receivers[r];
     uint64_t heard = receiver->hears & active;
-    run_slots(bus, receiver, heard, now);
+    run_slots(bus, receiver, heard, (active & bit_of(r)) != 0, now);
     bool level = ((captured(bus, receiver, heard) & carriers) != 0) != receiver->flip;
     if (level != receiver->level) {
       receiver->level = level;

@@ -405,6 +405,20 @@ TEST(RfBus, noise_ends_with_the_first_carrier_and_comes_back_after_the_last) {
   EXPECT_GT(after, 1000u);
 }
 
+TEST(RfBus, who_sends_has_no_noise_for_as_long_after_it) {
+  Air air(2, noisy(5000, 0.1));
+  cycles_t begin = seconds_to_cycles(1), end = begin + 49 * BIT;
+  for (int i = 0; i < 25; i++) air.pulse(0, begin + 2 * BIT * i, begin + 2 * BIT * i + BIT);
+  rf_bus_advance(&air.bus, seconds_to_cycles(2));
+  size_t quiet = 0, after = 0;
+  for (const Level &each : air.levels[0]) {
+    quiet += each.at > begin + RF_DELAY && each.at < end + seconds_to_cycles(0.1);
+    after += each.at > end + seconds_to_cycles(0.1);
+  }
+  EXPECT_EQ(quiet, 0u);
+  EXPECT_GT(after, 1000u);
+}
+
 TEST(RfBus, noise_that_is_switched_off_ends) {
   Air air(2, noisy(5000, 0));
   rf_bus_advance(&air.bus, seconds_to_cycles(1));
