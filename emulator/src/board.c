@@ -29,11 +29,24 @@ struct board_port_link {
   int index;
 };
 
-// The chip's own cycles in those of the common clock, and the reverse, up to the next one.
-static cycles_t on_clock(const board *b, avr_cycle_count_t own) { return own * b->model->clock_cycles; }
+#define MILLION 1000000
+// The product of cycles and millionths would be too large after 12 days.
+typedef unsigned __int128 long_cycles_t;
+
+// The chip's own cycles in those of the common clock, and the reverse, up to the next one. Whole numbers make both exact:
+// on_chip gives the first cycle that is not before a time.
+static cycles_t on_clock(const board *b, avr_cycle_count_t own) {
+  cycles_t common = own * b->model->clock_cycles;
+  if (__builtin_expect(b->clock_error_ppm == 0, 1)) return common;
+  return (cycles_t)((long_cycles_t)common * MILLION / (unsigned)(MILLION + b->clock_error_ppm));
+}
 
 static avr_cycle_count_t on_chip(const board *b, cycles_t common) {
-  return (common + b->model->clock_cycles - 1) / b->model->clock_cycles;
+  unsigned own_cycles = b->model->clock_cycles;
+  if (b->clock_error_ppm == 0) return (common + own_cycles - 1) / own_cycles;
+  unsigned divisor = own_cycles * MILLION;
+  return (avr_cycle_count_t)(((long_cycles_t)common * (unsigned)(MILLION + b->clock_error_ppm) + divisor - 1) /
+                             divisor);
 }
 
 static int port_index(char port) { return port - 'A'; }

@@ -41,7 +41,8 @@ typedef struct {
   struct avr_t *avr;
   board_listener listener;
   eeprom memory;
-  cycles_t limit;  // the chip runs up to here, in its own cycles
+  int clock_error_ppm;  // how much faster its clock runs; to be set before the power comes
+  cycles_t limit;       // the chip runs up to here, in its own cycles
   bool powered;
   bool stopped;        // board_run returns after the instruction under way
   bool reset_pending;  // the chip was reset, its surroundings not yet told

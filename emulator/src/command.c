@@ -10,6 +10,7 @@
 #include "json_reader.h"
 #include "scenario_board.h"
 #include "scenario_fault.h"
+#include "scenario_radio.h"
 #include "scenario_world.h"
 
 #define MAX_SPEED 100
@@ -80,10 +81,16 @@ static void read_sensor(command *c, const json_node *node, const scenario *s) {
   if (!c->remove) c->value = required_number(node, "value", sensor_most(board->sensors[c->sensor].kind));
 }
 
-static void read_radio(command *c, const json_node *node) {
-  static const char *const KEYS[] = {"do", "range", "bitErrorRate", NULL};
-  c->radio.range_m = c->radio.bit_error_rate = -1;
-  if (json_check_object(node, KEYS)) radio_read(&c->radio, node);
+static void read_radio(const json_node *node) {
+  static const char *const KEYS[] = {"do", RADIO_KEYS, NULL};
+  radio_config any = {0};
+  if (json_check_object(node, KEYS)) radio_change_read(&any, node);
+}
+
+void command_change_radio(const command *c, radio_config *radio) {
+  json_reader reader = {0};
+  json_node root = json_root(&reader, c->given);
+  radio_change_read(radio, &root);
 }
 
 static void read_send(command *c, const json_node *node) {
@@ -121,7 +128,7 @@ static void read(command *c, const json_node *node, const scenario *s) {
     case COMMAND_OBSTACLE: read_obstacle(c, node); break;
     case COMMAND_LIGHT: read_value(c, node, sensor_most(SENSOR_LDR)); break;
     case COMMAND_SENSOR: read_sensor(c, node, s); break;
-    case COMMAND_RADIO: read_radio(c, node); break;
+    case COMMAND_RADIO: read_radio(node); break;
     case COMMAND_SPEED: read_speed(c, node); break;
     case COMMAND_SEND: read_send(c, node); break;
   }

@@ -33,12 +33,14 @@ typedef struct {
   bool remove;               // obstacle; or what the sensor was told to measure
   size_t sensor;             // the board's, by index
   double value;              // light, sensor, speed
-  radio_config radio;        // radio; what is below 0 stays as it is
   stranger_packet packet;    // send
 } command;
 
 // Reads a line. Returns 0, or -1 with one line in `error`; release it either way.
 int command_read(command *c, const char *line, size_t length, const scenario *s, char *error, size_t error_size);
 void command_release(command *c);
+
+// Applies a radio command to what the radio was.
+void command_change_radio(const command *c, radio_config *radio);
 
 #endif

@@ -158,6 +158,7 @@ static int open_node(emulation *e, node *n, const uint8_t *eeprom) {
     snprintf(e->error, sizeof e->error, "board %s: %s", n->config->name, error);
     return -1;
   }
+  n->arduino.clock_error_ppm = n->config->clock_error_ppm;
   serial_sniffer_init(&n->line, e->out, n->config->name);
   uart_init(&n->serial, &n->arduino, n->config->port ? &n->port : NULL, (uart_listener){n, uart_line, uart_byte});
   n->sensors = calloc(n->config->sensor_count + 1, sizeof *n->sensors);

@@ -52,9 +52,10 @@ static void set_sensor(emulation *e, const command *c) {
     sensor_hold(s, c->value);
 }
 
-static void set_radio(emulation *e, const radio_config *radio) {
-  if (radio->bit_error_rate >= 0) rf_bus_set_errors(&e->air, radio->bit_error_rate, e->now);
-  if (radio->range_m >= 0) rf_bus_set_range(&e->air, radio->range_m, e->now);
+static void set_radio(emulation *e, const command *c) {
+  radio_config radio = e->air.radio;
+  command_change_radio(c, &radio);
+  rf_bus_set_radio(&e->air, &radio, e->now);
 }
 
 int emulation_command(emulation *e, const command *c, char *error, size_t error_size) {
@@ -72,7 +73,7 @@ int emulation_command(emulation *e, const command *c, char *error, size_t error_
     case COMMAND_MOVE: move(e, c); break;
     case COMMAND_LIGHT: e->surroundings.light = c->value; break;
     case COMMAND_SENSOR: set_sensor(e, c); break;
-    case COMMAND_RADIO: set_radio(e, &c->radio); break;
+    case COMMAND_RADIO: set_radio(e, c); break;
     case COMMAND_SPEED: e->speed_asked = c->value; break;
     case COMMAND_OBSTACLE:
     case COMMAND_SEND: break;

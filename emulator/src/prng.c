@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prng.h"
 
+#include <math.h>
+
 static uint64_t rotate_left(uint64_t x, int bits) { return (x << bits) | (x >> (64 - bits)); }
 
 static uint64_t splitmix64(uint64_t *state) {
@@ -30,7 +32,16 @@ uint64_t prng_next(prng *generator) {
   return result;
 }
 
-int prng_chance(prng *generator, double probability) {
-  // 53 bits are all that a double can hold: 0 is never a hit, 1 always.
-  return (double)(prng_next(generator) >> 11) * 0x1.0p-53 < probability;
+// 53 bits are all that a double can hold.
+double prng_uniform(prng *generator) { return (double)(prng_next(generator) >> 11) * 0x1.0p-53; }
+
+// 0 is never a hit, 1 always.
+int prng_chance(prng *generator, double probability) { return prng_uniform(generator) < probability; }
+
+double prng_exponential(prng *generator, double mean) { return -mean * log1p(-prng_uniform(generator)); }
+
+// By Box and Muller.
+double prng_normal(prng *generator) {
+  double length = sqrt(prng_exponential(generator, 2));
+  return length * cos(2 * M_PI * prng_uniform(generator));
 }

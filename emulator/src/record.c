@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "emulation.h"
+#include "scenario_radio.h"
 
 int record_open(record *r, const char *path) {
   *r = (record){0};
@@ -39,13 +40,11 @@ static void write_text(FILE *file, const char *text) {
 }
 
 void record_start(record *r, const emulation *e, uint64_t seed) {
-  const radio_config *radio = &e->config->radio;
   if (!r->file) return;
   fprintf(r->file, "{\"record\":%d,\"seed\":\"%llu\",\"radio\":", RECORD_VERSION, (unsigned long long)seed);
-  json_t *numbers =
-      json_pack("{sfsfsf}", "bitRate", radio->bit_rate, "range", radio->range_m, "bitErrorRate", radio->bit_error_rate);
-  write_json(r->file, numbers);
-  json_decref(numbers);
+  json_t *radio = radio_config_json(&e->config->radio);
+  write_json(r->file, radio);
+  json_decref(radio);
   fputs(",\"boards\":[", r->file);
   for (size_t i = 0; i < e->node_count; i++) {
     const node *n = &e->nodes[i];

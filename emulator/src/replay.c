@@ -10,6 +10,7 @@
 #include "json_reader.h"
 #include "record.h"
 #include "scenario_fault.h"
+#include "scenario_radio.h"
 
 // Returns the next line as JSON, NULL at the end of the file and after a mistake. A last line without its end was cut off
 // with the run: the run ends before it.
@@ -54,14 +55,12 @@ static void read_header(replay *r, scenario *s, const json_node *root) {
   json_node seed = json_member(root, "seed");
   json_node radio = json_member(root, "radio");
   json_node boards = json_member(root, "boards");
-  json_node bit_rate = json_member(&radio, "bitRate");
   if (json_integer_value(version.value) != RECORD_VERSION) json_expected(&version, "1, as this emulator writes it");
   const char *digits = json_string_value(seed.value);
   char *end = NULL;
   if (digits) r->seed = strtoull(digits, &end, 10);
   if (!end || end == digits || *end) json_expected(&seed, "a number in quotes");
-  s->radio.bit_rate = json_number(&bit_rate, MIN_BIT_RATE, MAX_BIT_RATE, s->radio.bit_rate);
-  radio_read(&s->radio, &radio);
+  radio_config_read(&s->radio, &radio);
   if (json_array_length(&boards) != s->board_count)
     json_fail(&boards, "the scenario has %zu; expected the scenario of the recorded run", s->board_count);
   for (size_t i = 0; i < s->board_count && !json_failed(root->reader); i++) {

@@ -5,21 +5,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MAX_SOURCES 64
-// Stream numbers of the seed: receivers from 0, jammers from here.
+#include "propagation.h"
+
+// Stream numbers of the seed: receivers' errors from 0, and from these on the others.
 #define JAM_STREAM 1000
+#define BURST_STREAM 3000
+#define NOISE_STREAM 3500
+// Whatever is closer than that is heard as from there.
+#define NEAREST_M 1
 
 static uint64_t bit_of(size_t source) { return (uint64_t)1 << source; }
 
-static bool near(const rf_bus *bus, size_t receiver, const rf_source *source) {
-  const rf_source *own = &bus->sources[receiver];
-  return source->everywhere || hypot(own->x_m - source->x_m, own->y_m - source->y_m) <= bus->range_m;
+static double metres_between(const rf_bus *bus, size_t receiver, size_t index) {
+  const rf_source *own = &bus->sources[receiver], *source = &bus->sources[index];
+  if (source->everywhere) return 0;
+  return propagation_metres(&bus->radio, bus->seed, receiver, index,
+                            hypot(own->x_m - source->x_m, own->y_m - source->y_m));
 }
 
 // Says anew whether a receiver hears a source; a level that changes by it changes at `now`.
 static void find_hearing(rf_bus *bus, size_t receiver, size_t index, cycles_t now) {
   uint64_t *hears = &bus->receivers[receiver].hears;
-  bool heard = index != receiver && near(bus, receiver, &bus->sources[index]);
+  double *metres = &bus->receivers[receiver].metres[index];
+  *metres = metres_between(bus, receiver, index);
+  bool heard = index != receiver && *metres <= bus->radio.range_m;
   if (heard == ((*hears & bit_of(index)) != 0)) return;
   *hears ^= bit_of(index);
   if (now < bus->next_event) bus->next_event = now;
@@ -59,16 +68,52 @@ static void init_source(rf_bus *bus, size_t index) {
   if (index > bus->board_count) prng_seed(&source->noise, bus->seed, JAM_STREAM + index - bus->board_count - 1);
 }
 
+static void init_receiver(rf_bus *bus, size_t index) {
+  rf_receiver *receiver = &bus->receivers[index];
+  prng_seed(&receiver->errors, bus->seed, index);
+  prng_seed(&receiver->bursts, bus->seed, BURST_STREAM + index);
+  prng_seed(&receiver->noise, bus->seed, NOISE_STREAM + index);
+}
+
+// The share of time that bursts take: they alone have errors.
+static double burst_share(const rf_bus *bus) { return bus->radio.bursts.rate / bus->radio.bursts.rate_within; }
+
+static cycles_t burst_length(rf_bus *bus, rf_receiver *receiver) {
+  double bits = bus->radio.bursts.length_bits;
+  if (!receiver->in_burst) bits *= 1 / burst_share(bus) - 1;
+  return (cycles_t)prng_exponential(&receiver->bursts, bits * (double)bus->bit_cycles) + 1;
+}
+
+static void start_bursts(rf_bus *bus, rf_receiver *receiver, cycles_t now) {
+  if (bus->radio.bursts.rate <= 0) return;
+  receiver->in_burst = prng_chance(&receiver->bursts, burst_share(bus));
+  receiver->burst_change = now + burst_length(bus, receiver);
+}
+
+static cycles_t noise_start(const rf_bus *bus, cycles_t now) {
+  return bus->radio.noise.edges_per_s > 0 ? now + seconds_to_cycles(bus->radio.noise.after_s) : NEVER;
+}
+
+static void take_radio(rf_bus *bus, const radio_config *radio, cycles_t now) {
+  bus->radio = *radio;
+  bus->has_errors = radio->bit_error_rate > 0 || radio->bursts.rate > 0 || radio->distance_rate_count > 0;
+  bus->capture_ratio = radio->capture_db > 0 ? propagation_capture_ratio(radio) : 0;
+  for (size_t r = 0; r < bus->board_count; r++) {
+    rf_receiver *receiver = &bus->receivers[r];
+    receiver->hearing = receiver->flip = false;
+    receiver->next_slot = noise_start(bus, now);
+    start_bursts(bus, receiver, now);
+  }
+}
+
 int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener listener) {
   memset(bus, 0, sizeof *bus);
   bus->listener = listener;
   bus->bit_cycles = (cycles_t)(CYCLES_PER_SECOND / config->radio.bit_rate + 0.5);
-  bus->bit_error_rate = config->radio.bit_error_rate;
   bus->seed = seed;
   bus->board_count = config->board_count;
   bus->source_count = config->board_count + 1;
-  bus->range_m = config->radio.range_m;
-  bus->next_event = NEVER;
+  bus->next_event = 0;  // finds what really comes first
   bus->jams = calloc(config->fault_count + 1, sizeof *bus->jams);
   if (!bus->jams || init_jams(bus, config) != 0) return -1;
   bus->planned_count = bus->source_count;
@@ -79,9 +124,9 @@ int rf_bus_init(rf_bus *bus, const scenario *config, uint64_t seed, rf_listener 
   for (size_t i = 0; i < bus->board_count; i++) {
     bus->sources[i].x_m = config->boards[i].x_m;
     bus->sources[i].y_m = config->boards[i].y_m;
-    bus->receivers[i].next_slot = NEVER;
-    prng_seed(&bus->receivers[i].errors, seed, i);
+    init_receiver(bus, i);
   }
+  take_radio(bus, &config->radio, 0);
   find_all_hearers(bus, NEVER);
   return 0;
 }
@@ -141,18 +186,10 @@ void rf_bus_move(rf_bus *bus, size_t source, double x_m, double y_m, cycles_t no
   for (size_t i = 0; source < bus->board_count && i < bus->source_count; i++) find_hearing(bus, source, i, now);
 }
 
-void rf_bus_set_range(rf_bus *bus, double range_m, cycles_t now) {
-  bus->range_m = range_m;
+void rf_bus_set_radio(rf_bus *bus, const radio_config *radio, cycles_t now) {
+  take_radio(bus, radio, now);
   find_all_hearers(bus, now);
-}
-
-void rf_bus_set_errors(rf_bus *bus, double bit_error_rate, cycles_t now) {
-  bus->bit_error_rate = bit_error_rate;
-  for (size_t r = 0; r < bus->board_count; r++) {
-    bus->receivers[r].flip = false;
-    bus->receivers[r].next_slot = NEVER;
-  }
-  if (now < bus->next_event) bus->next_event = now;
+  bus->next_event = now < bus->next_event ? now : bus->next_event;
 }
 
 static uint64_t active_sources(const rf_bus *bus) {
@@ -195,16 +232,59 @@ static void run_source(rf_bus *bus, size_t index, cycles_t now) {
   }
 }
 
-// Bit errors fall into slots of one bit, from the first carrier heard until the last is gone.
-static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t active, cycles_t now) {
-  if (bus->bit_error_rate <= 0) return;
-  if (!(receiver->hears & active)) {
-    receiver->flip = false;
-    receiver->next_slot = NEVER;
-  } else if (receiver->next_slot == NEVER || receiver->next_slot <= now) {
-    receiver->flip = prng_chance(&receiver->errors, bus->bit_error_rate);
-    receiver->next_slot = now + bus->bit_cycles;
+// Of these sources, the one that is heard best.
+static size_t nearest(const rf_receiver *receiver, uint64_t sources) {
+  size_t best = (size_t)__builtin_ctzll(sources);
+  for (sources &= sources - 1; sources; sources &= sources - 1) {
+    size_t index = (size_t)__builtin_ctzll(sources);
+    if (receiver->metres[index] < receiver->metres[best]) best = index;
   }
+  return best;
+}
+
+static bool burst_error(rf_bus *bus, rf_receiver *receiver, cycles_t now) {
+  if (bus->radio.bursts.rate <= 0) return false;
+  while (receiver->burst_change <= now) {
+    receiver->in_burst = !receiver->in_burst;
+    receiver->burst_change += burst_length(bus, receiver);
+  }
+  return receiver->in_burst && prng_chance(&receiver->bursts, bus->radio.bursts.rate_within);
+}
+
+static bool slot_error(rf_bus *bus, rf_receiver *receiver, uint64_t heard, cycles_t now) {
+  double rate = bus->radio.bit_error_rate;
+  if (bus->radio.distance_rate_count > 0) {
+    double of_distance = propagation_error_rate(&bus->radio, receiver->metres[nearest(receiver, heard)]);
+    rate += of_distance - 2 * rate * of_distance;  // one or the other; both together are none
+  }
+  return prng_chance(&receiver->errors, rate) != burst_error(bus, receiver, now);
+}
+
+// Bit errors fall into slots of one bit, from the first carrier heard until the last is gone. Noise comes between, but for
+// who sends: its own carrier is the strongest of all.
+static void run_slots(rf_bus *bus, rf_receiver *receiver, uint64_t heard, bool sends, cycles_t now) {
+  bool changed = receiver->hearing != (heard != 0) || (sends && !heard);
+  receiver->hearing = heard != 0;
+  if (receiver->next_slot > now && !changed) return;
+  if (heard) {
+    receiver->flip = bus->has_errors && slot_error(bus, receiver, heard, now);
+    receiver->next_slot = bus->has_errors ? now + bus->bit_cycles : NEVER;
+  } else if (changed) {
+    receiver->flip = false;
+    receiver->next_slot = noise_start(bus, now);
+  } else {
+    receiver->flip = !receiver->flip;
+    receiver->next_slot =
+        now + 1 + (cycles_t)prng_exponential(&receiver->noise, CYCLES_PER_SECOND / bus->radio.noise.edges_per_s);
+  }
+}
+
+// Those of the sources heard that the receiver does not take for silence.
+static uint64_t captured(const rf_bus *bus, const rf_receiver *receiver, uint64_t heard) {
+  if (bus->capture_ratio <= 0 || (heard & (heard - 1)) == 0) return heard;
+  size_t best = nearest(receiver, heard);
+  double others = receiver->metres[nearest(receiver, heard & ~bit_of(best))];
+  return others >= bus->capture_ratio * fmax(receiver->metres[best], NEAREST_M) ? bit_of(best) : heard;
 }
 
 static void update_receivers(rf_bus *bus, cycles_t now) {
@@ -214,8 +294,9 @@ static void update_receivers(rf_bus *bus, cycles_t now) {
     if (bus->sources[i].carrier) carriers |= bit_of(i);
   for (size_t r = 0; r < bus->board_count; r++) {
     rf_receiver *receiver = &bus->receivers[r];
-    run_slots(bus, receiver, active, now);
-    bool level = ((receiver->hears & carriers) != 0) != receiver->flip;
+    uint64_t heard = receiver->hears & active;
+    run_slots(bus, receiver, heard, (active & bit_of(r)) != 0, now);
+    bool level = ((captured(bus, receiver, heard) & carriers) != 0) != receiver->flip;
     if (level != receiver->level) {
       receiver->level = level;
       bus->listener.level(bus->listener.context, r, level, now + RF_DELAY);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The air: joins the TX pins of all boards to their RX pins by on-off keying.
 //
-// A receiver's level is the OR of the carriers that it hears, so collisions come by themselves.
+// A receiver's level is the OR of the carriers that it hears, so collisions come by themselves. The one that comes from so
+// much nearer than all others may be heard alone, if the radio captures. Of the result, bits may be wrong.
 // Every level arrives RF_DELAY after it was sent, whatever the order in which boards are run:
 // that keeps edges exact to the cycle although boards take turns of RF_STEP.
 #ifndef JAVINO_RF_BUS_H
@@ -20,6 +21,8 @@
 #define RF_DELAY (110 * CYCLES_PER_US)
 // A transmission is over after so many bits without carrier; no symbols hold such a gap.
 #define RF_QUIET_BITS 8
+// Boards, the stranger and jammers.
+#define MAX_SOURCES 64
 
 typedef struct {
   void *context;
@@ -56,16 +59,22 @@ typedef struct {
 typedef struct {
   uint64_t hears;  // bit n: source n is in range
   bool level;
-  bool flip;           // the current bit slot is an error
-  cycles_t next_slot;  // NEVER while nothing is heard
-  prng errors;
+  bool hearing;        // a transmission
+  bool flip;           // the current bit slot is an error; while nothing is heard, noise is high
+  cycles_t next_slot;  // when that may change
+  prng errors, noise;
+  bool in_burst;
+  cycles_t burst_change;
+  prng bursts;
+  double metres[MAX_SOURCES];  // from how far each is heard, as propagation.h tells it
 } rf_receiver;
 
 typedef struct {
   rf_listener listener;
   cycles_t bit_cycles;
-  double bit_error_rate;
-  double range_m;
+  radio_config radio;
+  bool has_errors;       // of any kind
+  double capture_ratio;  // 0: no capture
   uint64_t seed;
   size_t board_count;
   size_t planned_count;  // sources but for the jammers of commands
@@ -95,11 +104,8 @@ int rf_bus_jam_now(rf_bus *bus, const fault_config *jam, cycles_t at, cycles_t e
 // A source, and where it is a board's the receiver with it, is elsewhere from now on.
 void rf_bus_move(rf_bus *bus, size_t source, double x_m, double y_m, cycles_t now);
 
-// The radio reaches farther or less far from now on.
-void rf_bus_set_range(rf_bus *bus, double range_m, cycles_t now);
-
-// From now on so many bits are wrong.
-void rf_bus_set_errors(rf_bus *bus, double bit_error_rate, cycles_t now);
+// The radio is another one from now on, all but its bit rate.
+void rf_bus_set_radio(rf_bus *bus, const radio_config *radio, cycles_t now);
 
 // Plays all that happens on the air before `until`.
 void rf_bus_advance(rf_bus *bus, cycles_t until);

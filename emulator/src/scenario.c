@@ -12,26 +12,8 @@
 #include "json_reader.h"
 #include "scenario_board.h"
 #include "scenario_fault.h"
+#include "scenario_radio.h"
 #include "scenario_world.h"
-
-#define DEFAULT_BIT_RATE 2000
-#define DEFAULT_RANGE_M 100
-
-void radio_read(radio_config *radio, const json_node *node) {
-  json_node range = json_member(node, "range");
-  json_node bit_error_rate = json_member(node, "bitErrorRate");
-  radio->range_m = json_number(&range, 0, 1e6, radio->range_m);
-  radio->bit_error_rate = json_number(&bit_error_rate, 0, 1, radio->bit_error_rate);
-}
-
-static void read_radio(radio_config *radio, const json_node *node) {
-  static const char *const KEYS[] = {"bitRate", "range", "bitErrorRate", NULL};
-  json_node bit_rate = json_member(node, "bitRate");
-  *radio = (radio_config){.range_m = DEFAULT_RANGE_M};
-  if (json_given(node)) json_check_object(node, KEYS);
-  radio->bit_rate = json_number(&bit_rate, MIN_BIT_RATE, MAX_BIT_RATE, DEFAULT_BIT_RATE);
-  radio_read(radio, node);
-}
 
 static bool same_text(const char *a, const char *b) { return a && b && strcmp(a, b) == 0; }
 
@@ -115,7 +97,7 @@ static void read_root(scenario *s, const json_node *root, const scenario_context
   json_node faults = json_member(root, "faults");
   char *file = strdup(root->reader->file);
   json_node world = json_member(root, "world");
-  read_radio(&s->radio, &radio);
+  radio_config_read(&s->radio, &radio);
   world_config_read(&s->world, &world);
   read_boards(s, &boards, dirname(file), context->directory);
   if (!json_failed(root->reader)) read_faults(s, &faults);

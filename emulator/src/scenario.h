@@ -15,11 +15,36 @@
 // Who sends without being a board is called so.
 #define STRANGER "stranger"
 #define MAX_OBSTACLES 64
+#define MAX_DISTANCE_RATES 16
+
+// Errors in bursts (Gilbert-Elliott).
+typedef struct {
+  double rate;         // of all bits, below rate_within; 0: no bursts
+  double length_bits;  // on average, 1 or more
+  double rate_within;  // of the bits of a burst, 0…1
+} burst_config;
+
+typedef struct {
+  double metres;
+  double rate;  // 0…1
+} distance_rate;
+
+// What a receiver gives while it hears nobody.
+typedef struct {
+  double edges_per_s;  // on average; 0: no noise
+  double after_s;      // so long after the last carrier
+} noise_config;
 
 typedef struct {
   double bit_rate;        // bit/s, 100…10000
   double range_m;         // metres, 0 or more
   double bit_error_rate;  // probability 0…1 for each bit slot and receiver
+  burst_config bursts;
+  distance_rate distance_rates[MAX_DISTANCE_RATES];  // in rising order of metres
+  size_t distance_rate_count;                        // 0: no errors by distance
+  double shadowing_db;                               // standard deviation, 0: none
+  noise_config noise;
+  double capture_db;  // 0: no signal is heard over another one
 } radio_config;
 
 typedef enum { SENSOR_HC_SR04, SENSOR_LDR, SENSOR_DIGITAL } sensor_kind;
@@ -60,14 +85,16 @@ typedef struct {
 typedef struct {
   char *name;
   const model *model;
-  char *firmware;     // path of an ELF file, as the process sees it
-  char *boot_loader;  // path of a HEX file; NULL: none
-  char *port;         // path of the pty's symlink, NULL: UART lines go to the trace
-  char *eeprom;       // path of the EEPROM file, NULL: forgotten at exit
-  double x_m, y_m;
+  char *firmware;         // path of an ELF file, as the process sees it
+  char *boot_loader;      // path of a HEX file; NULL: none
+  char *port;             // path of the pty's symlink, NULL: UART lines go to the trace
+  char *eeprom;           // path of the EEPROM file, NULL: forgotten at exit
+  double x_m, y_m;        // at the start
+  series path_x, path_y;  // where it is at what time, in metres; empty: it stays there
   vehicle_config vehicle;
   bool reset_on_open;
   double bridge_latency_ms;  // 0…255, 0: bytes are not held back
+  int clock_error_ppm;       // how much faster its clock runs
   int tx_pin, rx_pin;
   sensor_config *sensors;
   size_t sensor_count;

@@ -18,6 +18,7 @@
 #define MAX_SPEED_M_S 100
 #define DEFAULT_SPEED_M_S 1
 #define MAX_BRIDGE_LATENCY_MS 255
+#define MAX_CLOCK_ERROR_PPM 50000
 
 static const char *const SENSOR_TYPES[] = {"hc-sr04", "ldr", "digital", NULL};
 
@@ -86,6 +87,13 @@ static void read_point(series_point *point, const json_node *node, double max) {
   point->value = json_number(&value, 0, max, 0);
 }
 
+// Takes up a point as the next one of a series that has room.
+static void add_point(series *values, const json_node *node, series_point point) {
+  if (values->count > 0 && point.t_s <= values->points[values->count - 1].t_s)
+    json_expected(node, "a later time than that of the point before");
+  values->points[values->count++] = point;
+}
+
 static void read_series(series *values, const json_node *node, double max) {
   size_t count = json_array_length(node);
   if (count == 0) {
@@ -93,12 +101,11 @@ static void read_series(series *values, const json_node *node, double max) {
     return;
   }
   values->points = calloc(count, sizeof *values->points);
-  for (; values->count < count; values->count++) {
-    json_node point = json_element(node, values->count);
-    series_point *points = values->points;
-    read_point(&points[values->count], &point, max);
-    if (values->count > 0 && points[values->count].t_s <= points[values->count - 1].t_s)
-      json_expected(&point, "a later time than that of the point before");
+  while (values->count < count) {
+    json_node node_of_point = json_element(node, values->count);
+    series_point point = {0};
+    read_point(&point, &node_of_point, max);
+    add_point(values, &node_of_point, point);
   }
 }
 
@@ -232,6 +239,50 @@ static void check_sonars(const board_config *board, const json_node *sensors) {
   }
 }
 
+static void read_path_point(board_config *board, const json_node *node) {
+  double t_s, x_m = 0, y_m = 0;
+  if (!json_is_array(node->value) || json_array_length(node) != 2) {
+    json_expected(node, "a point [seconds, [x, y]]");
+    return;
+  }
+  json_node time = json_element(node, 0);
+  json_node position = json_element(node, 1);
+  t_s = json_number(&time, 0, 1e9, 0);
+  position_read(&position, &x_m, &y_m);
+  add_point(&board->path_x, node, (series_point){t_s, x_m});
+  add_point(&board->path_y, node, (series_point){t_s, y_m});
+}
+
+// A position, or a path that begins with one.
+static void read_place(board_config *board, const json_node *node) {
+  json_node position = json_member(node, "position");
+  json_node path = json_member(node, "path");
+  size_t count = json_array_length(&path);
+  position_read(&position, &board->x_m, &board->y_m);
+  if (!json_given(&path)) return;
+  if (count == 0) json_expected(&path, "a list of points [[seconds, [x, y]], …]");
+  if (json_given(&position)) json_fail(&position, "the path says where the board is; expected one of the two");
+  if (board->vehicle.radius_m > 0)
+    json_fail(&path, "the board's vehicle drives where it will; expected one of the two");
+  board->path_x.points = calloc(count + 1, sizeof *board->path_x.points);
+  board->path_y.points = calloc(count + 1, sizeof *board->path_y.points);
+  for (size_t i = 0; i < count && !json_failed(path.reader); i++) {
+    json_node point = json_element(&path, i);
+    read_path_point(board, &point);
+  }
+  if (board->path_x.count == 0) return;
+  board->x_m = board->path_x.points[0].value;
+  board->y_m = board->path_y.points[0].value;
+}
+
+static void read_clock_error(board_config *board, const json_node *node) {
+  json_int_t ppm = json_integer_value(node->value);
+  if (!json_given(node)) return;
+  if (!json_is_integer(node->value) || ppm < -MAX_CLOCK_ERROR_PPM || ppm > MAX_CLOCK_ERROR_PPM)
+    json_expected(node, "a whole number from -50000 to 50000");
+  board->clock_error_ppm = (int)ppm;
+}
+
 static char *required_text(const json_node *board, const char *key) {
   json_node node = json_member(board, key);
   char *text = json_text(&node);
@@ -256,13 +307,13 @@ static void read_wiring(board_config *board, const json_node *node) {
   json_node bridge = json_member(node, "bridge");
   json_node tx = json_member(node, "txPin");
   json_node rx = json_member(node, "rxPin");
-  json_node position = json_member(node, "position");
+  json_node clock_error = json_member(node, "clockError");
   board->reset_on_open = json_flag(&reset_on_open, true);
   read_bridge(board, &bridge);
   board->tx_pin = pin_read(&tx, board->model, DEFAULT_TX_PIN);
   board->rx_pin = pin_read(&rx, board->model, DEFAULT_RX_PIN);
   if (board->rx_pin == board->tx_pin) json_expected(&rx, "another pin than txPin");
-  position_read(&position, &board->x_m, &board->y_m);
+  read_clock_error(board, &clock_error);
 }
 
 // In the trace the stranger is called so.
@@ -273,9 +324,9 @@ static void check_name(const char *name, const json_node *board) {
 
 void board_config_read(board_config *board, const json_node *node, const char *scenario_directory,
                        const char *directory) {
-  static const char *const KEYS[] = {"name",   "model",    "firmware",    "bootLoader", "port",
-                                     "eeprom", "position", "resetOnOpen", "bridge",     "txPin",
-                                     "rxPin",  "sensors",  "watch",       "vehicle",    NULL};
+  static const char *const KEYS[] = {"name",     "model",   "firmware",    "bootLoader", "port",       "eeprom",
+                                     "position", "path",    "resetOnOpen", "bridge",     "clockError", "txPin",
+                                     "rxPin",    "sensors", "watch",       "vehicle",    NULL};
   if (!json_check_object(node, KEYS)) return;
   json_node chosen = json_member(node, "model");
   int index = json_choice(&chosen, MODEL_NAMES);
@@ -291,6 +342,7 @@ void board_config_read(board_config *board, const json_node *node, const char *s
   json_node watches = json_member(node, "watch");
   json_node vehicle = json_member(node, "vehicle");
   read_vehicle(&board->vehicle, &vehicle, board->model);
+  read_place(board, node);
   read_sensors(board, &sensors);
   check_sonars(board, &sensors);
   read_watches(board, &watches);
@@ -302,6 +354,8 @@ void board_config_release(board_config *board) {
   free(board->boot_loader);
   free(board->port);
   free(board->eeprom);
+  free(board->path_x.points);
+  free(board->path_y.points);
   for (size_t i = 0; i < board->sensor_count; i++) free(board->sensors[i].values.points);
   for (size_t i = 0; i < board->watch_count; i++) free(board->watches[i].name);
   free(board->sensors);

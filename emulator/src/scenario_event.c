@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "scenario_board.h"
+#include "scenario_radio.h"
 
 static json_t *position(double x_m, double y_m) { return json_pack("[ff]", x_m, y_m); }
 
@@ -61,9 +62,7 @@ static void write_new(trace *out, const char *key, json_t *value) {
 void scenario_event_write(trace *out, const scenario *s, uint64_t seed) {
   trace_begin(out, 0, NULL, "scenario");
   trace_count(out, "seed", seed);
-  write_new(out, "radio",
-            json_pack("{sfsfsf}", "bitRate", s->radio.bit_rate, "range", s->radio.range_m, "bitErrorRate",
-                      s->radio.bit_error_rate));
+  write_new(out, "radio", radio_config_json(&s->radio));
   write_new(out, "boards", boards(s));
   write_new(out, "world", world(&s->world));
   trace_end(out);

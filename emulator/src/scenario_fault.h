@@ -16,7 +16,4 @@ void fault_read(fault_config *fault, const scenario *s, const json_node *node, b
 // Reads the `board` of an object. Returns its index, or 0 after a mistake.
 size_t board_read(const scenario *s, const json_node *object);
 
-// Reads `range` and `bitErrorRate`; what is absent stays as it is.
-void radio_read(radio_config *radio, const json_node *node);
-
 #endif

@@ -73,6 +73,8 @@ int world_init(world *w, const scenario *config, world_listener listener) {
     const board_config *board = &config->boards[i];
     w->bodies[i] =
         (world_body){.x_m = board->x_m, .y_m = board->y_m, .heading_deg = normal_deg(board->vehicle.heading_deg)};
+    w->bodies[i].on_path = board->path_x.count > 0;
+    if (w->bodies[i].on_path) world_wake(w, 0);
   }
   for (size_t i = 0; i < config->world.obstacle_count; i++)
     if (world_put_obstacle(w, &config->world.obstacles[i]) != 0) return -1;
@@ -121,17 +123,33 @@ static bool step(world *w, size_t board, cycles_t now) {
   return left != 0 || right != 0;
 }
 
+// Returns whether there is more to come.
+static bool follow_path(world *w, size_t board, cycles_t now) {
+  const board_config *config = &w->config->boards[board];
+  world_body *body = &w->bodies[board];
+  world_body before = *body;
+  double seconds = cycles_to_seconds(now);
+  body->x_m = series_linear(&config->path_x, seconds);
+  body->y_m = series_linear(&config->path_y, seconds);
+  bool moved = body->x_m != before.x_m || body->y_m != before.y_m;
+  tell(w, board, moved, now);
+  return moved || isfinite(series_next_change_s(&config->path_x, seconds));
+}
+
 void world_advance(world *w, cycles_t now) {
   while (w->next_step <= now) {
-    bool turning = false;
-    for (size_t i = 0; i < w->config->board_count; i++)
-      if (is_vehicle(w, i)) turning |= step(w, i, now);
-    w->next_step = turning ? w->next_step + WORLD_STEP : NEVER;
+    bool moving = false;
+    for (size_t i = 0; i < w->config->board_count; i++) {
+      if (is_vehicle(w, i)) moving |= step(w, i, now);
+      if (w->bodies[i].on_path) moving |= follow_path(w, i, now);
+    }
+    w->next_step = moving ? w->next_step + WORLD_STEP : NEVER;
   }
 }
 
 void world_move(world *w, size_t board, double x_m, double y_m, double heading_deg, cycles_t now) {
   world_body *body = &w->bodies[board];
+  body->on_path = false;
   body->x_m = x_m;
   body->y_m = y_m;
   body->heading_deg = normal_deg(heading_deg);

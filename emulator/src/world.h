@@ -9,9 +9,9 @@
 #include "clock.h"
 #include "scenario.h"
 
-// Vehicles move in steps of this length.
+// Vehicles, and boards on a path, move in steps of this length.
 #define WORLD_STEP (10 * CYCLES_PER_MS)
-// How often a vehicle that moves says where it is.
+// How often one that moves says where it is.
 #define WORLD_PLACE_INTERVAL (50 * CYCLES_PER_MS)
 
 typedef enum { MOTOR_LEFT, MOTOR_RIGHT } world_motor;
@@ -30,6 +30,7 @@ typedef struct {
   double heading_deg;  // 0…360
   bool moving;         // and has not said that it stopped
   cycles_t next_place;
+  bool on_path;  // of the scenario, which ends when a command moves the board
 } world_body;
 
 typedef struct {
@@ -39,7 +40,7 @@ typedef struct {
   world_body *bodies;
   obstacle_config obstacles[MAX_OBSTACLES];
   size_t obstacle_count;
-  cycles_t next_step;  // no vehicle moves before
+  cycles_t next_step;  // nothing moves before
 } world;
 
 // Returns 0, or -1 where the memory does not suffice.
@@ -49,7 +50,7 @@ void world_release(world *w);
 // A motor of a vehicle was switched.
 void world_wake(world *w, cycles_t at);
 
-// Moves the vehicles up to `now`.
+// Moves vehicles, and boards on their paths, up to `now`.
 void world_advance(world *w, cycles_t now);
 
 // Puts a board elsewhere.

@@ -2,6 +2,10 @@
 // Whole boards with real programs; all times are emulated.
 #include "support.h"
 
+#include <simavr/sim_avr.h>
+
+#include <cmath>
+
 TEST(Board, blinks_on_time_and_prints_to_the_trace) {
   Scratch scratch;
   Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]}]})");
@@ -64,10 +68,12 @@ TEST(Board, boards_keep_in_step) {
         {"name":"a","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
         {"name":"b","firmware":"@sensors","sensors":[{"type":"hc-sr04","trigger":22,"echo":2,"distance":[[0,50]]}]},
         {"name":"c","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
-        {"name":"p","model":"promini","firmware":"@promini_blink"}]})");
+        {"name":"p","model":"promini","firmware":"@promini_blink"},
+        {"name":"fast","firmware":"@blink","clockError":5000},
+        {"name":"slow","model":"promini","firmware":"@promini_blink","clockError":-5000}]})");
   for (int ms = 1; ms <= 300; ms++) {
     run.run_until(ms / 1000.0);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 6; i++) {
       cycles_t now = board_now(&run.e.nodes[i].arduino);
       EXPECT_GE(now, run.e.now);
       EXPECT_LT(now, run.e.now + 10 * CYCLES_PER_US);
@@ -77,6 +83,41 @@ TEST(Board, boards_keep_in_step) {
   auto c = run.events("c", "pin");
   ASSERT_EQ(a.size(), c.size());
   for (size_t i = 0; i < a.size(); i++) EXPECT_EQ(a[i].t, c[i].t);
+}
+
+TEST(Board, a_clock_error_makes_all_of_a_board_so_much_faster_or_slower) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[
+        {"name":"exact","firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
+        {"name":"fast","clockError":5000,"firmware":"@blink","watch":[{"pin":13,"name":"led"}]},
+        {"name":"slow","clockError":-50000,"model":"promini","firmware":"@promini_blink",
+         "watch":[{"pin":13,"name":"led"}]}]})");
+  run.run_until(2.2);
+  auto exact = run.events("exact", "pin"), fast = run.events("fast", "pin");
+  ASSERT_GT(fast.size(), 200u);
+  for (size_t i = 0; i < 200; i++) EXPECT_NEAR(fast[i].t * 1.005, exact[i].t, 2e-6);
+  auto slow = run.events("slow", "pin");
+  ASSERT_GE(slow.size(), 200u);
+  EXPECT_NEAR(slow[199].t * 0.95, 2, 0.0002);
+  // The six bytes of the UART, too.
+  EXPECT_NEAR(run.events("fast", "uart").at(0).t * 1.005, run.events("exact", "uart").at(0).t, 2e-6);
+}
+
+TEST(Board, the_common_clock_and_a_boards_own_agree_to_the_cycle_for_years) {
+  for (int ppm : {-50000, -3333, -1, 1, 40, 5000, 50000}) {
+    Scratch scratch;
+    Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@halt","clockError":)" + std::to_string(ppm) + "}]}");
+    board *b = &run.e.nodes[0].arduino;
+    board_power_off(b, &run.e.nodes[0].noise);  // its time goes on, and nothing has to be run for that
+    for (cycles_t at : {seconds_to_cycles(0.1), seconds_to_cycles(1), seconds_to_cycles(1e8)}) {
+      ASSERT_EQ(board_run(b, at), 0);
+      // Of the board's cycles, the first one that is not before that time.
+      EXPECT_GE(board_now(b), at);
+      EXPECT_LE(board_now(b), at + 1);
+      auto cycles = static_cast<long double>(at) * (1000000 + ppm) / 1000000;
+      EXPECT_EQ(b->avr->cycle, static_cast<cycles_t>(std::ceil(cycles))) << ppm;
+    }
+  }
 }
 
 TEST(Board, a_sleeping_board_is_not_run_in_between) {

@@ -197,6 +197,7 @@ static void interfere(const Scratch &scratch) {
       R"({"do":"speed","value":20})",
       R"({"do":"power-cut","board":"count","duration":0.05})",
       R"({"do":"radio","bitErrorRate":0.004})",
+      R"({"do":"radio","noise":{"edges":3000,"after":0.01},"bursts":{"rate":0.01},"capture":3})",
   };
   for (int round = 0; round < 3; round++) {
     int host = open(scratch.path("run/a").c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
@@ -218,15 +219,16 @@ static void interfere(const Scratch &scratch) {
 
 TEST(Command, a_recorded_run_is_made_again_to_the_byte) {
   Scratch scratch;
-  scratch.write("s.json", R"({"radio":{"bitErrorRate":0.001},"boards":[
-      {"name":"a","firmware":")" PROGRAMS_DIR R"(/uart_echo.elf","port":"a","bridge":{"latency":16}},
+  scratch.write("s.json",
+                R"({"radio":{"bitErrorRate":0.001,"errorsByDistance":"outdoors","noise":{},"capture":6},"boards":[
+      {"name":"a","firmware":")" PROGRAMS_DIR R"(/uart_echo.elf","port":"a","bridge":{"latency":16},"clockError":4321},
       {"name":"count","firmware":")" PROGRAMS_DIR R"(/boot_count.elf","eeprom":"count.bin"},
-      {"name":"sender","firmware":")" PROGRAMS_DIR R"(/rf_send.elf"},
-      {"name":"mirror","firmware":")" PROGRAMS_DIR R"(/rf_mirror.elf","position":[5,5]}]})");
+      {"name":"sender","firmware":")" PROGRAMS_DIR R"(/rf_send.elf","clockError":-50},
+      {"name":"mirror","firmware":")" PROGRAMS_DIR R"(/rf_mirror.elf","path":[[0,[5,5]],[3,[50,50]]]}]})");
   for (int earlier = 0; earlier < 3; earlier++)  // what the EEPROM holds is no round number
     EXPECT_EQ(run(scratch, {"s.json", "--directory", "run", "--duration", "0.1", "--speed", "max"}).status, 0);
   pid_t child = start(scratch, {"s.json", "--directory", "run", "--trace", "trace", "--record", "record", "--control",
-                                "control", "--seed", "5", "--set", "radio.range=30"});
+                                "control", "--seed", "5", "--set", "radio.range=30", "--set", "radio.capture=0"});
   while (!exists(scratch.path("run/a"))) usleep(1000);
   interfere(scratch);
   kill(child, SIGTERM);

@@ -153,6 +153,29 @@ TEST(EmulationCommand, sensors_measure_what_they_are_told_until_that_ends) {
   EXPECT_EQ(reading(run, 1.8), "100 400 0");
 }
 
+TEST(EmulationCommand, the_air_changes_by_what_is_given_and_stays_as_it_is_else) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"radio":{"bitErrorRate":0.25,"capture":6},"boards":[{"name":"a","firmware":"@halt"}]})");
+  run.run_until(0.1);
+  EXPECT_EQ(run.command(R"({"do":"radio","bursts":{"rate":0.01},"noise":{"edges":100,"after":0}})"), "");
+  EXPECT_EQ(run.command(R"({"do":"radio","errorsByDistance":[[5,0.5]],"shadowing":3})"), "");
+  EXPECT_EQ(run.command(R"({"do":"radio","bursts":{"rate":1}})"),
+            "command: bursts.rate: expected less than rateWithin, found 1");
+  const radio_config &radio = run.e.air.radio;
+  EXPECT_EQ(radio.bit_rate, 2000);
+  EXPECT_EQ(radio.range_m, 100);
+  EXPECT_EQ(radio.bit_error_rate, 0.25);
+  EXPECT_EQ(radio.capture_db, 6);
+  EXPECT_EQ(radio.bursts.rate, 0.01);
+  EXPECT_EQ(radio.noise.edges_per_s, 100);
+  EXPECT_EQ(radio.distance_rate_count, 1u);
+  EXPECT_EQ(radio.shadowing_db, 3);
+  EXPECT_EQ(run.command(R"({"do":"radio","errorsByDistance":[],"noise":{"edges":0},"bursts":{"rate":0}})"), "");
+  EXPECT_EQ(radio.distance_rate_count, 0u);
+  EXPECT_EQ(radio.noise.edges_per_s, 0);
+  EXPECT_EQ(radio.bursts.rate, 0);
+}
+
 static const char PAIR[] = R"({"boards":[{"name":"sender","firmware":"@rf_send","position":[0,0]},
     {"name":"mirror","firmware":"@rf_mirror","position":[30,40]}]})";
 

@@ -26,6 +26,26 @@ TEST(Prng, repeats_by_seed_and_differs_by_stream) {
   }
 }
 
+TEST(Prng, times_and_deviations_have_mean_and_spread) {
+  prng generator;
+  prng_seed(&generator, 1, 0);
+  const int COUNT = 100000;
+  double times = 0, longer = 0, sum = 0, squares = 0, beyond = 0;
+  for (int i = 0; i < COUNT; i++) {
+    double time = prng_exponential(&generator, 5), normal = prng_normal(&generator);
+    times += time;
+    longer += time > 10;
+    sum += normal;
+    squares += normal * normal;
+    beyond += normal > 2;
+  }
+  EXPECT_NEAR(times / COUNT, 5, 0.05);
+  EXPECT_NEAR(longer / COUNT, 0.135, 0.005);  // exp(-2)
+  EXPECT_NEAR(sum / COUNT, 0, 0.01);
+  EXPECT_NEAR(squares / COUNT, 1, 0.02);
+  EXPECT_NEAR(beyond / COUNT, 0.0228, 0.002);
+}
+
 TEST(Prng, chance_hits_as_often_as_asked) {
   prng generator;
   prng_seed(&generator, 1, 0);

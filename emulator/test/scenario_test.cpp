@@ -3,6 +3,14 @@
 
 #include <sys/stat.h>
 
+#include <cmath>
+#include <cstring>
+
+extern "C" {
+#include "propagation.h"
+#include "scenario_radio.h"
+}
+
 // Loads a scenario; `#boards` stands for a good list of boards. Returns the error, "" if none.
 static std::string load(const Scratch &scratch, std::string json, std::vector<const char *> overrides = {},
                         scenario *kept = nullptr) {
@@ -80,6 +88,81 @@ TEST(Scenario, a_full_one_is_read) {
   scenario_release(&s);
 }
 
+TEST(Scenario, all_of_the_air_is_read_and_written_as_it_is_read_again) {
+  Scratch scratch;
+  scenario s, again;
+  ASSERT_EQ(
+      load(scratch, R"({"radio":{"range":80,"bitErrorRate":0.001,"bursts":{"rate":0.02,"length":50,"rateWithin":0.5},
+                "errorsByDistance":[[10,0],[50,0.01],[90,0.3]],"shadowing":5,"noise":{"edges":3000,"after":0.1},
+                "capture":6},#boards})",
+           {}, &s),
+      "");
+  EXPECT_EQ(s.radio.bursts.rate, 0.02);
+  EXPECT_EQ(s.radio.bursts.length_bits, 50);
+  EXPECT_EQ(s.radio.bursts.rate_within, 0.5);
+  ASSERT_EQ(s.radio.distance_rate_count, 3u);
+  EXPECT_EQ(s.radio.distance_rates[1].metres, 50);
+  EXPECT_EQ(s.radio.distance_rates[1].rate, 0.01);
+  EXPECT_EQ(s.radio.shadowing_db, 5);
+  EXPECT_EQ(s.radio.noise.edges_per_s, 3000);
+  EXPECT_EQ(s.radio.noise.after_s, 0.1);
+  EXPECT_EQ(s.radio.capture_db, 6);
+  json_t *written = radio_config_json(&s.radio);
+  char *text = json_dumps(written, 0);
+  ASSERT_EQ(load(scratch, R"({"radio":)" + std::string(text) + ",#boards}", {}, &again), "");
+  EXPECT_EQ(memcmp(&again.radio, &s.radio, sizeof s.radio), 0);
+  free(text);
+  json_decref(written);
+  scenario_release(&s);
+  scenario_release(&again);
+}
+
+TEST(Scenario, one_word_brings_a_path_loss_with_its_range_and_shadowing) {
+  Scratch scratch;
+  scenario s;
+  ASSERT_EQ(load(scratch, R"({"radio":{"errorsByDistance":"outdoors"},#boards})", {}, &s), "");
+  EXPECT_EQ(s.radio.range_m, 200);
+  EXPECT_EQ(s.radio.shadowing_db, 4);
+  for (double metres : {80.0, 100.0, 105.0, 115.0, 140.0, 175.0, 200.0}) {
+    double expected = 0.5 * std::exp(-std::log(500) * std::pow(100 / metres, 3));
+    EXPECT_NEAR(propagation_error_rate(&s.radio, metres) / expected, 1, 0.2) << metres;
+  }
+  EXPECT_EQ(propagation_error_rate(&s.radio, 50), 0);
+  scenario_release(&s);
+  ASSERT_EQ(load(scratch, R"({"radio":{"errorsByDistance":"outdoors","shadowing":0,"range":150},#boards})", {}, &s),
+            "");
+  EXPECT_EQ(s.radio.range_m, 150);
+  EXPECT_EQ(s.radio.shadowing_db, 0);
+  scenario_release(&s);
+}
+
+TEST(Scenario, bursts_and_noise_have_defaults) {
+  Scratch scratch;
+  scenario s;
+  ASSERT_EQ(load(scratch, R"({"radio":{"bursts":{"rate":0.01},"noise":{}},#boards})", {}, &s), "");
+  EXPECT_EQ(s.radio.bursts.length_bits, 30);
+  EXPECT_EQ(s.radio.bursts.rate_within, 0.25);
+  EXPECT_EQ(s.radio.noise.edges_per_s, 2000);
+  EXPECT_EQ(s.radio.noise.after_s, 0.2);
+  scenario_release(&s);
+}
+
+TEST(Scenario, a_board_has_a_clock_error_and_a_path) {
+  Scratch scratch;
+  scenario s;
+  ASSERT_EQ(load(scratch, R"({"boards":[{"name":"b","firmware":"bus.elf","clockError":-3000,
+                "path":[[1,[5,6]],[2.5,[7,-8]]]}]})",
+                 {}, &s),
+            "");
+  EXPECT_EQ(s.boards[0].clock_error_ppm, -3000);
+  EXPECT_EQ(s.boards[0].x_m, 5);
+  EXPECT_EQ(s.boards[0].y_m, 6);
+  ASSERT_EQ(s.boards[0].path_x.count, 2u);
+  EXPECT_EQ(s.boards[0].path_y.points[1].t_s, 2.5);
+  EXPECT_EQ(s.boards[0].path_y.points[1].value, -8);
+  scenario_release(&s);
+}
+
 TEST(Scenario, a_short_one_has_the_defaults) {
   Scratch scratch;
   scenario s;
@@ -87,6 +170,13 @@ TEST(Scenario, a_short_one_has_the_defaults) {
   EXPECT_EQ(s.radio.bit_rate, 2000);
   EXPECT_EQ(s.radio.range_m, 100);
   EXPECT_EQ(s.radio.bit_error_rate, 0);
+  EXPECT_EQ(s.radio.bursts.rate, 0);
+  EXPECT_EQ(s.radio.distance_rate_count, 0u);
+  EXPECT_EQ(s.radio.shadowing_db, 0);
+  EXPECT_EQ(s.radio.noise.edges_per_s, 0);
+  EXPECT_EQ(s.radio.capture_db, 0);
+  EXPECT_EQ(s.boards[1].clock_error_ppm, 0);
+  EXPECT_EQ(s.boards[1].path_x.count, 0u);
   EXPECT_EQ(s.boards[1].model, &MEGA);
   EXPECT_EQ(s.boards[1].port, nullptr);
   EXPECT_TRUE(s.boards[0].reset_on_open);
@@ -111,6 +201,40 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps) {
       {R"({"radio":{"bitRate":"fast"},#boards})",
        ": radio.bitRate: expected a number from 100 to 10000, found \"fast\""},
       {R"({"radio":{"bitErrorRate":1.5},#boards})", ": radio.bitErrorRate: expected a number from 0 to 1, found 1.5"},
+      {R"({"radio":{"bursts":{"length":30}},#boards})",
+       ": radio.bursts.rate: is missing; expected the mean rate of errors, 0 to 1"},
+      {R"({"radio":{"bursts":{"rate":0.25}},#boards})",
+       ": radio.bursts.rate: expected less than rateWithin, found 0.25"},
+      {R"({"radio":{"bursts":{"rate":0.1,"length":0.5}},#boards})",
+       ": radio.bursts.length: expected a number from 1 to 1e+06, found 0.5"},
+      {R"({"radio":{"bursts":0.01},#boards})", ": radio.bursts: expected an object { … }, found 0.01"},
+      {R"({"radio":{"errorsByDistance":"indoors"},#boards})",
+       ": radio.errorsByDistance: expected \"outdoors\", or a list of up to 16 points [[metres, rate], …], found "
+       "\"indoors\""},
+      {R"({"radio":{"errorsByDistance":[[1,0],[2,0],[3,0],[4,0],[5,0],[6,0],[7,0],[8,0],[9,0],[10,0],[11,0],[12,0],[13,0],[14,0],[15,0],[16,0],[17,0]]},#boards})",
+       ": radio.errorsByDistance: expected \"outdoors\", or a list of up to 16 points [[metres, rate], …], found "
+       "[[1,0],[2,0],[3,0],[4,0],[5,0],[6,0],[7,0],[8,0],[9,0],[10,0"},
+      {R"({"radio":{"errorsByDistance":[[1]]},#boards})",
+       ": radio.errorsByDistance[0]: expected a point [metres, rate], found [1]"},
+      {R"({"radio":{"errorsByDistance":[[9,0],[9,1]]},#boards})",
+       ": radio.errorsByDistance[1]: expected more metres than those of the point before, found [9,1]"},
+      {R"({"radio":{"noise":{"edge":1}},#boards})", ": radio.noise: unknown key \"edge\"; did you mean \"edges\"?"},
+      {R"({"radio":{"shadowing":-1},#boards})", ": radio.shadowing: expected a number from 0 to 20, found -1"},
+      {R"({"radio":{"capture":"6 dB"},#boards})", ": radio.capture: expected a number from 0 to 60, found \"6 dB\""},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","clockError":0.5}]})",
+       ": boards[0].clockError: expected a whole number from -50000 to 50000, found 0.5"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","clockError":60000}]})",
+       ": boards[0].clockError: expected a whole number from -50000 to 50000, found 60000"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","path":[]}]})",
+       ": boards[0].path: expected a list of points [[seconds, [x, y]], …], found []"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","path":[[0,1]]}]})",
+       ": boards[0].path[0][1]: expected a list [ … ], found 1"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","path":[[0,[1,1]],[0,[2,2]]]}]})",
+       ": boards[0].path[1]: expected a later time than that of the point before, found [0,[2,2]]"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","path":[[0,[1,1]]],"position":[1,1]}]})",
+       ": boards[0].position: the path says where the board is; expected one of the two"},
+      {R"({"boards":[{"name":"b","firmware":"bus.elf","path":[[0,[1,1]]],"vehicle":{"forward":[5,7],"backward":[6,8]}}]})",
+       ": boards[0].path: the board's vehicle drives where it will; expected one of the two"},
       {R"({"boards":[{"firmware":"bus.elf"}]})", ": boards[0].name: is missing; expected a text in quotes"},
       {R"({"boards":[{"name":"b","firmware":"bus.elf","bootLoader":"/no/loader.hex"}]})",
        ": boards[0].bootLoader: cannot read /no/loader.hex (No such file or directory); install arduino-core-avr or "
@@ -240,7 +364,8 @@ TEST(Scenario, overrides_are_checked_like_the_file) {
 
 TEST(Scenario, damaged_files_are_refused_and_never_crash) {
   Scratch scratch;
-  std::string good = R"({"radio":{"range":5},"boards":[{"name":"b","firmware":"bus.elf","position":[1,2],)"
+  std::string good = R"({"radio":{"range":5,"bursts":{"rate":0.1},"errorsByDistance":[[1,0],[2,1]],"noise":{}},)"
+                     R"("boards":[{"name":"b","firmware":"bus.elf","path":[[0,[1,2]],[1,[3,4]]],)"
                      R"("sensors":[{"type":"ldr","pin":"A0","light":[[0,800]]}],"watch":[{"pin":5,"name":"x"}]}],)"
                      R"("faults":[{"t":9,"do":"jam","duration":1}]})";
   ASSERT_EQ(load(scratch, good), "");

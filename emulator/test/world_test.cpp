@@ -159,6 +159,41 @@ TEST(World, a_board_drives_and_measures_what_is_ahead) {
   EXPECT_NEAR(places.back().t - places[0].t, 1, 0.03);
 }
 
+TEST(World, a_board_on_a_path_is_where_it_says_and_heard_from_there) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"radio":{"range":50},"boards":[{"name":"sender","firmware":"@rf_send"},
+      {"name":"mirror","firmware":"@rf_mirror","path":[[0.5,[10,0]],[1.5,[110,0]],[2.5,[110,0]],[3.5,[10,0]]]}]})");
+  const world_body *mirror = &run.e.surroundings.bodies[1];
+  run.run_until(0.4);
+  EXPECT_EQ(mirror->x_m, 10);
+  EXPECT_TRUE(run.events("place").empty());
+  run.run_until(0.755);
+  EXPECT_NEAR(mirror->x_m, 35, 0.001);  // to 10 ms, as vehicles
+  EXPECT_NEAR(run.events("mirror", "place").back().t, 0.75, 0.05);
+  run.run_until(2);
+  EXPECT_EQ(mirror->x_m, 110);
+  size_t places = run.events("place").size();
+  run.run_until(2.4);
+  EXPECT_EQ(run.events("place").size(), places) << "it stands still";
+  run.run_until(4.4);
+  EXPECT_EQ(mirror->x_m, 10);
+  EXPECT_EQ(run.e.surroundings.next_step, NEVER);
+  // A packet each 0.39 s: those of the middle are out of range.
+  for (const Event &heard : run.events("mirror", "rf-rx")) EXPECT_TRUE(heard.t < 0.9 || heard.t > 3.1) << heard.t;
+  EXPECT_GE(run.events("mirror", "rf-rx").size(), 4u);
+}
+
+TEST(World, a_move_ends_a_path) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@halt","path":[[0,[0,0]],[10,[100,0]]]}]})");
+  run.run_until(1);
+  EXPECT_NEAR(run.e.surroundings.bodies[0].x_m, 10, 0.2);
+  EXPECT_EQ(run.command(R"({"do":"move","board":"a","position":[5,5]})"), "");
+  run.run_until(2);
+  EXPECT_EQ(run.e.surroundings.bodies[0].x_m, 5);
+  EXPECT_EQ(run.e.surroundings.next_step, NEVER);
+}
+
 TEST(World, a_reset_board_stands_still) {
   Scratch scratch;
   Emulation run(scratch, CAR);

@@ -16,9 +16,9 @@ final class AirUsage implements Consumer<TraceEvent> {
     /** Packets, and the seconds that they took. */
     record Sum(long packets, double seconds) {
 
-        private static final Sum NONE = new Sum(0, 0);
+        static final Sum NONE = new Sum(0, 0);
 
-        private Sum plus(Sum other) {
+        Sum plus(Sum other) {
             return new Sum(packets + other.packets, seconds + other.seconds);
         }
     }

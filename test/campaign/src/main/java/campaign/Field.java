@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -28,9 +30,15 @@ final class Field implements AutoCloseable {
      * Boards in one range.
      *
      * @param sketch what they all run.
-     * @param boards how many, at least 1.
+     * @param boards of each, at least one, what a scenario is to say beside or in place of what it says of all.
      */
-    record Cell(String sketch, int boards) {}
+    record Cell(String sketch, List<Map<String, Object>> boards) {
+
+        /** So many boards that are all alike. */
+        Cell(String sketch, int boards) {
+            this(sketch, Collections.nCopies(boards, Map.of()));
+        }
+    }
 
     /**
      * One board.
@@ -52,7 +60,7 @@ final class Field implements AutoCloseable {
         int number = 0;
         for (Cell cell : cells) {
             List<Post> posts = new ArrayList<>();
-            for (int i = 0; i < cell.boards; i++, number++) {
+            for (int i = 0; i < cell.boards.size(); i++, number++) {
                 posts.add(new Post("board" + number, Address.parse(Table.text("B%03d", number))));
             }
             all.add(List.copyOf(posts));
@@ -62,15 +70,22 @@ final class Field implements AutoCloseable {
 
     /** Where the boards of a cell stand: x and y in metres. */
     static List<Double> position(int cell) {
-        return List.of(cell * CELL_METRES, 0.0);
+        return position(cell, 0);
+    }
+
+    /** So far from there. */
+    static List<Double> position(int cell, double metres) {
+        return List.of(cell * CELL_METRES, metres);
     }
 
     /** Adds the boards to a scenario and starts it. */
     static Field start(Emulator.Scenario scenario, List<Cell> cells) throws IOException, InterruptedException {
         List<List<Post>> posts = posts(cells);
         for (int cell = 0; cell < cells.size(); cell++) {
-            for (Post post : posts.get(cell)) {
-                scenario.board(post.name, cells.get(cell).sketch, Map.of("position", position(cell)));
+            for (int i = 0; i < posts.get(cell).size(); i++) {
+                Map<String, Object> more = new LinkedHashMap<>(Map.of("position", position(cell)));
+                more.putAll(cells.get(cell).boards.get(i));
+                scenario.board(posts.get(cell).get(i).name, cells.get(cell).sketch, more);
             }
         }
         Path folder = Files.createTempDirectory("javino-campaign");

@@ -2,9 +2,11 @@ package campaign;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** Rows under heads. The first column is text, the others are figures. */
@@ -53,6 +55,14 @@ public final class Table {
     /** A text with figures in it, written alike in all countries. */
     public static String text(String format, Object... values) {
         return String.format(Locale.ROOT, format, values);
+    }
+
+    /** The least and the greatest of some figures; one of them where both read alike. */
+    public static String spread(String format, DoubleStream figures) {
+        DoubleSummaryStatistics all = figures.summaryStatistics();
+        String least = text(format, all.getMin());
+        String most = text(format, all.getMax());
+        return least.equals(most) ? least : least + "…" + most;
     }
 
     /** A share in percent, with as many places as tell 99.9 from 99.99; "-" of nothing. */

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
 /** The small instruments. */
@@ -23,6 +24,12 @@ class MeasuresTest {
         assertEquals("0 %", Table.percent(0, 5));
         assertEquals("50.0 %", Table.percent(1, 2));
         assertEquals("-", Table.percent(0, 0));
+    }
+
+    @Test
+    void spread_figuresThatReadAlike_areOne() {
+        assertEquals("1.0…12.5", Table.spread("%.1f", DoubleStream.of(3, 12.49, 1)));
+        assertEquals("1.0", Table.spread("%.1f", DoubleStream.of(1.01, 0.99)));
     }
 
     @Test

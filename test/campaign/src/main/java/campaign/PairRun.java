@@ -1,0 +1,106 @@
+package campaign;
+
+import harness.Emulator;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/**
+ * Pairs of boards in one emulator, each out of the others' range. One board of a pair sends unicasts to the other, with
+ * two always waiting.
+ *
+ * @param radio   what the scenario says of it.
+ * @param seconds emulated, how long new messages begin.
+ */
+record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> plans) implements
+        Callable<List<PairRun.Result>> {
+
+    private static final int WINDOW = 2;
+    /** Wall time, far more than a run takes. */
+    private static final long PATIENCE_SECONDS = 1800;
+    /** An emulator takes one core, and these boards some third of it. */
+    private static final int AT_A_TIME = 4;
+
+    /**
+     * One pair.
+     *
+     * @param cell   its two boards, the sender first.
+     * @param length of each content, in bytes.
+     */
+    record Plan(Field.Cell cell, int length) {}
+
+    /** @param repeated nonces with two messages. */
+    record Result(Ledger.Sum sum, AirUsage.Sum air, long repeated) {
+
+        static final Result NONE = new Result(Ledger.Sum.ZERO, AirUsage.Sum.NONE, 0);
+
+        Result plus(Result other) {
+            return new Result(sum.plus(other.sum), air.plus(other.air), repeated + other.repeated);
+        }
+
+        double delivered() {
+            return (double) sum.delivered() / sum.offered();
+        }
+
+        /** Of air, for each delivered byte; not a number where none was delivered. */
+        double milliseconds(int length) {
+            return 1000 * air.seconds() / (sum.delivered() * length);
+        }
+    }
+
+    /** Several runs, some at a time; what came of each, in their order. */
+    static List<List<Result>> all(List<PairRun> runs, Report report) throws Exception {
+        ExecutorService pool = Executors.newFixedThreadPool(AT_A_TIME);
+        try {
+            List<List<Result>> results = new ArrayList<>();
+            for (Future<List<Result>> each : runs.stream().map(pool::submit).toList()) {
+                results.add(each.get());
+                report.progress("%d of %d runs done", results.size(), runs.size());
+            }
+            return results;
+        } catch (ExecutionException failed) {
+            if (failed.getCause() instanceof Error refused) {
+                throw refused;
+            }
+            throw (Exception) failed.getCause();
+        } finally {
+            pool.shutdownNow();
+        }
+    }
+
+    /** Sends, waits for all that is under way, and gives the result of each pair. */
+    @Override
+    public List<Result> call() throws Exception {
+        AirUsage air = new AirUsage();
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).listener(air).forgetful();
+        radio.forEach(scenario::radio);
+        try (Closing closing = new Closing()) {
+            Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));
+            List<Pair> pairs = new ArrayList<>();
+            for (int i = 0; i < plans.size(); i++) {
+                pairs.add(closing.add(new Pair(field, i, plans.get(i).length)));
+            }
+            double end = air.now() + seconds;
+            List<Stream> streams = new ArrayList<>();
+            for (Pair pair : pairs) {
+                streams.add(pair.stream(WINDOW, Integer.MAX_VALUE, () -> air.now() < end));
+            }
+            for (Stream stream : streams) {
+                stream.await(PATIENCE_SECONDS);
+            }
+            List<Result> results = new ArrayList<>();
+            for (Pair pair : pairs) {
+                results.add(new Result(pair.ledger().sum(), air.of(pair.posts()), 0));
+            }
+            // Nonces are watched in the whole run: what was repeated counts with its first pair.
+            results.set(0,
+                    results.get(0).plus(new Result(Ledger.Sum.ZERO, AirUsage.Sum.NONE, air.nonces().repeated())));
+            return results;
+        }
+    }
+}

@@ -1,0 +1,117 @@
+package campaign;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/** How far unicasts reach with the emulator's path loss, before and now. */
+final class Range implements Campaign {
+
+    private static final int LENGTH = 16;
+    private static final int SEEDS = 3;
+    private static final int SECONDS = 100;
+    private static final double AIM_SHARE = 0.99;
+    private static final List<Integer> CAMPAIGN = IntStream.iterate(95, metres -> metres <= 150, metres -> metres + 5)
+            .boxed().toList();
+    private static final List<Integer> TEST = List.of(90, 100);
+    /** Without shadowing, which makes a pair's every distance larger or smaller by the same factor. */
+    private static final Map<String, Object> RADIO =
+            Map.of("errorsByDistance", "outdoors", "range", 200, "shadowing", 0);
+
+    /** What each distance gave, of each seed. */
+    private record Reach(Map<Integer, List<PairRun.Result>> ofDistance) {
+
+        PairRun.Result sum(int metres) {
+            return ofDistance.get(metres).stream().reduce(PairRun.Result.NONE, PairRun.Result::plus);
+        }
+
+        /** The largest distance up to which enough was delivered; 0 if there is none. */
+        int metres() {
+            return ofDistance.keySet().stream().takeWhile(metres -> sum(metres).delivered() >= AIM_SHARE)
+                    .reduce(0, (nearer, farther) -> farther);
+        }
+
+        Reach ofSeed(int seed) {
+            Map<Integer, List<PairRun.Result>> some = new LinkedHashMap<>();
+            ofDistance.forEach((metres, results) -> some.put(metres, List.of(results.get(seed))));
+            return new Reach(some);
+        }
+    }
+
+    @Override
+    public String name() {
+        return "range";
+    }
+
+    @Override
+    public void run(Settings settings, Report report) throws Exception {
+        int seeds = settings.choose(SEEDS, 1);
+        List<Integer> distances = settings.choose(CAMPAIGN, TEST);
+        report.text("""
+            Pairs of boards as in [delivery](#delivery), with the path loss `"outdoors"` of
+            [emulator/README.md](../emulator/README.md#air): a bit error rate of 1e-3 at 100 m, rising steeply. Shadowing
+            is off: it would make each distance of a pair larger or smaller by the same factor, before and now. *Before*
+            both boards run the firmware of commit %s, built from the repository's history; *now* both run today's.
+            Unicasts have %d bytes, %d seeds."""
+                .formatted(Before.COMMIT, LENGTH, seeds));
+        List<PairRun> runs = new ArrayList<>();
+        for (Map<String, Object> firmware : List.of(Map.<String, Object>of("firmware", Before.station().toString()),
+                Map.<String, Object>of())) {
+            for (int seed = 0; seed < seeds; seed++) {
+                runs.add(new PairRun(RADIO, settings.seed() + seed, settings.choose(SECONDS, 5),
+                        plans(distances, firmware)));
+            }
+        }
+        List<List<PairRun.Result>> results = PairRun.all(runs, report);
+        describe(reach(distances, results.subList(0, seeds)), reach(distances, results.subList(seeds, 2 * seeds)),
+                seeds, report);
+    }
+
+    private static List<PairRun.Plan> plans(List<Integer> distances, Map<String, Object> firmware) {
+        List<PairRun.Plan> plans = new ArrayList<>();
+        for (int metres : distances) {
+            Map<String, Object> far = new LinkedHashMap<>(firmware);
+            far.put("position", Field.position(plans.size(), metres));
+            plans.add(new PairRun.Plan(new Field.Cell("Station", List.of(firmware, far)), LENGTH));
+        }
+        return plans;
+    }
+
+    private static Reach reach(List<Integer> distances, List<List<PairRun.Result>> ofSeeds) {
+        Map<Integer, List<PairRun.Result>> ofDistance = new LinkedHashMap<>();
+        for (int i = 0; i < distances.size(); i++) {
+            int pair = i;
+            ofDistance.put(distances.get(i), ofSeeds.stream().map(pairs -> pairs.get(pair)).toList());
+        }
+        return new Reach(ofDistance);
+    }
+
+    private static void describe(Reach before, Reach now, int seeds, Report report) {
+        Table table = new Table("distance", "before: unicasts", "delivered", "of a seed", "now: unicasts", "delivered",
+                "of a seed");
+        PairRun.Result all = PairRun.Result.NONE;
+        for (int metres : before.ofDistance.keySet()) {
+            List<Object> row = new ArrayList<>(List.of(metres + " m"));
+            for (Reach reach : List.of(before, now)) {
+                Ledger.Sum sum = reach.sum(metres).sum();
+                row.addAll(List.of(sum.offered(), Table.percent(sum.delivered(), sum.offered()), Table.spread("%.1f",
+                        reach.ofDistance.get(metres).stream().mapToDouble(each -> 100 * each.delivered())) + " %"));
+                all = all.plus(reach.sum(metres));
+            }
+            table.row(row.toArray());
+        }
+        report.table(table);
+        report.text(Table.text("99 %% of %d bytes are delivered up to %d m before (%s of a seed), up to %d m now (%s).",
+                LENGTH, before.metres(), ofSeeds(before, seeds), now.metres(), ofSeeds(now, seeds)));
+        report.aim("99 % delivered farther than before", now.metres() > before.metres());
+        all.sum().report(report);
+        report.never("a unicast without an end", all.sum().open());
+        report.never("a nonce with two messages", all.repeated());
+    }
+
+    private static String ofSeeds(Reach reach, int seeds) {
+        return Table.spread("%.0f", IntStream.range(0, seeds).mapToDouble(seed -> reach.ofSeed(seed).metres())) + " m";
+    }
+}
