@@ -20,7 +20,7 @@ inline Bytes randomBytes(size_t length, std::mt19937 &random) {
 }
 
 inline Bytes withParity(Bytes bytes) {
-  Bytes parity(PARITY_LENGTH);
+  Bytes parity(PARITY_LENGTH, 0xA5);  // what was there before
   javino::reedsolomon::encode(bytes.data(), static_cast<uint8_t>(bytes.size()), parity.data());
   bytes.insert(bytes.end(), parity.begin(), parity.end());
   return bytes;

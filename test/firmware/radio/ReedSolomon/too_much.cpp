@@ -79,7 +79,7 @@ TEST(ReedSolomon, failsAtMoreErasuresThanParity) {
 
 TEST(ReedSolomon, failsAtLengthsThatHoldNoData) {
   for (uint8_t length = 0; length <= PARITY_LENGTH; length++) {
-    Bytes codeword(length, 0x55);
+    Bytes codeword(length);
     EXPECT_EQ(mend(codeword, {0, 3}), Progress::FAILED) << int(length);
   }
 }
