@@ -87,12 +87,10 @@ bool Courier::takeUp() {
   return false;
 }
 
-// Whether a message to this destination is under way; for what goes to many, to any many.
+// Whether a message to this destination waits for its turn. None to many does: it keeps its turn.
 bool Courier::isAwaited(const Address &destination) const {
   for (uint8_t place = 1; place < config::PARTNERS; place++) {
-    const Message &other = messages_[place];
-    if (other.phase == IDLE) continue;
-    if (other.destination == destination || !(other.destination.isDevice() || destination.isDevice())) return true;
+    if (messages_[place].phase != IDLE && messages_[place].destination == destination) return true;
   }
   return false;
 }

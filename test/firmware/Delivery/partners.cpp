@@ -116,6 +116,17 @@ TEST_F(Partners, an_acknowledgement_that_comes_when_another_has_its_turn_is_take
   EXPECT_EQ(0u, board.counter(Counter::RADIO_BAD_PROOFS));
 }
 
+TEST_F(Partners, an_acknowledgement_of_what_was_never_sent_is_about_nothing) {
+  TestBoard fresh;
+  fresh.start("SUPP");
+  fresh.setKey("AAAA", KEY);
+  for (uint8_t type : {6, 7, 8}) {
+    const Bytes body = type == 6 ? Bytes() : type == 7 ? Bytes{1} : Bytes(8, 0);
+    fresh.receive(acknowledgement(KEY, "AAAA", "AAAA", Bytes(6, 0), type, body));
+  }
+  EXPECT_EQ(3u, fresh.counter(Counter::RADIO_NOT_FOR_US));
+}
+
 TEST_F(Partners, a_record_that_is_not_the_first_leaves_the_others_as_they_were) {
   for (const char *to : {"SUAA", "SUBB", "SUCC"}) transmit(to, "tell;to" + std::string(to));
   const Bytes a = next();
