@@ -43,7 +43,7 @@ class PartnersTest {
             }
             List<Transmission> toPresent = IntStream.range(0, 6)
                     .mapToObj(i -> transmit(police, i % 2 == 0 ? "SUPP" : "ROMA",
-                            i < 4 ? "tell;number(" + i + ")" : "tell;long(\"" + "x".repeat(150) + "\")"))
+                            i < 4 ? "tell;number(" + i + ")" : "tell;long(\"" + "x".repeat(60) + "\")"))
                     .toList();
 
             TraceEvent asked = emulator.await("the request", 5, event -> event.is("host-transmit", "police"));
