@@ -48,7 +48,7 @@ class PartnersTest {
 
             TraceEvent asked = emulator.await("the request", 5, event -> event.is("host-transmit", "police"));
             TraceEvent heard = emulator.await("the first message",
-                    event -> event.is("rf-rx", "support") && event.text("kind").equals("unicast"));
+                    event -> event.is("rf-rx", "support") && event.text("destination").equals("SUPP"));
             double seconds = heard.seconds() - asked.fields().get("asked").getAsDouble();
             assertTrue(seconds < SOON, "after " + seconds + " s");
             for (Transmission transmission : toPresent) {
