@@ -151,6 +151,17 @@ TEST_F(Partners, four_are_under_way_and_a_fifth_has_the_place_of_the_one_that_en
   EXPECT_EQ((std::set<std::string>{"SUAA", "SUBB", "SUDD", "SUEE"}), after);
 }
 
+TEST_F(Partners, a_fifth_waits_for_one_message_of_four_who_are_absent_not_for_all_of_theirs) {
+  for (int i = 0; i < 3; i++) {
+    for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD"}) transmit(to, "x");
+  }
+  transmit("SUEE", "x");
+  for (int attempt = 0; attempt < 8 * 4; attempt++) EXPECT_NE("SUEE", nextTo());
+  std::set<std::string> after;
+  for (int i = 0; i < 4; i++) after.insert(nextTo());
+  EXPECT_EQ(1u, after.count("SUEE"));
+}
+
 TEST_F(Partners, what_goes_to_many_keeps_its_order_and_waits_for_no_absent_device) {
   transmit("SUAA");
   transmit("//SU");
