@@ -68,6 +68,12 @@ TEST(Radio, packets_that_overlap_damage_each_other) {
   EXPECT_NEAR(collisions[0].t, 0.0706, 0.001);
   auto damaged = run.events("mirror", "rf-damaged");
   EXPECT_EQ(damaged.size(), 2u);
+  auto sent = run.events("rf-tx");
+  for (size_t i = 0; i < damaged.size(); i++) {
+    EXPECT_EQ(damaged[i].real("start"), sent[i].real("start"));
+    EXPECT_EQ(damaged[i].real("end"), sent[i].real("end"));
+    EXPECT_GT(damaged[i].t, damaged[i].real("end"));
+  }
   EXPECT_TRUE(run.events("mirror", "rf-rx").empty());
   // The two hear each other well: each hears only the other.
   EXPECT_EQ(run.events("sender", "rf-rx").size(), 1u);

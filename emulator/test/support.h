@@ -45,6 +45,7 @@ struct Event {
   json_t *fields;
   std::string text(const char *key) const { return text_of(fields, key); }
   long long number(const char *key) const { return json_integer_value(json_object_get(fields, key)); }
+  double real(const char *key) const { return json_number_value(json_object_get(fields, key)); }
   bool flag(const char *key) const { return json_is_true(json_object_get(fields, key)); }
 };
 

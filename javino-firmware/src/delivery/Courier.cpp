@@ -75,18 +75,25 @@ void Courier::nextTurn() {
   }
 }
 
-// Takes up the oldest message whose destination has none under way. What can no longer be sealed ends at once: its key was
-// deleted meanwhile, or no nonce is left.
+// Takes up a message whose destination has none under way: rather one to a device that had none lately, as those may be
+// absent that had; of these the oldest. What can no longer be sealed ends at once: its key was deleted meanwhile, or no nonce
+// is left.
 bool Courier::takeUp() {
   Message &message = current();
   Frame frame;
-  ByteQueue::Record record = outbox_.first();
-  for (;; record = outbox_.after(record)) {
-    if (record.bytes == nullptr) return false;
+  ByteQueue::Record taken = {nullptr, 0};
+  Turn best = AFTER_ITS_LAST;
+  for (ByteQueue::Record record = outbox_.first(); record.bytes != nullptr && best != FIRST;
+       record = outbox_.after(record)) {
     Frame::parseHeader(record.bytes, frame);
-    if (!isAwaited(frame.destination)) break;
+    const Turn turn = turnOf(frame.destination);
+    if (turn <= best) continue;
+    best = turn;
+    taken = record;
   }
-  message.number = Outbox::numberOf(record);
+  if (best == AFTER_ITS_LAST) return false;
+  Frame::parseHeader(taken.bytes, frame);
+  message.number = Outbox::numberOf(taken);
   message.destination = frame.destination;
   message.sender = frame.origin;
   message.slot = KeyStore::NO_SLOT;
@@ -99,14 +106,15 @@ bool Courier::takeUp() {
   return false;
 }
 
-// Whether a message to this destination is under way; for what goes to many, to any many.
-bool Courier::isAwaited(const Address &destination) const {
-  for (uint8_t place = 1; place < config::PARTNERS; place++) {
-    const Message &other = messages_[place];
-    if (other.phase == IDLE) continue;
-    if (other.destination == destination || !(other.destination.isDevice() || destination.isDevice())) return true;
+// When a message to this destination is to be taken up. None to many waits for its turn, since it keeps it.
+Courier::Turn Courier::turnOf(const Address &destination) const {
+  Turn turn = FIRST;
+  for (const Message &message : messages_) {
+    if (config::PARTNERS == 1 || message.destination != destination || !destination.isDevice()) continue;
+    if (message.phase != IDLE) return AFTER_ITS_LAST;
+    turn = AFTER_OTHERS;
   }
-  return false;
+  return turn;
 }
 
 // Seals the frame in its place in the outbox, under a new nonce.

@@ -78,12 +78,14 @@ class Courier {
     uint8_t nonce[NONCE_LENGTH];
   };
 
+  enum Turn : uint8_t { AFTER_ITS_LAST, AFTER_OTHERS, FIRST };
+
   Message &current() { return messages_[0]; }
   const Message &current() const { return messages_[0]; }
   JAVINO_NOINLINE void exchange(uint8_t place);
   JAVINO_NOINLINE void nextTurn();
   bool takeUp();
-  bool isAwaited(const Address &destination) const;
+  Turn turnOf(const Address &destination) const;
   JAVINO_NOINLINE bool seal(bool again);
   void restart();
   JAVINO_NOINLINE void contend();

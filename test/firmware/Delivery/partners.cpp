@@ -116,6 +116,17 @@ TEST_F(Partners, an_acknowledgement_that_comes_when_another_has_its_turn_is_take
   EXPECT_EQ(0u, board.counter(Counter::RADIO_BAD_PROOFS));
 }
 
+TEST_F(Partners, an_acknowledgement_of_what_was_never_sent_is_about_nothing) {
+  TestBoard fresh;
+  fresh.start("SUPP");
+  fresh.setKey("AAAA", KEY);
+  for (uint8_t type : {6, 7, 8}) {
+    const Bytes body = type == 6 ? Bytes() : type == 7 ? Bytes{1} : Bytes(8, 0);
+    fresh.receive(acknowledgement(KEY, "AAAA", "AAAA", Bytes(6, 0), type, body));
+  }
+  EXPECT_EQ(3u, fresh.counter(Counter::RADIO_NOT_FOR_US));
+}
+
 TEST_F(Partners, a_record_that_is_not_the_first_leaves_the_others_as_they_were) {
   for (const char *to : {"SUAA", "SUBB", "SUCC"}) transmit(to, "tell;to" + std::string(to));
   const Bytes a = next();
@@ -138,6 +149,17 @@ TEST_F(Partners, four_are_under_way_and_a_fifth_has_the_place_of_the_one_that_en
   std::set<std::string> after;
   for (int i = 0; i < 4; i++) after.insert(nextTo());
   EXPECT_EQ((std::set<std::string>{"SUAA", "SUBB", "SUDD", "SUEE"}), after);
+}
+
+TEST_F(Partners, a_fifth_waits_for_one_message_of_four_who_are_absent_not_for_all_of_theirs) {
+  for (int i = 0; i < 3; i++) {
+    for (const char *to : {"SUAA", "SUBB", "SUCC", "SUDD"}) transmit(to, "x");
+  }
+  transmit("SUEE", "x");
+  for (int attempt = 0; attempt < 8 * 4; attempt++) EXPECT_NE("SUEE", nextTo());
+  std::set<std::string> after;
+  for (int i = 0; i < 4; i++) after.insert(nextTo());
+  EXPECT_EQ(1u, after.count("SUEE"));
 }
 
 TEST_F(Partners, what_goes_to_many_keeps_its_order_and_waits_for_no_absent_device) {

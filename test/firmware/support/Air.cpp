@@ -4,6 +4,11 @@
 
 static const uint32_t MILLIS_TO_CARRIER = 6;
 
+static bool isMulticast(const Bytes &packet) {
+  const std::string to = textOf(packet).substr(0, 4);
+  return to.compare(0, 2, "//") == 0 && to != "////";
+}
+
 void Air::step() {
   now_++;
   for (size_t i = 0; i < onAir_.size();) {
@@ -58,7 +63,15 @@ void Air::start(Station *from, const Bytes &payload) {
     if (from != nullptr) other.deaf.push_back(from);
   }
   onAir_.push_back(packet);
+  if (isMulticast(payload)) reached_[payload];
   if (onPacket) onPacket(payload);
+}
+
+long Air::missed(const Station &from, const Station &at) const {
+  return std::count_if(reached_.begin(), reached_.end(),
+                       [&](const std::pair<const Bytes, std::set<const Station *>> &each) {
+                         return textOf(each.first).compare(4, 4, from.id) == 0 && each.second.count(&at) == 0;
+                       });
 }
 
 void Air::finish(const Packet &packet) {
@@ -68,6 +81,7 @@ void Air::finish(const Packet &packet) {
     const bool deaf = apart || std::count(packet.deaf.begin(), packet.deaf.end(), station) != 0;
     if (station == packet.from || deaf || packet.broken || random.number(1000) < lostInThousand) continue;
     station->board.radio.arrive(packet.payload);
+    if (isMulticast(packet.payload)) reached_[packet.payload].insert(station);
   }
 }
 

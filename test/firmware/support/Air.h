@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -24,6 +25,9 @@ class Air {
   /// Lets time pass until no station has anything under way or to be polled.
   /// @return whether that came within so many milliseconds
   bool settle(uint32_t millis);
+
+  /// How many of a station's multicasts in one packet have reached another one in none of their copies.
+  long missed(const Station &from, const Station &at) const;
 
   /// A packet that no station sends: an attacker's. It begins at once, whoever else sends.
   void inject(const Bytes &packet);
@@ -51,6 +55,7 @@ class Air {
 
   std::vector<Station *> stations_;
   std::set<const Station *> away_;
+  std::map<Bytes, std::set<const Station *>> reached_;  // by each multicast
   std::vector<Packet> onAir_;
   uint32_t now_ = 0;
 };

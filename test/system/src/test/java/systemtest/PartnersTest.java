@@ -43,12 +43,12 @@ class PartnersTest {
             }
             List<Transmission> toPresent = IntStream.range(0, 6)
                     .mapToObj(i -> transmit(police, i % 2 == 0 ? "SUPP" : "ROMA",
-                            i < 4 ? "tell;number(" + i + ")" : "tell;long(\"" + "x".repeat(150) + "\")"))
+                            i < 4 ? "tell;number(" + i + ")" : "tell;long(\"" + "x".repeat(60) + "\")"))
                     .toList();
 
             TraceEvent asked = emulator.await("the request", 5, event -> event.is("host-transmit", "police"));
             TraceEvent heard = emulator.await("the first message",
-                    event -> event.is("rf-rx", "support") && event.text("kind").equals("unicast"));
+                    event -> event.is("rf-rx", "support") && event.text("destination").equals("SUPP"));
             double seconds = heard.seconds() - asked.fields().get("asked").getAsDouble();
             assertTrue(seconds < SOON, "after " + seconds + " s");
             for (Transmission transmission : toPresent) {

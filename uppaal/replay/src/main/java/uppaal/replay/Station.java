@@ -5,6 +5,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -105,18 +106,15 @@ final class Station {
         return Optional.ofNullable(numbered.get(number));
     }
 
-    /** The next transmission to a destination becomes the current one; those to this partner before it could not be sealed. */
+    /** The next transmission to a destination is sent; those to its like before it could not be sealed. */
     Optional<Transmission> takeUp(String destination) {
+        List<Transmission> like =
+                waiting.stream().filter(each -> partner(each.destination).equals(partner(destination))).toList();
         Optional<Transmission> next =
-                waiting.stream().filter(transmission -> transmission.destination.equals(destination)).findFirst();
+                like.stream().filter(transmission -> transmission.destination.equals(destination)).findFirst();
         next.ifPresent(transmission -> {
-            String partner = partner(destination);
-            while (current.get(partner) != transmission) {
-                Transmission first = waiting.stream().filter(each -> partner(each.destination).equals(partner))
-                        .findFirst().orElseThrow();
-                waiting.remove(first);
-                current.put(partner, first);
-            }
+            waiting.removeAll(like.subList(0, like.indexOf(transmission) + 1));
+            current.put(partner(destination), transmission);
         });
         return next;
     }

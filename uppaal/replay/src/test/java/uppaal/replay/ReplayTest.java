@@ -20,7 +20,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * Genuine traces and spoilt ones. {@code highway.jsonl} is what {@code gradle highway} has left in its build folder,
  * {@code pieces.jsonl} what two boards of the campaign {@code delivery} did that sent 200 bytes at a bit error rate of
- * 1e-3; both without the events that the model does not speak of.
+ * 1e-3, {@code partners.jsonl} what a board did that sent to two who were there and to two who were not
+ * ({@code test/system}'s {@code PartnersTest}); all without the events that the model does not speak of.
  */
 class ReplayTest {
     private static final String UNICAST = "535550505355504f4449000001000000";
@@ -46,7 +47,7 @@ class ReplayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"highway", "pieces"})
+    @ValueSource(strings = {"highway", "pieces", "partners"})
     void replay_genuineTrace_isAcceptedHoweverEarlyItEnds(String name) {
         Lines lines = Lines.of(name);
         assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());
@@ -463,7 +464,7 @@ class ReplayTest {
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
     void replay_randomDamage_isRefused(long seed) {
         Random random = new Random(seed);
-        for (String name : List.of("highway", "pieces")) {
+        for (String name : List.of("highway", "pieces", "partners")) {
             for (Damage damage : Damage.values()) {
                 Lines lines = Lines.of(name);
                 List<Integer> places = lines.where(line -> damage.fits(lines, line));
