@@ -15,12 +15,13 @@ void Receiver::run() {
     if (mender && mender->hasMended() && mender->hasParity()) acknowledger_.askForParity();
     medium_.release();
   }
-  if (!mender) return;
-  if (mender->lost()) {
+  if (mender && mender->lost()) {
     courier_.acknowledged(*mender->lost());
     medium_.release();
   }
-  if (mender->isMarked()) acknowledger_.askForParity();  // the mark comes when the packet has been handled
+  // The mark of an intact packet comes when that has been handled.
+  if (mender && mender->isMarked()) acknowledger_.askForParity();
+  pieces_.run();
 }
 
 void Receiver::keep() {

@@ -91,7 +91,8 @@ TEST(RadioDecoder, losesNoPacketBehindAFalseStart) {
 }
 
 TEST(RadioDecoder, keepsAPacketWhoseContentLooksLikeAStart) {
-  const Bytes payload = {'3', '3', '3', '3', '3', 't', '3', '3', '3', 't', 'x', '3', '3', '3', '3', 't'};
+  const std::string text = "////ROMABg33333t333tx333333t";
+  const Bytes payload(text.begin(), text.end());
   for (size_t wrong = 12; wrong < 48; wrong++) {
     Bits bits = reference::packetBits(payload);
     bits[wrong].flip();
