@@ -13,6 +13,7 @@ static const uint8_t PATIENCE_MILLIS = 150;
 static const uint8_t IDS = 64;
 
 void Courier::run() {
+  backoff_.listen(medium_.quietSlots());
   if (phase_ == IDLE && !outbox_.isEmpty()) takeUpNext();
   switch (phase_) {
     case IDLE: break;
