@@ -8,8 +8,19 @@
 namespace javino {
 
 /// How long a sender waits before it begins, counted in quiet slots (SPEC 7.4).
+///
+/// The random part comes from a window that fits the number of boards that want to send. Nobody knows that number, but
+/// each board hears how many slots stay idle before somebody begins: few where many contend. The window grows while
+/// they are few and shrinks while they are many (Heusse and others, *Idle Sense*, 2005). All boards hear the same, so
+/// their windows are alike.
 class Backoff {
  public:
+  Backoff();
+
+  /// Takes notice of the air; to be called each time the medium was looked at.
+  /// @param quietSlots how long the air has been quiet by now
+  void listen(uint8_t quietSlots);
+
   /// Begins a wait: 6 quiet slots and a random number of further ones; none where what is to be sent is new and the
   /// air has been quiet for long.
   /// @param attempt 0 for what is new
@@ -21,6 +32,8 @@ class Backoff {
   bool isOver(uint8_t quietSlots);
 
  private:
+  uint16_t window_;                // of a first attempt, in sixteenths of a slot
+  uint8_t quiet_ JAVINO_ZEROED;    // quiet slots when listened to last
   uint8_t left_ JAVINO_ZEROED;     // slots to wait beyond the first ones
   uint8_t counted_ JAVINO_ZEROED;  // quiet slots of the present quiet that were counted, or lay before
 };

@@ -29,6 +29,7 @@ bool Broadcaster::send(const char *text) {
 
 void Broadcaster::run() {
   medium_.update();
+  backoff_.listen(medium_.quietSlots());
   uint8_t length;
   while (const uint8_t *packet = medium_.receive(length)) {
     if (medium_.mender() && medium_.mender()->isDoubtful()) {

@@ -32,6 +32,7 @@ bool Courier::isUnderWay(uint8_t slot) const {
 }
 
 void Courier::run() {
+  backoff_.listen(medium_.quietSlots());
   if (current().phase <= READY && outbox_.count() != 0) nextTurn();
   switch (current().phase) {
     case IDLE:

@@ -121,7 +121,7 @@ void AskRadio::onEdge(uint16_t now, bool level) {
   } else {
     hear(now);
   }
-  if (!decoder_.inPacket()) decoder_.carrier().addEdge(now);
+  if (!decoder_.inPacket()) decoder_.carrier().addEdge(now, level);
   level_ = level;
   silentAlarms_ = 0;
   askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
@@ -161,13 +161,14 @@ void AskRadio::hear(uint16_t now) {
 void AskRadio::onSilence() {
   const uint16_t now = askhardware::now();
   hear(now);
+  if (level_) decoder_.carrier().addHold();
   if (silentAlarms_ == 0 || isHeldByCollision()) {
     silentAlarms_ = 1;
     askhardware::setAlarm(static_cast<uint16_t>(now + BITS_TO_ALARM * bitTicks_));
   } else {
     silentAlarms_ = SILENCE_ALARMS;
     askhardware::clearAlarm();
-    decoder_.carrier().reset();
+    decoder_.carrier().silence(level_);
     decoder_.endOfSignal();
   }
 }

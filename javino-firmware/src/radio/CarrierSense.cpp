@@ -24,18 +24,24 @@ const uint8_t PERIODS_OF_PACKET = 13;
 const uint8_t MAX_PERIOD_BITS = 8;
 const uint16_t BITS_TO_NEXT_PERIODS = 24;
 
+// High ones after silence, none of them shorter than a bit.
+const uint8_t PULSES_AFTER_SILENCE = 3;
+
 // All after training.
 const uint16_t BITS_OF_LONGEST_PACKET =
-    12 + 2 * linecode::BITS_PER_SYMBOL * (MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD);
+    12 + 2 * linecode::BITS_PER_SYMBOL * (linecode::MAX_COUNT + linecode::TRAILER_LENGTH);
 
 }  // namespace
 
 CarrierSense::CarrierSense(uint16_t bitTicks) : bitTicks_(bitTicks), toleranceTicks_(bitTicks / 4) {}
 
-void CarrierSense::addEdge(uint16_t now) {
+void CarrierSense::addEdge(uint16_t now, bool level) {
+  if (!level && !edgeIsOld_) addPulse(static_cast<uint16_t>(now - edge_));
+  edgeIsOld_ = false;
   const uint16_t period = static_cast<uint16_t>(now - edgeBefore_);
   edgeBefore_ = edge_;
   edge_ = now;
+  held_ = false;
   const uint8_t bits = wholeBits(period);
   if (bits == 2) {
     addTrainingPeriod();
@@ -73,6 +79,25 @@ void CarrierSense::addPeriod() {
   if (periods_ == PERIODS_OF_PACKET) expectAtLeast(BITS_TO_NEXT_PERIODS);
 }
 
+// A shorter pulse is noise, and so was then what seemed to be a carrier by its first pulses.
+void CarrierSense::addPulse(uint16_t ticks) {
+  if (!clean_) return;
+  if (ticks < bitTicks_ - toleranceTicks_) {
+    clean_ = false;
+    if (pulses_ == PULSES_AFTER_SILENCE && training_ < PERIODS_OF_TRAINING) bitsLeft_ = 0;
+  } else if (pulses_ != PULSES_AFTER_SILENCE && ++pulses_ == PULSES_AFTER_SILENCE) {
+    bitsLeft_ = BITS_OF_LONGEST_PACKET;
+  }
+}
+
+// For the time of the longest packet; then no packet holds it.
+void CarrierSense::addHold() {
+  edgeIsOld_ = true;
+  if (!clean_ || held_ || bitsLeft_ != 0) return;
+  held_ = true;
+  bitsLeft_ = BITS_OF_LONGEST_PACKET;
+}
+
 void CarrierSense::expectAtLeast(uint16_t bits) {
   if (bitsLeft_ < bits) bitsLeft_ = bits;
 }
@@ -81,6 +106,9 @@ void CarrierSense::expect(uint16_t bits) {
   trained_ = bitsLeft_ != 0;
   bitsLeft_ = bits;
   training_ = 0;
+  pulses_ = 0;
+  held_ = false;
+  edgeIsOld_ = true;
 }
 
 void CarrierSense::doubt() {
@@ -91,6 +119,7 @@ void CarrierSense::reset() {
   bitsLeft_ = 0;
   training_ = 0;
   periods_ = 0;
+  pulses_ = 0;
 }
 
 }  // namespace javino

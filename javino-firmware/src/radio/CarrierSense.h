@@ -15,6 +15,10 @@ namespace javino {
 /// count is understood after that much training as noise never holds, the carrier may last as long as the longest
 /// packet. Ten bits without an edge end it in any case.
 ///
+/// Where a receiver is silent while nobody sends, each pulse as long as a bit tells more: the third one after silence is
+/// a carrier. So is a line that stays high for longer than the line code allows: where several begin at once, each fills
+/// the others' gaps, and there is neither training nor a rhythm to be heard.
+///
 /// A packet whose training was not heard, since this board or a third one sent meanwhile, is taken up on its way, after
 /// some 30 bits: there too edges are whole bits apart, which noise rarely holds for long.
 class CarrierSense {
@@ -22,8 +26,11 @@ class CarrierSense {
   /// @param bitTicks the length of a bit in ticks, 16…13107
   explicit CarrierSense(uint16_t bitTicks);
 
-  /// The line changed outside of a packet.
-  JAVINO_OUT_OF_LINE void addEdge(uint16_t now);
+  /// The line changed outside of a packet, to this level.
+  JAVINO_OUT_OF_LINE void addEdge(uint16_t now, bool level);
+
+  /// The line is high for longer than the line code allows; to be said from time to time as long as it is.
+  void addHold();
 
   /// A bit has passed.
   void addBit() {
@@ -37,8 +44,14 @@ class CarrierSense {
   /// all that a packet begins with.
   void doubt();
 
-  /// The line has been silent, or not listened to: no carrier is heard.
+  /// No carrier is heard, as the line has not been listened to.
   void reset();
+
+  /// No carrier is heard, as the line has been at this level for too long.
+  void silence(bool level) {
+    reset();
+    clean_ = !level;
+  }
 
   bool isHeard() const { return bitsLeft_ != 0; }
 
@@ -46,6 +59,7 @@ class CarrierSense {
   uint8_t wholeBits(uint16_t period) const;
   void addTrainingPeriod();
   void addPeriod();
+  void addPulse(uint16_t ticks);
   void expectAtLeast(uint16_t bits);
 
   const uint16_t bitTicks_;
@@ -55,6 +69,10 @@ class CarrierSense {
   uint8_t training_ JAVINO_ZEROED;     // periods of training, one after the other
   uint8_t periods_ JAVINO_ZEROED;      // periods of whole bits, one after the other
   bool trained_ JAVINO_ZEROED;         // the packet that is expected had training
+  bool held_ JAVINO_ZEROED;            // a carrier was taken for one since the line stays high
+  bool edgeIsOld_ JAVINO_ZEROED;       // it does not tell how long the line has been high
+  bool clean_ JAVINO_ZEROED;           // the line was silent, and has had no pulse since that is shorter than a bit
+  uint8_t pulses_ JAVINO_ZEROED;       // since then, or since a packet began
   uint16_t bitsLeft_ JAVINO_ZEROED;    // for which a carrier is expected
 };
 

@@ -25,16 +25,27 @@ std::vector<bool> levels(const AirLine &line, double step) {
   return levels;
 }
 
-// A line on which either of two is on the air.
-AirLine bothOf(const Bits &first, const Bits &second, double shift) {
+// What all of these together make of the line, each begun so many bits after the first.
+AirLine allOf(const std::vector<std::pair<Bits, double>> &packets) {
   const double step = Modem::BIT / 50;
-  const std::vector<bool> a = levels(AirLine().bits(first, Modem::BIT), step);
-  const std::vector<bool> b = levels(AirLine().hold(false, shift).bits(second, Modem::BIT), step);
-  AirLine both;
-  for (size_t i = 0; i < a.size() || i < b.size(); i++)
-    both.hold((i < a.size() && a[i]) || (i < b.size() && b[i]), step);
-  return both.silence(30 * Modem::BIT);
+  std::vector<bool> line;
+  for (const auto &packet : packets) {
+    const std::vector<bool> one =
+        levels(AirLine().hold(false, packet.second * Modem::BIT).bits(packet.first, Modem::BIT), step);
+    if (line.size() < one.size()) line.resize(one.size());
+    for (size_t i = 0; i < one.size(); i++) line[i] = line[i] || one[i];
+  }
+  AirLine all;
+  for (bool level : line) all.hold(level, step);
+  return all;
 }
+
+AirLine bothOf(const Bits &first, const Bits &second, double shift) {
+  return allOf({{first, 0}, {second, shift}}).silence(30 * Modem::BIT);
+}
+
+// Has a modem know a line that is silent while nobody sends.
+void hearSilence(Modem &modem) { modem.hardware.play(AirLine().hold(true, Modem::BIT).silence(30 * Modem::BIT)); }
 
 // Twenty pulses of two bits that begin so many bits apart.
 AirLine pulses(int apart) {
@@ -109,7 +120,7 @@ TEST(AskRadio, hearsACarrierThroughACollision) {
     const double shift = tenths / 10.0;
     Modem modem;
     CarrierLog log(modem);
-    modem.hardware.play(bothOf(first, second, shift * Modem::BIT));
+    modem.hardware.play(bothOf(first, second, shift));
     EXPECT_TRUE(log.covers(36, first.size() + shift - 5)) << "shift " << shift;
     EXPECT_LT(log.spans().back().end, first.size() + shift + 11) << "shift " << shift;
   }
@@ -223,8 +234,67 @@ TEST(AskRadio, hearsTheRestOfACarrierWhoseBeginningAnotherSentOver) {
   for (int tenths = 200; tenths < 1000; tenths += 7) {
     Modem modem;
     CarrierLog log(modem);
-    modem.hardware.play(bothOf(first, second, tenths / 10.0 * Modem::BIT));
+    modem.hardware.play(bothOf(first, second, tenths / 10.0));
     EXPECT_TRUE(log.covers(36, first.size() - 5)) << "shift " << tenths / 10.0;
     EXPECT_TRUE(log.covers(first.size() + 32, second.size() + tenths / 10.0 - 5)) << "shift " << tenths / 10.0;
   }
+}
+
+TEST(AskRadio, hearsACarrierFromItsThirdPulseWhereTheLineWasSilentBefore) {
+  Modem modem;
+  hearSilence(modem);
+  CarrierLog log(modem);
+  modem.hardware.play(lineOf(reference::packetBits(Bytes(40, 'x'))));
+  ASSERT_EQ(log.spans().size(), 1u);
+  EXPECT_NEAR(log.spans()[0].begin, 6, 0.1);
+  EXPECT_NEAR(log.spans()[0].end, 84 + 12 * 40, TO_NOTICE);
+}
+
+// Three or more that begin at once leave no gaps in their training, and no rhythm behind it.
+TEST(AskRadio, hearsACarrierWhereManyFillEachOthersGapsIfTheLineWasSilentBefore) {
+  std::mt19937 random(46);
+  for (size_t senders = 2; senders <= 6; senders++) {
+    for (int i = 0; i < 60; i++) {
+      std::vector<std::pair<Bits, double>> packets;
+      double last = 0;
+      for (size_t sender = 0; sender < senders; sender++) {
+        Bytes payload(40);
+        for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
+        packets.push_back({reference::packetBits(payload), sender == 0 ? 0 : random() % 400 / 100.0});
+        last = std::max(last, packets.back().second);
+      }
+      Modem modem;
+      hearSilence(modem);
+      CarrierLog log(modem);
+      modem.hardware.play(allOf(packets).silence(30 * Modem::BIT));
+      // A wrong count may end it too soon: three pulses later it is heard again.
+      EXPECT_GT(log.share(), 0.93 * (84 + 12 * 40 + last) / (84 + 12 * 40 + last + 30)) << senders << " senders";
+      EXPECT_LT(log.spans().front().begin, 10 + last) << senders << " senders";
+      EXPECT_LT(log.spans().back().end, 84 + 12 * 40 + last + 11) << senders << " senders";
+    }
+  }
+}
+
+TEST(AskRadio, hearsNoCarrierForLongInNoiseThatFollowsSilence) {
+  std::mt19937 random(47);
+  for (double longestPulse : {0.1, 0.6, 1.0, 1.5, 2.0, 4.0}) {
+    Modem modem;
+    hearSilence(modem);
+    CarrierLog log(modem);
+    for (int i = 0; i < 100; i++) {
+      modem.hardware.play(
+          AirLine().noise(2000 * Modem::BIT, longestPulse * Modem::BIT, random).silence(30 * Modem::BIT));
+    }
+    EXPECT_LT(log.share(), 0.01) << "pulses of up to " << longestPulse << " bits";
+  }
+}
+
+TEST(AskRadio, hearsACarrierInALineThatStaysHighAfterSilenceForAsLongAsAPacketMayLast) {
+  Modem modem;
+  hearSilence(modem);
+  CarrierLog log(modem);
+  modem.hardware.play(AirLine().silence(20 * Modem::BIT).hold(true, 20000 * Modem::BIT).silence(50 * Modem::BIT));
+  ASSERT_EQ(log.spans().size(), 1u);
+  EXPECT_NEAR(log.spans()[0].begin, 20 + 5, 0.1);
+  EXPECT_NEAR(log.spans()[0].end - log.spans()[0].begin, 12 + 12 * 80, 15);
 }

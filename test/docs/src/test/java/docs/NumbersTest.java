@@ -29,7 +29,8 @@ class NumbersTest {
     private static final int ATTEMPTS = firmware("MAX_ATTEMPTS");
     private static final int PATIENCE = firmware("PATIENCE_MILLIS");
     private static final int SLOT = firmware("SLOT_BITS");
-    private static final int SPAN = firmware("FIRST_MASK");
+    private static final int WINDOW = firmware("LEAST_WINDOW");
+    private static final int MOST_WINDOW = firmware("MOST_WINDOW");
     private static final int EXPIRY = firmware("EXPIRY_MILLIS") / 1000;
     private static final int AHEAD = firmware("MORE_PER_WRITE");
     private static final int FLOORS = firmware("JAVINO_FLOOR_SLOTS");
@@ -66,10 +67,11 @@ class NumbersTest {
                 says("SPEC.md", "waits for %d ms of quiet air", PATIENCE),
                 says("SPEC.md", "slots of %d bits", SLOT),
                 says("SPEC.md", "After %d quiet slots, a new message", firmware("LONG_QUIET")),
-                says("SPEC.md",
-                        "waits for %d quiet slots and a random number of further ones, of 0…%d, from the second "
-                                + "attempt on of 0…%d",
-                        firmware("FIRST_SLOTS"), SPAN, (SPAN + 1 << firmware("LAST_DOUBLING")) - 1),
+                says("SPEC.md", "waits for %d quiet slots and a random number", firmware("FIRST_SLOTS")),
+                says("SPEC.md", "The window is %d slots at first", WINDOW),
+                says("SPEC.md", "with fewer than %d its window grows", firmware("FEW_IDLE_SLOTS")),
+                says("SPEC.md", "up to %d slots", MOST_WINDOW),
+                says("DESIGN.md", "| window | %d…%d slots", WINDOW, MOST_WINDOW),
                 says("DESIGN.md", "Three digits cost 4 of the %d bytes of a packet", SEALED),
                 says("DESIGN.md", "**%d bytes of nonce instead of", NONCE),
                 says("DESIGN.md", "**A tag of %d bytes.**", TAG),

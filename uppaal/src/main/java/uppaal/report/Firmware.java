@@ -23,7 +23,7 @@ record Firmware(Path folder) {
      * @param unit slots a unit of time
      */
     Map<String, Integer> constants(int unit) {
-        int span = number("delivery/Backoff.cpp", "FIRST_MASK = (\\d+);") + 1;
+        int span = number("delivery/Backoff.cpp", "LEAST_WINDOW = (\\d+);");
         int doublings = number("delivery/Backoff.cpp", "LAST_DOUBLING = (\\d+);");
         int slotBits = number("radio/AskRadio.cpp", "SLOT_BITS = (\\d+);");
         int patience = number("delivery/Courier.cpp", "PATIENCE_MILLIS = (\\d+);") * BIT_RATE / (1000 * slotBits);

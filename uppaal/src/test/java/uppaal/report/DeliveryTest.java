@@ -87,11 +87,11 @@ class DeliveryTest {
         for (String file : List.of("delivery/Courier.cpp", "delivery/Backoff.cpp", "radio/AskRadio.cpp", "Config.h")) {
             Files.createDirectories(folder.resolve(file).getParent());
             Files.writeString(folder.resolve(file), Files.readString(FIRMWARE.resolve(file))
-                    .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 1", "LAST_DOUBLING = 2"));
+                    .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 3", "LAST_DOUBLING = 2"));
         }
         Document document = Scene.ALL.get(0).document(MODELS);
         assertEquals(List.of("delivery.xml: ATTEMPTS is 8, by the firmware's sources it must be 9",
-                "delivery.xml: LAST_SPAN is 4, by the firmware's sources it must be 8"),
+                "delivery.xml: LAST_SPAN is 16, by the firmware's sources it must be 8"),
                 Scene.differences(document, new Firmware(folder)));
         assertEquals(List.of(), Scene.differences(document, new Firmware(FIRMWARE)));
     }
