@@ -74,6 +74,12 @@
 #define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
 #endif
 
+/// Whether more than one wrong symbol of a packet is mended, and wrong bits of an expected acknowledgement are borne, 0 or 1
+/// (SPEC 6, 7.3). 15 bytes of RAM.
+#ifndef JAVINO_MENDING
+#define JAVINO_MENDING JAVINO_BY_CHIP(1, 0)
+#endif
+
 /// Packets of which a copy is kept, damaged ones to be combined with the next copy, and right ones to know a damaged repeat,
 /// 0…16. 149 bytes of RAM each, 123 without parity.
 #ifndef JAVINO_DAMAGED_COPIES
@@ -151,6 +157,7 @@ static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
 static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
+static const bool MENDING = JAVINO_MENDING;
 static const uint8_t DAMAGED_COPIES = JAVINO_DAMAGED_COPIES;
 static const uint8_t ACKNOWLEDGEMENTS = JAVINO_ACKNOWLEDGEMENTS;
 static const uint8_t BROADCAST_ORIGINS = JAVINO_BROADCAST_ORIGINS;
@@ -178,6 +185,9 @@ static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 13 && JAVINO_TRANSMI
 static_assert(JAVINO_PARTNERS >= 1 && JAVINO_PARTNERS <= 8, "JAVINO_PARTNERS must be 1…8");
 static_assert(JAVINO_REASSEMBLIES >= 0 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 0…8");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
+static_assert(JAVINO_MENDING == 0 || JAVINO_MENDING == 1, "JAVINO_MENDING must be 0 or 1");
+static_assert(JAVINO_MENDING == 1 || (JAVINO_PARITY == 0 && JAVINO_DAMAGED_COPIES == 0),
+              "JAVINO_PARITY and JAVINO_DAMAGED_COPIES need JAVINO_MENDING");
 static_assert(JAVINO_DAMAGED_COPIES >= 0 && JAVINO_DAMAGED_COPIES <= 16, "JAVINO_DAMAGED_COPIES must be 0…16");
 static_assert(JAVINO_ACKNOWLEDGEMENTS >= 2 && JAVINO_ACKNOWLEDGEMENTS <= 16, "JAVINO_ACKNOWLEDGEMENTS must be 2…16");
 static_assert(JAVINO_MULTICAST_SENDS >= 1 && JAVINO_MULTICAST_SENDS <= 4, "JAVINO_MULTICAST_SENDS must be 1…4");

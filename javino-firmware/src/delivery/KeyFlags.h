@@ -7,13 +7,13 @@
 
 namespace javino {
 
-/// One bit for each place of a key.
+/// One bit for each place of a key, about parity: without JAVINO_PARITY each is false.
 class KeyFlags {
  public:
-  bool has(uint8_t slot) const { return slot != KeyStore::NO_SLOT && (bytes_[slot / 8] & bitOf(slot)) != 0; }
+  bool has(uint8_t slot) const { return config::PARITY && slot != KeyStore::NO_SLOT && (bytes_[slot / 8] & bitOf(slot)) != 0; }
 
   void set(uint8_t slot, bool on) {
-    if (slot == KeyStore::NO_SLOT) return;
+    if (!config::PARITY || slot == KeyStore::NO_SLOT) return;
     uint8_t &byte = bytes_[slot / 8];
     byte = static_cast<uint8_t>(on ? byte | bitOf(slot) : byte & ~bitOf(slot));
   }
@@ -21,7 +21,7 @@ class KeyFlags {
  private:
   static uint8_t bitOf(uint8_t slot) { return static_cast<uint8_t>(1 << (slot & 7)); }
 
-  uint8_t bytes_[(KeyStore::SLOTS + 7) / 8] JAVINO_ZEROED;
+  uint8_t bytes_[config::PARITY ? (KeyStore::SLOTS + 7) / 8 : 1] JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -9,23 +9,23 @@ void Receiver::run() {
   const Mender *const mender = medium_.mender();
   uint8_t length;
   while (uint8_t *packet = medium_.receive(length)) {
-    isDoubtful_ = mender && mender->isDoubtful();
+    isDoubtful_ = config::MENDING && mender && mender->isDoubtful();
     acknowledger_.heard(KeyStore::NO_SLOT);
     accept(packet, length);
-    if (mender && mender->hasMended() && mender->hasParity()) acknowledger_.askForParity();
+    if (config::PARITY && mender && mender->hasMended() && mender->hasParity()) acknowledger_.askForParity();
     medium_.release();
   }
   if (mender && mender->lost()) {
-    courier_.acknowledged(*mender->lost());
+    if (config::MENDING) courier_.acknowledged(*mender->lost());
     medium_.release();
   }
   // The mark of an intact packet comes when that has been handled.
-  if (mender && mender->isMarked()) acknowledger_.askForParity();
+  if (config::PARITY && mender && mender->isMarked()) acknowledger_.askForParity();
   pieces_.run();
 }
 
 void Receiver::keep() {
-  Mender *const mender = medium_.mender();
+  Mender *const mender = config::DAMAGED_COPIES != 0 ? medium_.mender() : nullptr;
   if (mender) mender->keep();
 }
 

@@ -7,7 +7,7 @@
 namespace javino {
 
 const uint8_t Mender::NONE;
-const uint8_t Mender::MOST_NIBBLES;
+const uint8_t Mender::MOST_UNDECIDED;
 
 namespace {
 
@@ -68,7 +68,8 @@ Mender::Progress Mender::look(RadioPacket &packet) {
     packet.makeBytes(packet.count());
     return WHOLE;
   }
-  if (packet.open) return PENDING;
+  if (config::PARITY && packet.open) return PENDING;
+  if (!config::MENDING && packet.count() == RadioPacket::NO_COUNT) return LOST;
   mended_ = true;
   doubtful_ = true;
   next_ = 0;
@@ -194,7 +195,7 @@ void Mender::decide(const RadioPacket &packet, uint8_t count) {
     byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), i));
     if (!isOne(nibbles) && choices_ != 0) {
       const uint16_t choices = static_cast<uint16_t>(choices_ * countOf(nibbles));
-      choices_ = choices > MOST_CHOICES ? 0 : static_cast<uint8_t>(choices);
+      choices_ = choices > MOST_CHOICES || undecided_ == MOST_UNDECIDED ? 0 : static_cast<uint8_t>(choices);
       distance_ = distance;
       if (choices_ != 0) {
         places_[undecided_] = i;
@@ -208,8 +209,11 @@ void Mender::decide(const RadioPacket &packet, uint8_t count) {
   crc_ = crc.value();
 }
 
+#if JAVINO_MENDING
+
 // Finds the one choice with which the CRC is right.
 bool Mender::tryChoices(uint8_t count) {
+  static const uint8_t MOST_NIBBLES = 20;  // of all undecided symbols together: 16 + 4, if their product is at most 64
   uint16_t changes[MOST_NIBBLES];       // of the CRC, for each nibble of each undecided symbol
   uint8_t ends[MOST_UNDECIDED];         // behind the last one of each symbol
   uint8_t at[MOST_UNDECIDED];           // the one that is tried
@@ -247,6 +251,25 @@ bool Mender::tryChoices(uint8_t count) {
   }
   return true;
 }
+
+#else
+
+// The same of one symbol, in a quarter of the flash.
+bool Mender::tryChoices(uint8_t count) {
+  if (undecided_ == 0) return crc_ == RadioPacket::CRC_OF_INTACT;
+  const uint8_t first = firstOf(nibbles_[0]);
+  uint16_t right = 0;
+  for (uint8_t nibble = first; nibble < 16; nibble++) {
+    if ((nibbles_[0] & bitOf(nibble)) == 0) continue;
+    const uint16_t change = Crc16::changeOf(placed(static_cast<uint8_t>(first ^ nibble), places_[0]),
+                                            static_cast<uint8_t>(count - 1 - places_[0] / 2));
+    if ((crc_ ^ change) == RadioPacket::CRC_OF_INTACT) right |= bitOf(nibble);
+  }
+  nibbles_[0] = right;
+  return right != 0 && isOne(right);
+}
+
+#endif
 
 // Puts the bytes in the place of their symbols, as RadioPacket::makeBytes() does.
 void Mender::makeBytes(RadioPacket &packet, uint8_t count) {

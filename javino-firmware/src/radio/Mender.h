@@ -60,8 +60,7 @@ class Mender {
  private:
   static const uint8_t NONE = 0xFF;
   static const uint8_t MOST_CHOICES = 64;  // of symbols that are tried
-  static const uint8_t MOST_UNDECIDED = 6;
-  static const uint8_t MOST_NIBBLES = 20;  // of all undecided symbols together: 16 + 4, if their product is at most 64
+  static const uint8_t MOST_UNDECIDED = config::MENDING ? 6 : 1;
 
   enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, CORRECTING };
 

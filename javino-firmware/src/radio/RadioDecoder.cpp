@@ -100,8 +100,7 @@ void RadioDecoder::addSymbol(uint8_t symbol) {
   switch (phase_) {
     case COUNT: startBody(); break;
     case BODY: endBody(); break;
-    case TRAILER: readTrailer(); break;
-    default: close(); hunt();
+    default: addToTrailer();
   }
 }
 
@@ -155,7 +154,13 @@ void RadioDecoder::endBody() {
   noise_ = LEAST_NOISE;
 }
 
-void RadioDecoder::readTrailer() {
+void RadioDecoder::addToTrailer() {
+  if (!config::PARITY) return;
+  if (phase_ == PARITY) {
+    close();
+    hunt();
+    return;
+  }
   trailer_ = linecode::trailerOf(bits_);
   if (trailer_ != Trailer::PARITY) {
     close();
@@ -170,7 +175,7 @@ void RadioDecoder::readTrailer() {
 
 // Nothing more comes for the packet that was queued.
 void RadioDecoder::close() {
-  if (phase_ != TRAILER && phase_ != PARITY) return;
+  if (!config::PARITY || (phase_ != TRAILER && phase_ != PARITY)) return;
   if (byteBits_ != 0) *next_ = static_cast<uint8_t>(byte_ >> (8 - byteBits_));
   packet_->symbols = symbols_;
   packet_->open = false;

@@ -59,7 +59,7 @@ class RadioDecoder {
   void addSymbol(uint8_t symbol);
   void startBody();
   void endBody();
-  void readTrailer();
+  void addToTrailer();
   void refuse();
   void close();
   void hunt() { phase_ = HUNTING; }

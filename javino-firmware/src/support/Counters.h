@@ -45,9 +45,10 @@ enum class Counter : uint8_t {
   END  ///< one more than the last
 };
 
-/// Adds one; the counter stops at 4294967295.
-inline void countUp(uint32_t &counter) {
-  if (counter != UINT32_MAX) counter++;
+/// Adds one; the counter stops at the greatest number that it can hold.
+template <typename Count>
+inline void countUp(Count &counter) {
+  if (static_cast<Count>(~counter) != 0) counter++;
 }
 
 /// What was done, damaged and dropped since the boot; nothing is dropped without a count. Where Config.h leaves statistics
@@ -69,7 +70,7 @@ class Counters {
   }
 
   /// @param counter none of the radio's
-  void set(Counter counter, uint32_t value) { values_[indexOf(counter)] = value; }
+  void set(Counter counter, uint32_t value) { values_[indexOf(counter)] = static_cast<Value>(value); }
 
   /// @param counter none of the radio's
   uint32_t value(Counter counter) const { return values_[indexOf(counter)]; }
@@ -86,7 +87,10 @@ class Counters {
     return index;
   }
 
-  uint32_t values_[config::STATISTICS ? COUNT - RADIOS : 1] JAVINO_ZEROED;
+  // 50 bytes of an Uno's RAM less.
+  typedef JAVINO_BY_CHIP(uint32_t, uint16_t) Value;
+
+  Value values_[config::STATISTICS ? COUNT - RADIOS : 1] JAVINO_ZEROED;
 };
 
 }  // namespace javino
