@@ -25,8 +25,9 @@ void Receiver::run() {
 }
 
 void Receiver::keep() {
-  Mender *const mender = config::DAMAGED_COPIES != 0 ? medium_.mender() : nullptr;
-  if (mender) mender->keep();
+#if JAVINO_DAMAGED_COPIES
+  if (medium_.mender()) medium_.mender()->keep();
+#endif
 }
 
 void Receiver::open(bool open) {

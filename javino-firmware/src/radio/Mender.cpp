@@ -15,6 +15,10 @@ namespace {
 // nonce, content and tag take, which is a sixth of the shortest.
 const uint8_t LIKE_PART = 8;
 
+// Of 24 bits. Two copies differ in one or two.
+const uint8_t MOST_OF_CRC = 5;
+const uint8_t CRC_SYMBOLS = 4;
+
 // Shorter ones are acknowledgements, which their sender knows beforehand.
 const uint8_t LEAST_KEPT = 30;
 
@@ -97,22 +101,27 @@ Mender::Progress Mender::compare(RadioPacket &packet) {
   return PENDING;
 }
 
+// A piece that asks and the same one that does not differ in one digit, and in the CRC: they are two packets.
 bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) {
   if (copy.symbols == 0) return false;
   const uint8_t count = packet.count();
   const uint8_t other = copy.count();
   if (count != RadioPacket::NO_COUNT && other != RadioPacket::NO_COUNT && count != other) return false;
-  uint8_t symbols = copy.symbols < packet.symbols ? copy.symbols : packet.symbols;
   const uint8_t known = count != RadioPacket::NO_COUNT ? count : other;
+  uint8_t symbols = copy.symbols < packet.symbols ? copy.symbols : packet.symbols;
   if (known != RadioPacket::NO_COUNT) {
     if (2 * known > symbols) return false;
     symbols = static_cast<uint8_t>(2 * known);
   }
   uint8_t left = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_PART / 2));
+  uint8_t leftOfCrc = MOST_OF_CRC;
   for (uint8_t i = 0; i < symbols; i++) {
     const uint8_t differ = linecode::onesOf(packet.symbol(i) ^ copy.symbol(i));
     if (differ > left) return false;
     left = static_cast<uint8_t>(left - differ);
+    if (known == RadioPacket::NO_COUNT || i + CRC_SYMBOLS < symbols) continue;
+    if (differ > leftOfCrc) return false;
+    leftOfCrc = static_cast<uint8_t>(leftOfCrc - differ);
   }
   return true;
 }

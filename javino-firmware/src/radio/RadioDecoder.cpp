@@ -8,7 +8,6 @@ namespace javino {
 namespace {
 
 const uint8_t MOST_START_ERRORS = 3;
-const uint8_t NO_START = 0xFF;
 
 // Two of three symbols of noise are impossible, and the training and start behind it are six possible ones.
 const int8_t NOISE = 8;

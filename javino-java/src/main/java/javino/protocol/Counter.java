@@ -65,7 +65,13 @@ public enum Counter {
     /** Frames other than acknowledgements that came while the radio was blocked. */
     RADIO_BLOCKED("radioBlocked"),
     /** Acknowledgements that were not sent because too many waited; their senders ask again. */
-    RADIO_ANSWERS_DROPPED("radioAnswersDropped");
+    RADIO_ANSWERS_DROPPED("radioAnswersDropped"),
+
+    /** Broadcasts, plain or in pieces, that were dropped since what mended them left a doubt. */
+    RADIO_DOUBTFUL("radioDoubtful"),
+
+    /** Acknowledgements that were taken though some bits of their proof were wrong. */
+    RADIO_ANSWERS_BORNE("radioAnswersBorne");
 
     private static final Counter[] VALUES = values();
 

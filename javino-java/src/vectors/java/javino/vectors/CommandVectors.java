@@ -18,7 +18,7 @@ final class CommandVectors {
             "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed", "radioReplayFull",
             "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
-            "radioMended", "radioBlocked", "radioAnswersDropped");
+            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne");
 
     private CommandVectors() {
     }
