@@ -123,9 +123,9 @@ void hearPacket() {
   static AskRadio radio;
   static uint8_t levels[126];  // one bit each: 84 + 12 * 77
   radio.begin();
-  uint8_t packet[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD];
+  uint8_t packet[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH];
   RadioEncoder encoder;
-  encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length), packet);
+  encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length), Trailer::NONE, packet);
   uint16_t bits = 0;
   for (; encoder.hasNext(); bits++) {
     const uint8_t mask = static_cast<uint8_t>(1 << bits % 8);
@@ -147,20 +147,28 @@ void hearPacket() {
   mailbox.length = length;
 }
 
+// A packet of which the first symbol of the CRC has a wrong bit.
 void mendPacket() {
-  RadioPacket packet;
-  const uint8_t crcAt = static_cast<uint8_t>(1 + mailbox.length);
-  packet.bytes[0] = static_cast<uint8_t>(mailbox.length + linecode::PACKET_OVERHEAD);
-  memcpy(packet.bytes + 1, mailbox.bytes, mailbox.length);
-  Crc16 crc;
-  crc.add(packet.bytes, crcAt);
-  packet.bytes[crcAt] = static_cast<uint8_t>(crc.value());
-  packet.bytes[crcAt + 1] = static_cast<uint8_t>(crc.value() >> 8);
-  packet.wrongNibble = static_cast<uint8_t>(2 * crcAt);
-  packet.wrongSymbol = linecode::symbolOf(packet.bytes[crcAt] >> 4) ^ 1;
-  bool mended = false;
-  measure([&] { mended = packet.mend(); });
-  mailbox.length = mended;
+  static RadioPacket packet;
+  static Mender mender;
+  uint8_t room[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH];
+  RadioEncoder encoder;
+  encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length), Trailer::NONE, room);
+  for (uint8_t skip = 8 * linecode::BITS_PER_SYMBOL; skip != 0; skip--) encoder.next();
+  memset(packet.room, 0, sizeof packet.room);
+  packet.areBytes = false;
+  const uint16_t wrong = static_cast<uint16_t>(12 * (1 + mailbox.length));
+  uint16_t bits = 0;
+  for (; encoder.hasNext(); bits++) {
+    if (encoder.next() != (bits == wrong)) packet.room[bits / 8] |= static_cast<uint8_t>(1 << bits % 8);
+  }
+  packet.symbols = static_cast<uint8_t>(bits / linecode::BITS_PER_SYMBOL);
+  Mender::Progress progress = Mender::PENDING;
+  mender.begin();
+  measure([&] {
+    while (progress == Mender::PENDING) progress = mender.step(packet);
+  });
+  mailbox.length = progress == Mender::WHOLE;
 }
 
 void addParity() {

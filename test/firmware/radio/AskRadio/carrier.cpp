@@ -296,5 +296,5 @@ TEST(AskRadio, hearsACarrierInALineThatStaysHighAfterSilenceForAsLongAsAPacketMa
   modem.hardware.play(AirLine().silence(20 * Modem::BIT).hold(true, 20000 * Modem::BIT).silence(50 * Modem::BIT));
   ASSERT_EQ(log.spans().size(), 1u);
   EXPECT_NEAR(log.spans()[0].begin, 20 + 5, 0.1);
-  EXPECT_NEAR(log.spans()[0].end - log.spans()[0].begin, 12 + 12 * 80, 15);
+  EXPECT_NEAR(log.spans()[0].end - log.spans()[0].begin, 12 + 12 * 97, 15);
 }

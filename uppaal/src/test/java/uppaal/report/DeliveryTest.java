@@ -78,7 +78,7 @@ class DeliveryTest {
     void bound_oneUnitLess_isExceeded() {
         Scene scene =
                 Scene.ALL.stream().filter(candidate -> candidate.name().equals("bound")).findFirst().orElseThrow();
-        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 122));
+        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 192));
         assertFalse(Exploration.of(network, Check.properties(network, scene.queries(MODELS))).holds(0));
     }
 
