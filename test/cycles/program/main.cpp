@@ -118,9 +118,15 @@ void addToCrc() {
   mailbox.bytes[1] = static_cast<uint8_t>(crc.value() >> 8);
 }
 
+// The only one: two with their kept packets would not fit.
+AskRadio &modem() {
+  static AskRadio radio;
+  return radio;
+}
+
 // All interrupts that a packet makes: an edge each where the line changes, and the alarms at its end.
 void hearPacket() {
-  static AskRadio radio;
+  AskRadio &radio = modem();
   static uint8_t levels[126];  // one bit each: 84 + 12 * 77
   radio.begin();
   uint8_t packet[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH];
@@ -149,8 +155,8 @@ void hearPacket() {
 
 // A packet of which the first symbol of the CRC has a wrong bit.
 void mendPacket() {
-  static RadioPacket packet;
-  static Mender mender;
+  RadioPacket packet = RadioPacket();
+  Mender &mender = *modem().mender();
   uint8_t room[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH];
   RadioEncoder encoder;
   encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length), Trailer::NONE, room);
