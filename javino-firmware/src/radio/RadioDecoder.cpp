@@ -40,6 +40,7 @@ void RadioDecoder::add(bool bit) {
 
 // Looks for a start in the last 36 bits. One that counts begins a packet.
 bool RadioDecoder::isStart() {
+  if (phase_ >= BODY && startErrors_ == 0 && noise_ <= 0) return false;  // none would count
   uint8_t wrong = wrongBits(bits_ ^ linecode::START);
   if (wrong > MOST_START_ERRORS) return false;
   const uint32_t training = before_ ^ linecode::TRAINING;
