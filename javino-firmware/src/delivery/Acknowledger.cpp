@@ -73,7 +73,8 @@ uint8_t Acknowledger::build(const Entry &entry, uint8_t *frame) const {
   const uint16_t bits = static_cast<uint16_t>((entry.nonce[4] << 8 | entry.nonce[5]) & 0xFFF);
   Frame::writeHeader(frame, Address::acknowledgement(bits), state_.id.address(), messageLength);
   writeBody(entry, body);
-  const Proof::Claim claim = {entry.type, entry.nonce, entry.sender, state_.id.address(), body, asking_.has(entry.slot)};
+  const Proof::Claim claim = {entry.type,          entry.nonce, entry.sender,
+                              state_.id.address(), body,        asking_.has(entry.slot)};
   Proof(keys).make(claim, body + bodyLength);
   return static_cast<uint8_t>(HEADER_LENGTH + messageLength);
 }

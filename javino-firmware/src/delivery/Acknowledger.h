@@ -20,7 +20,8 @@ namespace javino {
 /// A few wait at a time; when more come the oldest is dropped, as its sender will ask again.
 class Acknowledger {
  public:
-  Acknowledger(MediumAccess &medium, BoardState &state) : medium_(medium), state_(state), slots_(FRESH_SLOTS), heard_(KeyStore::NO_SLOT) {}
+  Acknowledger(MediumAccess &medium, BoardState &state)
+      : medium_(medium), state_(state), slots_(FRESH_SLOTS), heard_(KeyStore::NO_SLOT) {}
 
   /// The host has a message.
   /// @param slot the place of the key of the frame that is answered

@@ -188,9 +188,11 @@ void Courier::send() {
   const Trailer trailer = this->trailer();
   uint8_t piece[MAX_RADIO_PAYLOAD];
   const uint8_t digit = static_cast<uint8_t>(wantsAnswer ? index | pieces::WANTS_ANSWER : index);
-  const bool taken = message.count == 1 ? medium_.send(record.bytes, static_cast<uint8_t>(record.length), trailer)
-                                        : medium_.send(piece, pieces::cut(record.bytes, record.length, message.id,
-                                                                          digit, medium_.pieceLength(), piece),
+  const bool taken =
+      message.count == 1
+          ? medium_.send(record.bytes, static_cast<uint8_t>(record.length), trailer)
+          : medium_.send(piece,
+                         pieces::cut(record.bytes, record.length, message.id, digit, medium_.pieceLength(), piece),
                          trailer);
   if (!taken) return;
   message.trailed = message.trailed || trailer != Trailer::NONE;
@@ -283,7 +285,11 @@ bool Courier::accept(const Frame &acknowledgement) {
   Proof::Claim claim = {bodyLength == 0   ? Proof::DELIVERED
                         : bodyLength == 1 ? Proof::PIECES
                                           : Proof::STALE,
-                        current().nonce, current().sender, acknowledgement.origin, acknowledgement.message, false};
+                        current().nonce,
+                        current().sender,
+                        acknowledgement.origin,
+                        acknowledgement.message,
+                        false};
   if (acknowledgement.length < PROOF_LENGTH || bodyLength != Proof::bodyLength(claim.type)) return false;
   while (!isProved(claim, acknowledgement.message + bodyLength)) {
     if (claim.asksParity || !current().trailed) return false;

@@ -10,7 +10,9 @@ namespace javino {
 /// One bit for each place of a key, about parity: without JAVINO_PARITY each is false.
 class KeyFlags {
  public:
-  bool has(uint8_t slot) const { return config::PARITY && slot != KeyStore::NO_SLOT && (bytes_[slot / 8] & bitOf(slot)) != 0; }
+  bool has(uint8_t slot) const {
+    return config::PARITY && slot != KeyStore::NO_SLOT && (bytes_[slot / 8] & bitOf(slot)) != 0;
+  }
 
   void set(uint8_t slot, bool on) {
     if (!config::PARITY || slot == KeyStore::NO_SLOT) return;

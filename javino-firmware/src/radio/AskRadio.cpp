@@ -82,11 +82,7 @@ uint8_t *AskRadio::receive(uint8_t &length) {
   if (mender_.lost()) release();
   RadioPacket *packet = decoder_.queue().oldest();
   if (!packet) return nullptr;
-  switch (mender_.step(*packet)) {
-    case Mender::PENDING: return nullptr;
-    case Mender::LOST: return nullptr;
-    case Mender::WHOLE: break;
-  }
+  if (mender_.step(*packet) != Mender::WHOLE) return nullptr;
   length = packet->payloadLength();
   return packet->payload();
 }

@@ -76,7 +76,7 @@ namespace {
 bool isWord(uint16_t bits, uint8_t word) {
   const uint16_t wrong = static_cast<uint16_t>(
       bits ^ (trailerSymbolOf(static_cast<uint8_t>(word >> 4)) | trailerSymbolOf(word) << BITS_PER_SYMBOL));
-  return onesOf(static_cast<uint8_t>(wrong)) + onesOf(static_cast<uint8_t>(wrong >> 8)) <= 2;
+  return onesOfWord(wrong) <= 2;
 }
 
 }  // namespace

@@ -56,6 +56,17 @@ uint8_t trailerNibbleOf(uint8_t symbol);
 /// @return how many bits of a byte are ones.
 uint8_t onesOf(uint8_t byte);
 
+/// @return how many of 16 bits are ones.
+inline uint8_t onesOfWord(uint16_t word) {
+  return static_cast<uint8_t>(onesOf(static_cast<uint8_t>(word)) + onesOf(static_cast<uint8_t>(word >> 8)));
+}
+
+/// A nibble of some bytes, high nibbles first, as they travel.
+inline uint8_t nibbleIn(const uint8_t *bytes, uint8_t index) {
+  const uint8_t byte = bytes[index / 2];
+  return index % 2 == 0 ? static_cast<uint8_t>(byte >> 4) : static_cast<uint8_t>(byte & 0x0F);
+}
+
 /// The nibbles whose symbols differ in the fewest bits from two that came in their place, both together.
 /// @param inTrailer whether they are of the trailers' alphabet
 /// @param distance set to the number of these bits, 0…6

@@ -32,15 +32,8 @@ uint8_t firstOf(uint16_t nibbles) {
 
 bool isOne(uint16_t nibbles) { return (nibbles & (nibbles - 1)) == 0; }
 
-uint8_t countOf(uint16_t nibbles) {
-  return static_cast<uint8_t>(linecode::onesOf(static_cast<uint8_t>(nibbles)) +
-                              linecode::onesOf(static_cast<uint8_t>(nibbles >> 8)));
-}
-
 // A nibble where it lies in a byte.
-uint8_t placed(uint8_t nibble, uint8_t index) {
-  return index % 2 == 0 ? static_cast<uint8_t>(nibble << 4) : nibble;
-}
+uint8_t placed(uint8_t nibble, uint8_t index) { return index % 2 == 0 ? static_cast<uint8_t>(nibble << 4) : nibble; }
 
 }  // namespace
 
@@ -203,7 +196,7 @@ void Mender::decide(const RadioPacket &packet, uint8_t count) {
     const uint16_t nibbles = nibblesAt(packet, i, count, distance);
     byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), i));
     if (!isOne(nibbles) && choices_ != 0) {
-      const uint16_t choices = static_cast<uint16_t>(choices_ * countOf(nibbles));
+      const uint16_t choices = static_cast<uint16_t>(choices_ * linecode::onesOfWord(nibbles));
       choices_ = choices > MOST_CHOICES || undecided_ == MOST_UNDECIDED ? 0 : static_cast<uint8_t>(choices);
       distance_ = distance;
       if (choices_ != 0) {
@@ -223,9 +216,9 @@ void Mender::decide(const RadioPacket &packet, uint8_t count) {
 // Finds the one choice with which the CRC is right.
 bool Mender::tryChoices(uint8_t count) {
   static const uint8_t MOST_NIBBLES = 20;  // of all undecided symbols together: 16 + 4, if their product is at most 64
-  uint16_t changes[MOST_NIBBLES];       // of the CRC, for each nibble of each undecided symbol
-  uint8_t ends[MOST_UNDECIDED];         // behind the last one of each symbol
-  uint8_t at[MOST_UNDECIDED];           // the one that is tried
+  uint16_t changes[MOST_NIBBLES];          // of the CRC, for each nibble of each undecided symbol
+  uint8_t ends[MOST_UNDECIDED];            // behind the last one of each symbol
+  uint8_t at[MOST_UNDECIDED];              // the one that is tried
   uint8_t right[MOST_UNDECIDED];
   uint8_t used = 0;
   for (uint8_t k = 0; k < undecided_; k++) {

@@ -90,14 +90,14 @@ class Mender {
   bool marked_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;
-  uint8_t next_ JAVINO_ZEROED;    // copy to compare, or count to try
-  uint8_t like_;                  // the copy that is like the packet
-  uint8_t oldest_ JAVINO_ZEROED;  // copy
-  uint8_t distance_ JAVINO_ZEROED;  // of the last undecided symbol from the nearest ones
-  uint8_t choices_ JAVINO_ZEROED;   // of the undecided symbols' nibbles, 1…64; 0 for more
-  uint8_t undecided_ JAVINO_ZEROED;  // symbols
-  uint16_t crc_ JAVINO_ZEROED;       // of what was decided, with the first nibble of each undecided symbol
-  uint8_t places_[MOST_UNDECIDED];   // of the undecided symbols
+  uint8_t next_ JAVINO_ZEROED;        // copy to compare, or count to try
+  uint8_t like_;                      // the copy that is like the packet
+  uint8_t oldest_ JAVINO_ZEROED;      // copy
+  uint8_t distance_ JAVINO_ZEROED;    // of the last undecided symbol from the nearest ones
+  uint8_t choices_ JAVINO_ZEROED;     // of the undecided symbols' nibbles, 1…64; 0 for more
+  uint8_t undecided_ JAVINO_ZEROED;   // symbols
+  uint16_t crc_ JAVINO_ZEROED;        // of what was decided, with the first nibble of each undecided symbol
+  uint8_t places_[MOST_UNDECIDED];    // of the undecided symbols
   uint16_t nibbles_[MOST_UNDECIDED];  // that they may be: bit k for nibble k; in the end one bit each
 #if JAVINO_PARITY
   reedsolomon::Decoder parity_;

@@ -16,11 +16,6 @@ const int8_t LEAST_NOISE = -16;
 
 const uint8_t COUNT_SYMBOLS = 2;
 
-uint8_t wrongBits(uint16_t difference) {
-  return static_cast<uint8_t>(linecode::onesOf(static_cast<uint8_t>(difference)) +
-                              linecode::onesOf(static_cast<uint8_t>(difference >> 8)));
-}
-
 }  // namespace
 
 RadioDecoder::RadioDecoder(uint16_t bitTicks) : carrier_(bitTicks) {}
@@ -41,12 +36,12 @@ void RadioDecoder::add(bool bit) {
 // Looks for a start in the last 36 bits. One that counts begins a packet.
 bool RadioDecoder::isStart() {
   if (phase_ >= BODY && startErrors_ == 0 && noise_ <= 0) return false;  // none would count
-  uint8_t wrong = wrongBits(bits_ ^ linecode::START);
+  uint8_t wrong = linecode::onesOfWord(bits_ ^ linecode::START);
   if (wrong > MOST_START_ERRORS) return false;
   const uint32_t training = before_ ^ linecode::TRAINING;
   // The newest twelve bits of training are those that no receiver has missed.
   const bool isExact = wrong == 0 && (training >> 12) == 0;
-  wrong = static_cast<uint8_t>(wrong + wrongBits(static_cast<uint16_t>(training)) +
+  wrong = static_cast<uint8_t>(wrong + linecode::onesOfWord(static_cast<uint16_t>(training)) +
                                linecode::onesOf(static_cast<uint8_t>(training >> 16)));
   if (isExact && wrong > MOST_START_ERRORS) wrong = MOST_START_ERRORS;
   if (wrong > MOST_START_ERRORS || !isBetterStart(wrong)) return false;

@@ -63,9 +63,7 @@ bool RadioEncoder::next() {
 uint8_t RadioEncoder::symbolAt(uint8_t index) const {
   if (index < linecode::PREAMBLE_SYMBOLS) return linecode::preambleSymbol(index);
   const uint8_t nibbleIndex = static_cast<uint8_t>(index - linecode::PREAMBLE_SYMBOLS);
-  const uint8_t byte = packet_[nibbleIndex / 2];
-  const bool highNibble = nibbleIndex % 2 == 0;
-  const uint8_t nibble = highNibble ? static_cast<uint8_t>(byte >> 4) : byte;
+  const uint8_t nibble = linecode::nibbleIn(packet_, nibbleIndex);
 #if JAVINO_PARITY
   if (nibbleIndex >= 2 * packet_[0]) return linecode::trailerSymbolOf(nibble);
 #endif

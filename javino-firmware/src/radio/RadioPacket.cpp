@@ -14,10 +14,7 @@ const uint8_t SYMBOL_MASK = 0x3F;
 }  // namespace
 
 uint8_t RadioPacket::symbol(uint8_t index) const {
-  if (areBytes) {
-    const uint8_t byte = room[index / 2];
-    return linecode::symbolOf(index % 2 == 0 ? static_cast<uint8_t>(byte >> 4) : byte);
-  }
+  if (areBytes) return linecode::symbolOf(linecode::nibbleIn(room, index));
   // Four symbols lie in three bytes.
   const uint8_t *at = room + index / 4 * 3;
   switch (index % 4) {
@@ -28,12 +25,16 @@ uint8_t RadioPacket::symbol(uint8_t index) const {
   }
 }
 
+uint16_t RadioPacket::byte(uint8_t index) const {
+  const uint8_t high = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index)));
+  const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index + 1)));
+  if (high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE) return NO_BYTE;
+  return static_cast<uint8_t>(high << 4 | low);
+}
+
 uint8_t RadioPacket::count() const {
-  const uint8_t high = linecode::nibbleOf(symbol(0));
-  const uint8_t low = linecode::nibbleOf(symbol(1));
-  if (high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE) return NO_COUNT;
-  const uint8_t count = static_cast<uint8_t>(high << 4 | low);
-  return count >= linecode::MIN_COUNT && count <= linecode::MAX_COUNT ? count : NO_COUNT;
+  const uint16_t count = byte(0);
+  return count >= linecode::MIN_COUNT && count <= linecode::MAX_COUNT ? static_cast<uint8_t>(count) : NO_COUNT;
 }
 
 bool RadioPacket::isIntact() const {
@@ -41,21 +42,17 @@ bool RadioPacket::isIntact() const {
   if (bytes == NO_COUNT || 2 * bytes > symbols) return false;
   Crc16 crc;
   for (uint8_t i = 0; i < bytes; i++) {
-    const uint8_t high = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i)));
-    const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i + 1)));
-    if (high == linecode::NO_NIBBLE || low == linecode::NO_NIBBLE) return false;
-    const uint8_t byte = static_cast<uint8_t>(high << 4 | low);
-    crc.add(&byte, 1);
+    const uint16_t next = byte(i);
+    if (next == NO_BYTE) return false;
+    const uint8_t known = static_cast<uint8_t>(next);
+    crc.add(&known, 1);
   }
   return crc.value() == CRC_OF_INTACT;
 }
 
 // Three bytes of symbols make two bytes: none is overwritten before it was read.
 void RadioPacket::makeBytes(uint8_t length) {
-  for (uint8_t i = 0; i < length; i++) {
-    const uint8_t high = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i)));
-    room[i] = static_cast<uint8_t>(high << 4 | linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i + 1))));
-  }
+  for (uint8_t i = 0; i < length; i++) room[i] = static_cast<uint8_t>(byte(i));
   areBytes = true;
 }
 
@@ -69,8 +66,7 @@ uint16_t RadioPacket::wrongBits(uint8_t first, const uint8_t *bytes, uint8_t len
   if (first + 2 * length > symbols) return UINT16_MAX;
   uint16_t wrong = 0;
   for (uint8_t i = 0; i < 2 * length; i++) {
-    const uint8_t byte = bytes[i / 2];
-    const uint8_t right = linecode::symbolOf(i % 2 == 0 ? static_cast<uint8_t>(byte >> 4) : byte);
+    const uint8_t right = linecode::symbolOf(linecode::nibbleIn(bytes, i));
     wrong = static_cast<uint16_t>(wrong + linecode::onesOf(symbol(static_cast<uint8_t>(first + i)) ^ right));
   }
   return wrong;

@@ -54,6 +54,12 @@ struct RadioPacket {
   /// By how many bits the symbols from `first` on differ from those of these bytes.
   /// @return 65535 where fewer have come
   uint16_t wrongBits(uint8_t first, const uint8_t *bytes, uint8_t length) const;
+
+ private:
+  static const uint16_t NO_BYTE = 0x100;
+
+  // The byte that two symbols stand for; NO_BYTE where one of them is not in the table.
+  uint16_t byte(uint8_t index) const;
 };
 
 }  // namespace javino

@@ -35,7 +35,9 @@ struct Case {
     keys.derive(vector.bytes("key").data());
   }
 
-  Proof::Claim claim() const { return {typeOf(frame), nonce.data(), sender, acknowledger, frame.data() + HEADER, false}; }
+  Proof::Claim claim() const {
+    return {typeOf(frame), nonce.data(), sender, acknowledger, frame.data() + HEADER, false};
+  }
   const uint8_t *proof() const { return frame.data() + frame.size() - Proof::LENGTH; }
   bool isRight() const { return Proof(keys).isRight(claim(), proof()); }
 

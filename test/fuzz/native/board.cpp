@@ -188,8 +188,12 @@ class Scene {
   static Bytes proof(uint8_t type, const Bytes &nonce, const Bytes &body) {
     javino::DerivedKeys keys;
     keys.derive(PAIR_KEY.data());
-    javino::Proof::Claim claim = {static_cast<javino::Proof::Type>(javino::Proof::DELIVERED + type), nonce.data(),
-                                  javino::Address(), javino::Address(), body.data(), false};
+    javino::Proof::Claim claim = {static_cast<javino::Proof::Type>(javino::Proof::DELIVERED + type),
+                                  nonce.data(),
+                                  javino::Address(),
+                                  javino::Address(),
+                                  body.data(),
+                                  false};
     javino::Address::parse(bytesOf("SUPO").data(), claim.sender);
     javino::Address::parse(bytesOf("ROMA").data(), claim.acknowledger);
     Bytes made(javino::PROOF_LENGTH);

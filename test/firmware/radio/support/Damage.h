@@ -76,10 +76,10 @@ struct Damage {
     while (!decoder_.isEmpty()) {
       if (decoder_.take() != javino::Mender::WHOLE) continue;
       const bool isDoubtful = decoder_.mender.isDoubtful();
-      unsigned &counter = isDoubtful                      ? doubtful
-                          : decoder_.payload != payload   ? wrong
+      unsigned &counter = isDoubtful                    ? doubtful
+                          : decoder_.payload != payload ? wrong
                           : decoder_.mender.hasMended() ? mended
-                                                          : intact;
+                                                        : intact;
       counter++;
     }
   }

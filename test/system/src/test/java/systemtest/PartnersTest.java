@@ -67,7 +67,8 @@ class PartnersTest {
             List<Integer> ends = emulator.trace().stream().filter(event -> event.is("host-outcome", "police"))
                     .map(event -> event.number("number")).toList();
             assertTrue(ends.indexOf(4) < ends.indexOf(0), () -> "the ends came in the order " + ends);
-            assertTrue(!ends.contains(2) || ends.indexOf(0) < ends.indexOf(2), () -> "the ends came in the order " + ends);
+            assertTrue(!ends.contains(2) || ends.indexOf(0) < ends.indexOf(2),
+                    () -> "the ends came in the order " + ends);
         }
     }
 }
