@@ -69,13 +69,13 @@
 #define JAVINO_BROADCAST_SENDS 1
 #endif
 
-/// Radio packets that wait or are being received, 2…8. 83 bytes of RAM each.
+/// Radio packets that wait or are being received, 2…8. 150 bytes of RAM each, 124 without parity.
 #ifndef JAVINO_RADIO_PACKETS
 #define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
 #endif
 
 /// Whether more than one wrong symbol of a packet is mended, and wrong bits of an expected acknowledgement are borne, 0 or 1
-/// (SPEC 6, 7.3). 15 bytes of RAM.
+/// (SPEC 6, 7.3). 30 bytes of RAM.
 #ifndef JAVINO_MENDING
 #define JAVINO_MENDING JAVINO_BY_CHIP(1, 0)
 #endif

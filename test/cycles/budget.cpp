@@ -56,10 +56,46 @@ double cyclesABitHeard() {
   return static_cast<double>(heard.cycles) / (84 + 12 * LONGEST_PAYLOAD);
 }
 
-double cyclesToMend() {
-  const Outcome mended = perform(Mailbox::MEND_PACKET, {}, {}, random(LONGEST_PAYLOAD));
-  if (mended.mailbox.length != 1) throw std::runtime_error("the packet was not mended");
-  return static_cast<double>(mended.cycles);
+struct Mending {
+  double longestStep = 0, erasing = 0, all = 0;
+  bool mended = false;
+
+  void add(double step) {
+    longestStep = std::max(longestStep, step);
+    all += step;
+  }
+
+  void keepLonger(const Mending &other) {
+    longestStep = std::max(longestStep, other.longestStep);
+    erasing = std::max(erasing, other.erasing);
+    all = std::max(all, other.all);
+  }
+};
+
+// Of the longest packet, each so many-th symbol of which is wrong, when so many copies of it have come.
+Mending mendPacket(uint8_t distance, uint8_t copies) {
+  const Bytes payload = RandomBytes(10u * distance + copies).bytes(LONGEST_PAYLOAD);
+  Mending mending;
+  for (uint8_t steps = 0;; steps++) {
+    const Outcome step = perform(Mailbox::MEND_PACKET, {}, {}, payload, {steps, distance, copies, 0, 0, 0});
+    mending.add(static_cast<double>(step.cycles));
+    mending.mended = step.mailbox.length == 1;
+    if (step.mailbox.length != 0) return mending;
+  }
+}
+
+// The most that any damage takes: a copy alone that has too much is given up; two together are mended.
+Mending longestMendingOfPacket() {
+  Mending longest;
+  for (uint8_t distance : {2, 3, 10, 40, 160}) {
+    for (uint8_t copies : {0, 1}) {
+      const Mending mending = mendPacket(distance, copies);
+      if (mending.mended != (distance >= 40 || (copies == 1 && distance > 2)))
+        throw std::runtime_error("the packet was not mended, or was by chance");
+      longest.keepLonger(mending);
+    }
+  }
+  return longest;
 }
 
 const size_t PARITY_LENGTH = 16;
@@ -69,11 +105,6 @@ Bytes parity() { return perform(Mailbox::ADD_PARITY, {}, {}, random(80)).bytes(P
 // So many bytes of the longest codeword that are erased, and so many more that are wrong.
 struct Damage {
   uint8_t erasures, errors;
-};
-
-struct Mending {
-  double longestStep = 0, erasing = 0, all = 0;
-  bool mended = false;
 };
 
 Mending mend(const Damage &damage) {
@@ -94,8 +125,7 @@ Mending mend(const Damage &damage) {
     mailbox = state.mailbox;
     mailbox.nonce[0] = steps;
     const double cycles = static_cast<double>(mega().perform(Mailbox::MEND_STEP, mailbox));
-    mending.longestStep = std::max(mending.longestStep, cycles);
-    mending.all += cycles;
+    mending.add(cycles);
     if (mailbox.length != 0) break;
   }
   mending.mended = std::equal(codeword.begin(), codeword.end(), mailbox.bytes);
@@ -110,9 +140,7 @@ Mending longestMending() {
     const Mending mending = mend(damage);
     if (mending.mended != (2 * damage.errors + damage.erasures <= 16))
       throw std::runtime_error("the codeword was not mended, or was by chance");
-    longest.longestStep = std::max(longest.longestStep, mending.longestStep);
-    longest.erasing = std::max(longest.erasing, mending.erasing);
-    longest.all = std::max(longest.all, mending.all);
+    longest.keepLonger(mending);
   }
   return longest;
 }
@@ -150,7 +178,9 @@ Figures measured() {
   figures["CRC-16, a byte"] = cyclesAByte(Mailbox::ADD_TO_CRC, random(500));
   figures["serial packet received, a byte"] = cyclesAByteHeard();
   figures["radio interrupts, a bit received"] = cyclesABitHeard();
-  figures["radio, mending the longest packet"] = cyclesToMend();
+  const Mending packet = longestMendingOfPacket();
+  figures["radio, the longest step of mending a packet"] = packet.longestStep;
+  figures["radio, all steps of mending a packet"] = packet.all;
   figures["parity of 80 bytes"] = cyclesOf(Mailbox::ADD_PARITY, random(80));
   const Mending mending = longestMending();
   figures["parity, 16 bytes erased"] = mending.erasing;

@@ -2,9 +2,22 @@
 
 #include <string.h>
 
-#include "../support/Crc16.h"
-
 namespace javino {
+
+namespace {
+
+// A nibble where it lies in a byte.
+uint8_t placed(uint8_t nibble, uint8_t index) { return index % 2 == 0 ? static_cast<uint8_t>(nibble << 4) : nibble; }
+
+}  // namespace
+
+Mender::Progress Mender::step(RadioPacket &packet) {
+  packet_ = &packet;
+  if (progress_ == PENDING) progress_ = work(packet);
+  return progress_;
+}
+
+#if JAVINO_MENDING
 
 const uint8_t Mender::NONE;
 const uint8_t Mender::MOST_UNDECIDED;
@@ -19,6 +32,9 @@ const uint8_t LIKE_PART = 8;
 const uint8_t MOST_OF_CRC = 5;
 const uint8_t CRC_SYMBOLS = 4;
 
+// Symbols that one step decides on, or writes: an even number. One takes 1600 cycles at most.
+const uint8_t STEP_SYMBOLS = 16;
+
 // Shorter ones are acknowledgements, which their sender knows beforehand.
 const uint8_t LEAST_KEPT = 30;
 
@@ -32,24 +48,14 @@ uint8_t firstOf(uint16_t nibbles) {
 
 bool isOne(uint16_t nibbles) { return (nibbles & (nibbles - 1)) == 0; }
 
-// A nibble where it lies in a byte.
-uint8_t placed(uint8_t nibble, uint8_t index) { return index % 2 == 0 ? static_cast<uint8_t>(nibble << 4) : nibble; }
-
 }  // namespace
-
-Mender::Progress Mender::step(RadioPacket &packet) {
-  if (progress_ != PENDING) return progress_;
-  packet_ = &packet;
-  progress_ = work(packet);
-  if (progress_ != PENDING) phase_ = Phase::LOOKING;
-  return progress_;
-}
 
 Mender::Progress Mender::work(RadioPacket &packet) {
   switch (phase_) {
     case Phase::LOOKING: return look(packet);
     case Phase::COMPARING: return compare(packet);
     case Phase::CHOOSING: return choose(packet);
+    case Phase::WRITING: return write(packet);
     case Phase::CORRECTING: return correct(packet);
   }
   return LOST;
@@ -66,7 +72,6 @@ Mender::Progress Mender::look(RadioPacket &packet) {
     return WHOLE;
   }
   if (config::PARITY && packet.open) return PENDING;
-  if (!config::MENDING && packet.count() == RadioPacket::NO_COUNT) return LOST;
   mended_ = true;
   doubtful_ = true;
   next_ = 0;
@@ -89,9 +94,7 @@ Mender::Progress Mender::compare(RadioPacket &packet) {
     packet.areBytes = true;
     return WHOLE;
   }
-  next_ = linecode::MIN_COUNT;
-  phase_ = Phase::CHOOSING;
-  return PENDING;
+  return choose(linecode::MIN_COUNT);
 }
 
 // A piece that asks and the same one that does not differ in one digit, and in the CRC: they are two packets.
@@ -123,11 +126,7 @@ const RadioPacket *Mender::copy() const { return like_ != NONE ? copies_ + like_
 
 #else
 
-Mender::Progress Mender::compare(RadioPacket &) {
-  next_ = linecode::MIN_COUNT;
-  phase_ = Phase::CHOOSING;
-  return PENDING;
-}
+Mender::Progress Mender::compare(RadioPacket &) { return choose(linecode::MIN_COUNT); }
 
 const RadioPacket *Mender::copy() const { return nullptr; }
 
@@ -141,28 +140,39 @@ bool Mender::mayHaveCount(const RadioPacket &packet, uint8_t count) const {
          linecode::onesOf(packet.symbol(1) ^ linecode::symbolOf(count)) <= 1;
 }
 
+// Goes on with the first possible count from this one on.
+Mender::Progress Mender::choose(uint8_t count) {
+  next_ = count;
+  at_ = 0;
+  crc_ = Crc16();
+  choices_ = 1;
+  undecided_ = 0;
+  phase_ = Phase::CHOOSING;
+  return PENDING;
+}
+
 Mender::Progress Mender::choose(RadioPacket &packet) {
-  for (; next_ <= linecode::MAX_COUNT && 2 * next_ <= packet.symbols; next_++) {
-    if (!mayHaveCount(packet, next_) || (copy() && !mayHaveCount(*copy(), next_))) continue;
-    decide(packet, next_);
-    const bool parity = findsParity(packet, next_);
-    if (choices_ != 0 && tryChoices(next_)) {
-      doubtful_ = copy() || undecided_ != 1 || distance_ != 2 || packet.count() == RadioPacket::NO_COUNT;
-      makeBytes(packet, next_);
-      hasParity_ = parity;
-      return WHOLE;
-    }
-    if (parity) {
-      isSaved_ = !copy();
-      if (isSaved_) save(packet);
-      beginParity(packet, next_);
-      phase_ = Phase::CORRECTING;
-      return PENDING;
-    }
+  while (!mayHaveCount(packet, next_) || (copy() && !mayHaveCount(*copy(), next_))) {
     next_++;
+    if (next_ > linecode::MAX_COUNT || 2 * next_ > packet.symbols) return lose(packet);
+  }
+  if (at_ < 2 * next_) {
+    decide(packet);
     return PENDING;
   }
-  return lose(packet);
+  hasParity_ = findsParity(packet);
+  if (choices_ != 0 && tryChoices()) {
+    doubtful_ = copy() || undecided_ != 1 || distance_ != 2 || packet.count() == RadioPacket::NO_COUNT;
+  } else if (hasParity_) {
+    isSaved_ = !copy();
+    if (isSaved_) save(packet);
+    beginParity(packet);
+  } else {
+    return choose(static_cast<uint8_t>(next_ + 1));
+  }
+  at_ = 0;
+  phase_ = Phase::WRITING;
+  return PENDING;
 }
 
 Mender::Progress Mender::lose(const RadioPacket &packet) {
@@ -180,41 +190,43 @@ uint16_t Mender::nearest(const RadioPacket &packet, uint8_t index, bool inTraile
   return linecode::nearestTo(one, two, inTrailer, distance);
 }
 
-uint16_t Mender::nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t count, uint8_t &distance) const {
+// Parity that was not sent may be any.
+uint16_t Mender::nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t &distance) const {
   distance = 0;
-  if (index < 2) return bitOf(index == 0 ? static_cast<uint8_t>(count >> 4) : static_cast<uint8_t>(count & 0x0F));
-  return nearest(packet, index, false, distance);
+  if (index < 2) return bitOf(index == 0 ? static_cast<uint8_t>(next_ >> 4) : static_cast<uint8_t>(next_ & 0x0F));
+  if (!config::PARITY || index < 2 * next_) return nearest(packet, index, false, distance);
+  if (index >= 2 * (next_ + linecode::parityLength(next_))) return ANY;
+  return nearest(packet, static_cast<uint8_t>(index + 2), true, distance);
 }
 
-void Mender::decide(const RadioPacket &packet, uint8_t count) {
-  Crc16 crc;
+uint8_t Mender::endOfStep() const {
+  return static_cast<uint8_t>(end_ - at_ < STEP_SYMBOLS ? end_ : at_ + STEP_SYMBOLS);
+}
+
+void Mender::decide(const RadioPacket &packet) {
   uint8_t byte = 0;
-  choices_ = 1;
-  undecided_ = 0;
-  for (uint8_t i = 0; i < 2 * count; i++) {
+  end_ = static_cast<uint8_t>(2 * next_);
+  for (const uint8_t end = endOfStep(); at_ < end; at_++) {
     uint8_t distance;
-    const uint16_t nibbles = nibblesAt(packet, i, count, distance);
-    byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), i));
+    const uint16_t nibbles = nibblesAt(packet, at_, distance);
+    byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), at_));
     if (!isOne(nibbles) && choices_ != 0) {
       const uint16_t choices = static_cast<uint16_t>(choices_ * linecode::onesOfWord(nibbles));
       choices_ = choices > MOST_CHOICES || undecided_ == MOST_UNDECIDED ? 0 : static_cast<uint8_t>(choices);
       distance_ = distance;
       if (choices_ != 0) {
-        places_[undecided_] = i;
+        places_[undecided_] = at_;
         nibbles_[undecided_++] = nibbles;
       }
     }
-    if (i % 2 == 0) continue;
-    crc.add(&byte, 1);
+    if (at_ % 2 == 0) continue;
+    crc_.add(&byte, 1);
     byte = 0;
   }
-  crc_ = crc.value();
 }
 
-#if JAVINO_MENDING
-
 // Finds the one choice with which the CRC is right.
-bool Mender::tryChoices(uint8_t count) {
+bool Mender::tryChoices() {
   static const uint8_t MOST_NIBBLES = 20;  // of all undecided symbols together: 16 + 4, if their product is at most 64
   uint16_t changes[MOST_NIBBLES];          // of the CRC, for each nibble of each undecided symbol
   uint8_t ends[MOST_UNDECIDED];            // behind the last one of each symbol
@@ -224,7 +236,7 @@ bool Mender::tryChoices(uint8_t count) {
   for (uint8_t k = 0; k < undecided_; k++) {
     at[k] = used;
     const uint8_t first = firstOf(nibbles_[k]);
-    const uint8_t following = static_cast<uint8_t>(count - 1 - places_[k] / 2);
+    const uint8_t following = static_cast<uint8_t>(next_ - 1 - places_[k] / 2);
     for (uint8_t nibble = first; nibble < 16; nibble++) {
       if ((nibbles_[k] & bitOf(nibble)) == 0) continue;
       changes[used++] = Crc16::changeOf(placed(static_cast<uint8_t>(first ^ nibble), places_[k]), following);
@@ -232,7 +244,7 @@ bool Mender::tryChoices(uint8_t count) {
     ends[k] = used;
   }
   uint8_t found = 0;
-  uint16_t crc = crc_;
+  uint16_t crc = crc_.value();
   for (uint8_t left = choices_; left != 0; left--) {
     if (crc == RadioPacket::CRC_OF_INTACT) {
       found++;
@@ -254,100 +266,72 @@ bool Mender::tryChoices(uint8_t count) {
   return true;
 }
 
-#else
-
-// The same of one symbol, in a quarter of the flash.
-bool Mender::tryChoices(uint8_t count) {
-  if (undecided_ == 0) return crc_ == RadioPacket::CRC_OF_INTACT;
-  const uint8_t first = firstOf(nibbles_[0]);
-  uint16_t right = 0;
-  for (uint8_t nibble = first; nibble < 16; nibble++) {
-    if ((nibbles_[0] & bitOf(nibble)) == 0) continue;
-    const uint16_t change = Crc16::changeOf(placed(static_cast<uint8_t>(first ^ nibble), places_[0]),
-                                            static_cast<uint8_t>(count - 1 - places_[0] / 2));
-    if ((crc_ ^ change) == RadioPacket::CRC_OF_INTACT) right |= bitOf(nibble);
-  }
-  nibbles_[0] = right;
-  return right != 0 && isOne(right);
-}
-
-#endif
-
-// Puts the bytes in the place of their symbols, as RadioPacket::makeBytes() does.
-void Mender::makeBytes(RadioPacket &packet, uint8_t count) {
-  uint8_t k = 0;
+// Puts the bytes in the place of their symbols, as RadioPacket::makeBytes() does. Where parity is to tell, it says which of them
+// may be others.
+Mender::Progress Mender::write(RadioPacket &packet) {
+  const bool corrects = end_ != 2 * next_;
   uint8_t byte = 0;
-  for (uint8_t i = 0; i < 2 * count; i++) {
+  bool sure = true;
+  for (const uint8_t end = endOfStep(); at_ < end; at_++) {
     uint8_t distance;
-    uint16_t nibbles = nibblesAt(packet, i, count, distance);
-    if (k < undecided_ && places_[k] == i) nibbles = nibbles_[k++];
-    byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), i));
-    if (i % 2 == 0) continue;
-    packet.room[i / 2] = byte;
+    uint16_t nibbles = nibblesAt(packet, at_, distance);
+    for (uint8_t k = 0; !corrects && k < undecided_; k++) {
+      if (places_[k] == at_) nibbles = nibbles_[k];
+    }
+    sure = sure && isOne(nibbles);
+    byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), at_));
+    if (at_ % 2 == 0) continue;
+    if (!sure) erase(static_cast<uint8_t>(at_ / 2));
+    packet.room[at_ / 2] = byte;
     byte = 0;
+    sure = true;
   }
+  if (at_ < end_) return PENDING;
   packet.areBytes = true;
+  if (!corrects) return WHOLE;
+  phase_ = Phase::CORRECTING;
+  return PENDING;
 }
 
 #if JAVINO_PARITY
 
-bool Mender::findsParity(const RadioPacket &packet, uint8_t count) const {
-  if (count < LEAST_KEPT) return false;
-  const uint8_t end = static_cast<uint8_t>(2 * (count + 1 + linecode::parityLength(count)));
+bool Mender::findsParity(const RadioPacket &packet) const {
+  if (next_ < LEAST_KEPT) return false;
+  const uint8_t end = static_cast<uint8_t>(2 * (next_ + 1 + linecode::parityLength(next_)));
   const RadioPacket *from = packet.symbols >= end ? &packet : copy() && copy()->symbols >= end ? copy() : nullptr;
   if (!from) return false;
-  const uint8_t at = static_cast<uint8_t>(2 * count);
-  const uint8_t next = from->symbol(static_cast<uint8_t>(at + 1));
-  return linecode::trailerOf(static_cast<uint16_t>(from->symbol(at) | next << linecode::BITS_PER_SYMBOL)) ==
+  const uint8_t at = static_cast<uint8_t>(2 * next_);
+  const uint8_t following = from->symbol(static_cast<uint8_t>(at + 1));
+  return linecode::trailerOf(static_cast<uint16_t>(from->symbol(at) | following << linecode::BITS_PER_SYMBOL)) ==
          Trailer::PARITY;
 }
 
-// Takes the nearest bytes, and says which of them may be others. Parity that was not sent is such too.
-void Mender::beginParity(RadioPacket &packet, uint8_t count) {
-  const uint8_t end = static_cast<uint8_t>(count + reedsolomon::PARITY_LENGTH);
-  const uint8_t sent = static_cast<uint8_t>(count + linecode::parityLength(count));
-  parity_.begin(packet.room, end);
-  uint8_t byte = 0;
-  bool sure = true;
-  for (uint8_t i = 0; i < 2 * end; i++) {
-    uint8_t distance;
-    uint16_t nibbles = 0xFFFF;
-    if (i < 2 * count) {
-      nibbles = nibblesAt(packet, i, count, distance);
-    } else if (i < 2 * sent) {
-      nibbles = nearest(packet, static_cast<uint8_t>(i + 2), true, distance);
-    }
-    sure = sure && isOne(nibbles);
-    byte = static_cast<uint8_t>(byte | placed(firstOf(nibbles), i));
-    if (i % 2 == 0) continue;
-    if (!sure) parity_.erase(i / 2);
-    packet.room[i / 2] = byte;
-    byte = 0;
-    sure = true;
-  }
-  packet.areBytes = true;
+void Mender::beginParity(RadioPacket &packet) {
+  const uint8_t bytes = static_cast<uint8_t>(next_ + reedsolomon::PARITY_LENGTH);
+  end_ = static_cast<uint8_t>(2 * bytes);
+  parity_.begin(packet.room, bytes);
 }
+
+void Mender::erase(uint8_t byte) { parity_.erase(byte); }
 
 Mender::Progress Mender::correct(RadioPacket &packet) {
   const reedsolomon::Progress progress = parity_.step();
   if (progress == reedsolomon::Progress::PENDING) return PENDING;
   if (progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && packet.hasRightCrc()) {
-    hasParity_ = true;
     return WHOLE;
   }
   if (!isSaved_ || !copy()) return LOST;
   // Its symbols are needed again: it may have another count.
   memcpy(packet.room, copy()->room, sizeof packet.room);
   packet.areBytes = false;
-  next_++;
-  phase_ = Phase::CHOOSING;
-  return PENDING;
+  return choose(static_cast<uint8_t>(next_ + 1));
 }
 
 #else
 
-bool Mender::findsParity(const RadioPacket &, uint8_t) const { return false; }
-void Mender::beginParity(RadioPacket &, uint8_t) {}
+bool Mender::findsParity(const RadioPacket &) const { return false; }
+void Mender::beginParity(RadioPacket &) {}
+void Mender::erase(uint8_t) {}
 Mender::Progress Mender::correct(RadioPacket &) { return LOST; }
 
 #endif
@@ -376,6 +360,44 @@ void Mender::keep() {
 
 void Mender::save(const RadioPacket &) {}
 void Mender::keep() {}
+
+#endif
+
+#else
+
+// Mends one symbol, where only one nibble is a bit away from it and makes the CRC right: with nothing kept, and so in one step.
+Mender::Progress Mender::work(RadioPacket &packet) {
+  const uint8_t count = packet.count();
+  mended_ = !packet.isIntact();
+  if (!mended_) {
+    packet.makeBytes(count);
+    return WHOLE;
+  }
+  if (2 * count > packet.symbols) return LOST;
+  uint8_t place = 0;
+  for (uint8_t i = 2; i < 2 * count; i++) {
+    if (linecode::nibbleOf(packet.symbol(i)) != linecode::NO_NIBBLE) continue;
+    if (place != 0) return LOST;
+    place = i;
+  }
+  if (place == 0) return LOST;
+  const uint8_t wrong = packet.symbol(place);
+  packet.makeBytes(count);
+  Crc16 crc;
+  crc.add(packet.room, count);
+  uint8_t right = linecode::NO_NIBBLE;
+  for (uint8_t nibble = 0; nibble < 16; nibble++) {
+    const uint8_t change = placed(static_cast<uint8_t>(nibble ^ 0x0F), place);
+    if (linecode::onesOf(linecode::symbolOf(nibble) ^ wrong) != 1 ||
+        (crc.value() ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2))) !=
+            RadioPacket::CRC_OF_INTACT)
+      continue;
+    if (right != linecode::NO_NIBBLE) return LOST;
+    right = nibble;
+    packet.room[place / 2] ^= change;
+  }
+  return right != linecode::NO_NIBBLE ? WHOLE : LOST;
+}
 
 #endif
 

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../Config.h"
+#include "../support/Crc16.h"
 #include "../support/Inlining.h"
 #include "RadioPacket.h"
 #if JAVINO_PARITY
@@ -29,10 +30,13 @@ class Mender {
     LOST      ///< they cannot be found
   };
 
-  Mender() : like_(NONE) {}
-
   /// Begins with another packet.
-  void begin() { progress_ = PENDING; }
+  void begin() {
+    progress_ = PENDING;
+#if JAVINO_MENDING
+    phase_ = Phase::LOOKING;
+#endif
+  }
 
   /// Does the next part of the work, if any is left.
   Progress step(RadioPacket &packet);
@@ -60,43 +64,45 @@ class Mender {
  private:
   static const uint8_t NONE = 0xFF;
   static const uint8_t MOST_CHOICES = 64;  // of symbols that are tried
-  static const uint8_t MOST_UNDECIDED = config::MENDING ? 6 : 1;
-
-  enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, CORRECTING };
+  static const uint16_t ANY = 0xFFFF;      // nibble
+  static const uint8_t MOST_UNDECIDED = 6;
 
   Progress work(RadioPacket &packet);
+
+#if JAVINO_MENDING
+  enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, WRITING, CORRECTING };
+
   Progress look(RadioPacket &packet);
   Progress compare(RadioPacket &packet);
+  Progress choose(uint8_t count);
   Progress choose(RadioPacket &packet);
+  Progress write(RadioPacket &packet);
   Progress correct(RadioPacket &packet);
   Progress lose(const RadioPacket &packet);
   static bool isLike(const RadioPacket &packet, const RadioPacket &copy);
   bool mayHaveCount(const RadioPacket &packet, uint8_t count) const;
   JAVINO_NOINLINE uint16_t nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const;
-  uint16_t nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t count, uint8_t &distance) const;
-  void decide(const RadioPacket &packet, uint8_t count);
-  JAVINO_NOINLINE bool tryChoices(uint8_t count);
-  JAVINO_NOINLINE void makeBytes(RadioPacket &packet, uint8_t count);
-  bool findsParity(const RadioPacket &packet, uint8_t count) const;
-  void beginParity(RadioPacket &packet, uint8_t count);
+  JAVINO_NOINLINE uint16_t nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t &distance) const;
+  uint8_t endOfStep() const;
+  void decide(const RadioPacket &packet);
+  JAVINO_NOINLINE bool tryChoices();
+  bool findsParity(const RadioPacket &packet) const;
+  void beginParity(RadioPacket &packet);
+  void erase(uint8_t byte);
   void save(const RadioPacket &packet);
   const RadioPacket *copy() const;
 
-  const RadioPacket *packet_ JAVINO_ZEROED;
-  Progress progress_ JAVINO_ZEROED;
-  Phase phase_ JAVINO_ZEROED;
-  bool hasParity_ JAVINO_ZEROED;
   bool isSaved_ JAVINO_ZEROED;  // the packet's symbols, in the copy that is like it
-  bool marked_ JAVINO_ZEROED;
-  bool mended_ JAVINO_ZEROED;
-  bool doubtful_ JAVINO_ZEROED;
+  Phase phase_ JAVINO_ZEROED;
   uint8_t next_ JAVINO_ZEROED;        // copy to compare, or count to try
-  uint8_t like_;                      // the copy that is like the packet
+  uint8_t at_ JAVINO_ZEROED;          // symbol to decide on, or to write
+  uint8_t end_ JAVINO_ZEROED;         // of these
+  uint8_t like_ JAVINO_ZEROED;        // the copy that is like the packet
   uint8_t oldest_ JAVINO_ZEROED;      // copy
   uint8_t distance_ JAVINO_ZEROED;    // of the last undecided symbol from the nearest ones
   uint8_t choices_ JAVINO_ZEROED;     // of the undecided symbols' nibbles, 1…64; 0 for more
   uint8_t undecided_ JAVINO_ZEROED;   // symbols
-  uint16_t crc_ JAVINO_ZEROED;        // of what was decided, with the first nibble of each undecided symbol
+  Crc16 crc_;                         // of what was decided, with the first nibble of each undecided symbol
   uint8_t places_[MOST_UNDECIDED];    // of the undecided symbols
   uint16_t nibbles_[MOST_UNDECIDED];  // that they may be: bit k for nibble k; in the end one bit each
 #if JAVINO_PARITY
@@ -105,6 +111,13 @@ class Mender {
 #if JAVINO_DAMAGED_COPIES
   RadioPacket copies_[config::DAMAGED_COPIES] JAVINO_ZEROED;
 #endif
+#endif
+  const RadioPacket *packet_ JAVINO_ZEROED;
+  Progress progress_ JAVINO_ZEROED;
+  bool hasParity_ JAVINO_ZEROED;
+  bool marked_ JAVINO_ZEROED;
+  bool mended_ JAVINO_ZEROED;
+  bool doubtful_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

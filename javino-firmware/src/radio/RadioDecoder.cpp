@@ -25,17 +25,15 @@ void RadioDecoder::add(bool bit) {
   if (bits_ & 1) before_ |= linecode::TRAINING_TOP_BIT;
   bits_ >>= 1;
   if (bit) bits_ |= linecode::START_TOP_BIT;
-  if (isStart()) return;
-  if (phase_ == HUNTING) return;
-  store(bit);
-  if (++symbolBits_ < linecode::BITS_PER_SYMBOL) return;
+  const bool mayStart = phase_ < BODY || startErrors_ != 0 || noise_ > 0;  // else none would count
+  if (mayStart && isStart()) return;
+  if (phase_ == HUNTING || ++symbolBits_ < linecode::BITS_PER_SYMBOL) return;
   symbolBits_ = 0;
-  addSymbol(static_cast<uint8_t>(bits_ >> linecode::BITS_PER_SYMBOL));
+  addSymbol();
 }
 
 // Looks for a start in the last 36 bits. One that counts begins a packet.
 bool RadioDecoder::isStart() {
-  if (phase_ >= BODY && startErrors_ == 0 && noise_ <= 0) return false;  // none would count
   uint8_t wrong = linecode::onesOfWord(bits_ ^ linecode::START);
   if (wrong > MOST_START_ERRORS) return false;
   const uint32_t training = before_ ^ linecode::TRAINING;
@@ -69,20 +67,10 @@ void RadioDecoder::begin(uint8_t wrong) {
   symbolBits_ = 0;
   symbols_ = 0;
   end_ = COUNT_SYMBOLS;
-  byteBits_ = 0;
 }
 
-// The twelve bits of the count wait in the register.
-void RadioDecoder::store(bool bit) {
-  if (phase_ == COUNT) return;
-  byte_ >>= 1;
-  if (bit) byte_ |= 0x80;
-  if (++byteBits_ < 8) return;
-  byteBits_ = 0;
-  if (packet_) *next_++ = byte_;
-}
-
-void RadioDecoder::addSymbol(uint8_t symbol) {
+void RadioDecoder::addSymbol() {
+  const uint8_t symbol = static_cast<uint8_t>(bits_ >> linecode::BITS_PER_SYMBOL);
   if (linecode::onesOf(symbol) != linecode::BITS_PER_SYMBOL / 2) {
     if (++noise_ == NOISE) {
       refuse();
@@ -91,11 +79,27 @@ void RadioDecoder::addSymbol(uint8_t symbol) {
   } else if (noise_ != LEAST_NOISE) {
     noise_--;
   }
-  if (++symbols_ < end_) return;
+  if (++symbols_ % 2 != 0) return;
+  if (phase_ != COUNT) store();
+  if (symbols_ < end_) return;
   switch (phase_) {
     case COUNT: startBody(); break;
     case BODY: endBody(); break;
     default: addToTrailer();
+  }
+}
+
+// Puts the last two symbols to the packet: four lie in three bytes.
+void RadioDecoder::store() {
+  if (!packet_) return;
+  if (symbols_ % 4 != 0) {
+    next_[0] = static_cast<uint8_t>(bits_);
+    next_[1] = static_cast<uint8_t>(bits_ >> 8);
+    next_++;
+  } else {
+    next_[0] = static_cast<uint8_t>(next_[0] | bits_ << 4);
+    next_[1] = static_cast<uint8_t>(bits_ >> 4);
+    next_ += 2;
   }
 }
 
@@ -120,11 +124,9 @@ void RadioDecoder::startBody() {
   if (packet_) {
     packet_->areBytes = false;
     packet_->open = false;
-    packet_->room[0] = static_cast<uint8_t>(bits_);
-    next_ = packet_->room + 1;
+    next_ = packet_->room;
   }
-  byte_ = static_cast<uint8_t>(bits_ >> 4);
-  byteBits_ = 4;
+  store();
   carrier_.expect(static_cast<uint16_t>(linecode::BITS_PER_SYMBOL) * static_cast<uint8_t>(end_ - COUNT_SYMBOLS));
 }
 
@@ -134,9 +136,7 @@ void RadioDecoder::endBody() {
     hunt();
     return;
   }
-  packet_->symbols = symbols_;
-  // Of an odd number of bytes the last bits are few: they lie where the next ones of the trailer will come.
-  if (byteBits_ != 0) *next_ = static_cast<uint8_t>(byte_ >> 4);
+  packet_->symbols = static_cast<uint8_t>(symbols_ & ~1);
   const bool mayGoOn = counted_ && linecode::TRAILER_LENGTH != 0;
   packet_->open = mayGoOn;
   queue_.commit();
@@ -171,8 +171,7 @@ void RadioDecoder::addToTrailer() {
 // Nothing more comes for the packet that was queued.
 void RadioDecoder::close() {
   if (!config::PARITY || (phase_ != TRAILER && phase_ != PARITY)) return;
-  if (byteBits_ != 0) *next_ = static_cast<uint8_t>(byte_ >> (8 - byteBits_));
-  packet_->symbols = symbols_;
+  packet_->symbols = static_cast<uint8_t>(symbols_ & ~1);
   packet_->open = false;
 }
 

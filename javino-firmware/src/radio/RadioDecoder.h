@@ -52,11 +52,11 @@ class RadioDecoder {
     PARITY    // what follows the word
   };
 
-  bool isStart();
+  JAVINO_NOINLINE bool isStart();
   bool isBetterStart(uint8_t wrong) const;
   void begin(uint8_t wrong);
-  void store(bool bit);
-  void addSymbol(uint8_t symbol);
+  JAVINO_NOINLINE void addSymbol();
+  void store();
   void startBody();
   void endBody();
   void addToTrailer();
@@ -73,8 +73,6 @@ class RadioDecoder {
   uint8_t symbols_ JAVINO_ZEROED;      // that have come
   uint8_t end_ JAVINO_ZEROED;          // how many are to come in all
   bool counted_ JAVINO_ZEROED;         // both symbols of the count are in the table
-  uint8_t byte_ JAVINO_ZEROED;         // the last bits, on their way to the packet, from the top
-  uint8_t byteBits_ JAVINO_ZEROED;     // how many they are
   volatile Trailer trailer_ JAVINO_ZEROED;
   RadioPacket *packet_ JAVINO_ZEROED;  // where all goes; null where no slot was free
   uint8_t *next_ JAVINO_ZEROED;        // in it, where the next byte goes

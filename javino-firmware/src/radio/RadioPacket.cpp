@@ -52,7 +52,10 @@ bool RadioPacket::isIntact() const {
 
 // Three bytes of symbols make two bytes: none is overwritten before it was read.
 void RadioPacket::makeBytes(uint8_t length) {
-  for (uint8_t i = 0; i < length; i++) room[i] = static_cast<uint8_t>(byte(i));
+  for (uint8_t i = 0; i < length; i++) {
+    const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i + 1)));
+    room[i] = static_cast<uint8_t>(linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i))) << 4 | (low & 0x0F));
+  }
   areBytes = true;
 }
 

@@ -45,7 +45,7 @@ struct RadioPacket {
   /// @return 1…77.
   uint8_t payloadLength() const { return static_cast<uint8_t>(room[0] - linecode::PACKET_OVERHEAD); }
 
-  /// Puts so many bytes in the place of their symbols, each of which is in the table.
+  /// Puts so many bytes in the place of their symbols. The nibble of one that is not in the table becomes 15.
   void makeBytes(uint8_t length);
 
   /// Whether the CRC of the bytes is right.

@@ -17,9 +17,10 @@ struct Mailbox {
     OPEN,        ///< key as Kenc, second as Kmac; bytes: a sealed frame; length becomes the content's, 0xFFFF if forged
     ADD_TO_CRC,  ///< length bytes; the CRC replaces the first two
     HEAR_PACKET,  ///< length bytes of payload as edges of the air; length becomes that of the payload received
-    MEND_PACKET,  ///< length bytes of payload, a wrong symbol behind them in the CRC; length becomes 1 where mended
-    ADD_PARITY,   ///< length bytes; their parity replaces the first 16
-    ERASE,        ///< length bytes of a codeword; erases as many of the positions in `second` as `measured` says
+    MEND_PACKET,  ///< length bytes of payload, of whose symbols each nonce[1]-th is wrong; after nonce[2] such packets, and of
+    ///< the next one as many steps as nonce[0] says, measures the next step; length becomes what came of it
+    ADD_PARITY,  ///< length bytes; their parity replaces the first 16
+    ERASE,       ///< length bytes of a codeword; erases as many of the positions in `second` as `measured` says
     MEND_STEP,  ///< the same, then as many steps as nonce[0] says, and measures the next one; length becomes what came of it
     ANSWER  ///< length bytes of the line for a board; they become those of its last reply. Measured from the last
             ///< bytes, as many as `measured` says (0 for all), to that reply's first one

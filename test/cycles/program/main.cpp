@@ -153,28 +153,35 @@ void hearPacket() {
   mailbox.length = length;
 }
 
-// A packet of which the first symbol of the CRC has a wrong bit.
-void mendPacket() {
-  RadioPacket packet = RadioPacket();
-  Mender &mender = *modem().mender();
+// A packet of which each so many-th symbol has a wrong bit, from the given one on.
+void makeDamaged(RadioPacket &packet, uint8_t distance, uint8_t first) {
   uint8_t room[MAX_RADIO_PAYLOAD + linecode::PACKET_OVERHEAD + linecode::TRAILER_LENGTH];
   RadioEncoder encoder;
   encoder.start(mailbox.bytes, static_cast<uint8_t>(mailbox.length), Trailer::NONE, room);
-  for (uint8_t skip = 8 * linecode::BITS_PER_SYMBOL; skip != 0; skip--) encoder.next();
+  for (uint8_t skip = linecode::PREAMBLE_SYMBOLS * linecode::BITS_PER_SYMBOL; skip != 0; skip--) encoder.next();
+  packet = RadioPacket();
   memset(packet.room, 0, sizeof packet.room);
-  packet.areBytes = false;
-  const uint16_t wrong = static_cast<uint16_t>(12 * (1 + mailbox.length));
-  uint16_t bits = 0;
-  for (; encoder.hasNext(); bits++) {
-    if (encoder.next() != (bits == wrong)) packet.room[bits / 8] |= static_cast<uint8_t>(1 << bits % 8);
+  for (uint16_t bits = 0; encoder.hasNext(); bits++) {
+    packet.symbols = static_cast<uint8_t>(bits / linecode::BITS_PER_SYMBOL);
+    const bool wrong =
+        bits % linecode::BITS_PER_SYMBOL == 0 && packet.symbols >= 2 && packet.symbols % distance == first % distance;
+    if (encoder.next() != wrong) packet.room[bits / 8] |= static_cast<uint8_t>(1 << bits % 8);
   }
-  packet.symbols = static_cast<uint8_t>(bits / linecode::BITS_PER_SYMBOL);
+  packet.symbols++;
+}
+
+void mendPacket() {
+  static RadioPacket packet;
+  Mender &mender = *modem().mender();
   Mender::Progress progress = Mender::PENDING;
-  mender.begin();
-  measure([&] {
-    while (progress == Mender::PENDING) progress = mender.step(packet);
-  });
-  mailbox.length = progress == Mender::WHOLE;
+  for (uint8_t i = 0; i <= mailbox.nonce[2]; i++) {
+    makeDamaged(packet, mailbox.nonce[1], i);
+    mender.begin();
+    uint8_t steps = i == mailbox.nonce[2] ? mailbox.nonce[0] : 100;
+    while (steps-- != 0) mender.step(packet);
+  }
+  measure([&] { progress = mender.step(packet); });
+  mailbox.length = static_cast<uint8_t>(progress);
 }
 
 void addParity() {
@@ -207,8 +214,7 @@ void perceive(Percepts &percepts) {
 }
 
 void answer() {
-  static AskRadio radio;
-  static Board board(SerialPort(reinterpret_cast<Stream &>(line)), radio, "test 1.0");
+  static Board board(SerialPort(reinterpret_cast<Stream &>(line)), modem(), "test 1.0");
   board.onPercepts(perceive);
   const uint16_t before = mailbox.measured == 0 ? 0 : mailbox.length - mailbox.measured;
   line.in = mailbox.bytes;
