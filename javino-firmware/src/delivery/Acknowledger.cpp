@@ -23,6 +23,8 @@ void Acknowledger::add(Proof::Type type, uint8_t slot, const Address &sender, co
   }
   Entry &entry = entries_[count_++];
   entry.type = type;
+  entry.twice = false;
+  added_ = true;
   entry.slot = slot;
   entry.have = have;
   entry.sender = sender;
@@ -37,6 +39,11 @@ void Acknowledger::remove(uint8_t index) {
   slots_ = FRESH_SLOTS;
 }
 
+// The first acknowledgement is the host's to cause.
+void Acknowledger::answerTwice() {
+  if (added_ && entries_[count_ - 1].type == Proof::DELIVERED) entries_[count_ - 1].twice = true;
+}
+
 void Acknowledger::keysChanged() {
   for (uint8_t i = count_; i != 0; i--) {
     if (state_.keys.isFree(entries_[i - 1].slot)) remove(static_cast<uint8_t>(i - 1));
@@ -49,7 +56,12 @@ void Acknowledger::run() {
   if (medium_.quietSlots() < slots_) return;
   uint8_t frame[HEADER_LENGTH + Proof::MAX_BODY_LENGTH + PROOF_LENGTH];
   const uint8_t length = build(entries_[0], frame);
-  if (length == 0 || medium_.send(frame, length)) remove(0);
+  if (length != 0 && !medium_.send(frame, length)) return;
+  if (length != 0 && entries_[0].twice) {
+    entries_[0].twice = false;
+  } else {
+    remove(0);
+  }
 }
 
 void Acknowledger::noteBusyAir() {

@@ -45,10 +45,15 @@ class Acknowledger {
   void heard(uint8_t slot) {
     heard_ = slot;
     asking_.set(slot, false);
+    added_ = false;
   }
 
   /// The packet of that frame was damaged, or came again, and its sender understands trailers.
   void askForParity() { asking_.set(heard_, true); }
+
+  /// The packet of that frame was damaged, and its sender does not understand trailers. If its message was delivered before,
+  /// that is said twice: the sender is likely to hear as badly, and a firmware that knows no trailers bears little.
+  void answerTwice();
 
   /// To be called when keys were deleted: what was to be proved with them is dropped.
   JAVINO_NOINLINE void keysChanged();
@@ -63,6 +68,7 @@ class Acknowledger {
 
   struct Entry {
     Proof::Type type;
+    bool twice;
     uint8_t slot;
     uint8_t have;
     Address sender;
@@ -80,6 +86,7 @@ class Acknowledger {
   uint8_t count_ JAVINO_ZEROED;
   uint8_t slots_;                // of quiet air that the first one waits for
   bool deferred_ JAVINO_ZEROED;  // it has been counted as deferred
+  bool added_ JAVINO_ZEROED;     // an entry, since then
   uint8_t heard_;                // the place of the key of what came last
   KeyFlags asking_;              // for parity
   Entry entries_[CAPACITY];      // the first is the oldest

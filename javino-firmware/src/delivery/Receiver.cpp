@@ -12,7 +12,10 @@ void Receiver::run() {
     isDoubtful_ = config::MENDING && mender && mender->isDoubtful();
     acknowledger_.heard(KeyStore::NO_SLOT);
     accept(packet, length);
-    if (config::PARITY && mender && mender->hasMended() && mender->hasParity()) acknowledger_.askForParity();
+    if (config::PARITY && mender && mender->hasMended()) {
+      if (mender->trailer() == Trailer::PARITY) acknowledger_.askForParity();
+      if (mender->trailer() == Trailer::NONE) acknowledger_.answerTwice();
+    }
     medium_.release();
   }
   if (mender && mender->lost()) {
@@ -20,7 +23,7 @@ void Receiver::run() {
     medium_.release();
   }
   // The mark of an intact packet comes when that has been handled.
-  if (config::PARITY && mender && mender->isMarked()) acknowledger_.askForParity();
+  if (config::PARITY && mender && mender->trailer() == Trailer::MARK) acknowledger_.askForParity();
   pieces_.run();
 }
 

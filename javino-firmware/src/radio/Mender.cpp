@@ -66,7 +66,6 @@ Mender::Progress Mender::look(RadioPacket &packet) {
   like_ = NONE;
   mended_ = false;
   doubtful_ = false;
-  hasParity_ = false;
   if (packet.isIntact()) {
     packet.makeBytes(packet.count());
     return WHOLE;
@@ -160,10 +159,9 @@ Mender::Progress Mender::choose(RadioPacket &packet) {
     decide(packet);
     return PENDING;
   }
-  hasParity_ = findsParity(packet);
   if (choices_ != 0 && tryChoices()) {
     doubtful_ = copy() || undecided_ != 1 || distance_ != 2 || packet.count() == RadioPacket::NO_COUNT;
-  } else if (hasParity_) {
+  } else if (findsParity(packet)) {
     isSaved_ = !copy();
     if (isSaved_) save(packet);
     beginParity(packet);

@@ -47,12 +47,9 @@ class Mender {
   /// Whether the packet that is whole was damaged.
   bool hasMended() const { return mended_; }
 
-  /// Whether parity was behind it.
-  bool hasParity() const { return hasParity_; }
-
-  /// Whether the last packet of all was followed by a mark: that is known only when its end has come.
-  bool isMarked() const { return marked_; }
-  void setMarked(bool marked) { marked_ = marked; }
+  /// What came behind the last packet of all: behind an intact one it is known only later.
+  Trailer trailer() const { return trailer_; }
+  void setTrailer(Trailer trailer) { trailer_ = trailer; }
 
   /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
   /// leaves no doubt.
@@ -114,8 +111,7 @@ class Mender {
 #endif
   const RadioPacket *packet_ JAVINO_ZEROED;
   Progress progress_ JAVINO_ZEROED;
-  bool hasParity_ JAVINO_ZEROED;
-  bool marked_ JAVINO_ZEROED;
+  Trailer trailer_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;
 };

@@ -1,19 +1,55 @@
 #include "FakeRadio.h"
 
+#include <radio/RadioEncoder.h>
+
 #include <stdexcept>
 
 bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
   if (length == 0 || length > javino::MAX_RADIO_PAYLOAD) throw std::logic_error("no radio packet has this length");
   if (onAir_ || refuses) return false;
   sent.push_back(Bytes(payload, payload + length));
+  trailers.push_back(trailer_);
   onAir_ = true;
   return true;
 }
 
 uint8_t *FakeRadio::receive(uint8_t &length) {
+  if (mends && mender_.lost()) release();
   if (in_.empty()) return nullptr;
-  length = static_cast<uint8_t>(in_.front().size());
-  return in_.front().data();
+  Arrived &first = in_.front();
+  if (!mends) {
+    length = static_cast<uint8_t>(first.payload.size());
+    return first.payload.data();
+  }
+  mender_.setTrailer(first.trailer);
+  javino::Mender::Progress progress;
+  do {
+    progress = mender_.step(first.packet);
+  } while (progress == javino::Mender::PENDING);
+  if (progress != javino::Mender::WHOLE) return nullptr;
+  length = first.packet.payloadLength();
+  return first.packet.payload();
+}
+
+void FakeRadio::release() {
+  in_.pop_front();
+  mender_.begin();
+}
+
+javino::RadioPacket FakeRadio::packetOf(const Bytes &payload, const std::set<size_t> &wrongBits,
+                                        javino::Trailer trailer) {
+  javino::RadioPacket packet = javino::RadioPacket();
+  javino::RadioPacket sent;
+  javino::RadioEncoder encoder;
+  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), trailer, sent.room);
+  for (int i = 0; i < javino::linecode::PREAMBLE_SYMBOLS * javino::linecode::BITS_PER_SYMBOL; i++) encoder.next();
+  size_t bits = 0;
+  for (; encoder.hasNext(); bits++) {
+    if (encoder.next() != (wrongBits.count(bits) != 0))
+      packet.room[bits / 8] = static_cast<uint8_t>(packet.room[bits / 8] | 1 << bits % 8);
+  }
+  packet.symbols = static_cast<uint8_t>(bits / javino::linecode::BITS_PER_SYMBOL);
+  return packet;
 }
 
 void FakeRadio::finishSending() {

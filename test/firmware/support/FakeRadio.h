@@ -1,13 +1,15 @@
 #pragma once
 
-#include <radio/Radio.h>
+#include <radio/Mender.h>
 
 #include <deque>
+#include <set>
 #include <vector>
 
 #include "Bytes.h"
 
-/// A radio in memory: the test lets packets arrive, sees what is sent, and says when it is sent.
+/// A radio in memory: the test lets packets arrive, sees what is sent, and says when it is sent. One that mends takes packets as
+/// they come from the air, as an AskRadio does.
 class FakeRadio : public javino::Radio {
  public:
   bool begin() override { return works; }
@@ -18,23 +20,47 @@ class FakeRadio : public javino::Radio {
   uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(42 + 6 * length); }
   uint8_t slotMillis() const override { return 8; }
   uint8_t *receive(uint8_t &length) override;
-  void release() override { in_.pop_front(); }
+  void release() override;
+  javino::Mender *mender() override { return mends ? &mender_ : nullptr; }
+#if JAVINO_PARITY
+  void follow(javino::Trailer trailer) override { trailer_ = trailer; }
+#endif
   void counters(javino::RadioCounters &into) const override { into = counts; }
   bool idle() const override { return in_.empty(); }
 
-  void arrive(const Bytes &payload) { in_.push_back(payload); }
+  void arrive(const Bytes &payload) {
+    in_.push_back({packetOf(payload, {}, javino::Trailer::NONE), javino::Trailer::NONE, payload});
+  }
+
+  /// A packet arrives of which these bits are wrong, counted from the first one of its count.
+  void arrive(const Bytes &payload, const std::set<size_t> &wrongBits,
+              javino::Trailer trailer = javino::Trailer::NONE) {
+    in_.push_back({packetOf(payload, wrongBits, trailer), trailer, payload});
+  }
 
   /// The packet on the air ends.
   void finishSending();
 
   bool works = true;     ///< whether begin() succeeds
   bool refuses = false;  ///< whether send() does nothing
+  bool mends = false;    ///< whether packets come as from the air
   bool heard = false;    ///< whether another board's carrier is on the air
   uint8_t payload = javino::MAX_RADIO_PAYLOAD;
   javino::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
+  std::vector<javino::Trailer> trailers;  ///< what followed each of these
 
  private:
-  std::deque<Bytes> in_;
+  struct Arrived {
+    javino::RadioPacket packet;
+    javino::Trailer trailer;
+    Bytes payload;
+  };
+
+  static javino::RadioPacket packetOf(const Bytes &payload, const std::set<size_t> &wrongBits, javino::Trailer trailer);
+
+  std::deque<Arrived> in_;
+  javino::Mender mender_;
+  javino::Trailer trailer_ = javino::Trailer::NONE;
   bool onAir_ = false;
 };

@@ -27,7 +27,13 @@ Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::st
                       uint8_t type, const Bytes &body) {
   DerivedKeys keys;
   keys.derive(key.data());
-  Proof::Claim claim = {static_cast<Proof::Type>(type), nonce.data(), Address(), Address(), body.data(), false};
+  const bool asksParity = (type & Proof::ASKS_PARITY) != 0;
+  Proof::Claim claim = {static_cast<Proof::Type>(type & ~Proof::ASKS_PARITY),
+                        nonce.data(),
+                        Address(),
+                        Address(),
+                        body.data(),
+                        asksParity};
   Address::parse(bytesOf(sender).data(), claim.sender);
   Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
   Bytes proof(PROOF_LENGTH);

@@ -16,7 +16,7 @@ std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javino:
 Bytes wantingAnswer(Bytes piece);
 
 /// What another board would send to acknowledge a frame with this nonce.
-/// @param type 6, 7 or 8 (SPEC 7.3)
+/// @param type 6, 7 or 8, or 0x16 or 0x17 (SPEC 7.3)
 /// @param body what comes before the proof
 Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::string &acknowledger, const Bytes &nonce,
                       uint8_t type, const Bytes &body = Bytes());
