@@ -422,6 +422,7 @@ static void close_node(emulation *e, node *n) {
 
 int emulation_close(emulation *e) {
   int result = save_eeproms(e);
+  sniffer_end(&e->listener);
   for (size_t i = 0; i < e->node_count; i++) close_node(e, &e->nodes[i]);
   sniffer_release(&e->listener);
   rf_bus_release(&e->air);

@@ -6,15 +6,29 @@
 // 0x38 and 0x2C, six bits each, least significant bit first.
 #define START_SYMBOL (0x38u | 0x2Cu << 6)
 #define WINDOW_BITS 12
+#define WINDOW_MASK 0xFFFu
 #define SYMBOL_BITS 6
 #define SYMBOL_MASK 0x3Fu
 #define TRAINING_SYMBOL 0x2Au
 #define TRAINING_SYMBOLS 6
 // From the first carrier of the training to the end of the start symbol: the first bit is a 0.
 #define LEAD_BITS 47
+// Of a trailer (SPEC 6.1), with the bits of its first byte, the first one lowest.
+#define MARK_WORD (0x1Cu | 0x23u << 6)
+#define PARITY_WORD (0x23u | 0x1Cu << 6)
+#define LESS_PARITY_BYTES 12u
+#define PARITY_BYTES 16u
+#define MAX_COUNT_OF_LESS_PARITY 48
+// So many bits behind a packet a receiver tells it. Silence is no trailer by its third bit; so its sender has told it
+// before, even where a receiver reads half a bit early.
+#define TELLING_BITS 4
 
 static const uint8_t SYMBOLS[16] = {0x0D, 0x0E, 0x13, 0x15, 0x16, 0x19, 0x1A, 0x1C,
                                     0x23, 0x25, 0x26, 0x29, 0x2A, 0x2C, 0x32, 0x34};
+
+// Trailers have another symbol in the place of one.
+#define NO_TRAILER_SYMBOL 0x16u
+#define TRAILER_SYMBOL 0x07u
 
 static int nibble_of(unsigned symbol) {
   for (int nibble = 0; nibble < 16; nibble++)
@@ -34,6 +48,11 @@ static void fail(line_decoder *decoder, line_error error) {
   decoder->listener.damaged(decoder->listener.context, error, (cycles_t)decoder->next_sample);
 }
 
+// Of the bit that is being taken.
+static cycles_t bit_end(const line_decoder *decoder) {
+  return (cycles_t)(decoder->next_sample + decoder->bit_cycles / 2);
+}
+
 static void finish_packet(line_decoder *decoder) {
   size_t checked = decoder->byte_count - 2;
   uint16_t crc = (uint16_t)(decoder->bytes[checked] | decoder->bytes[checked + 1] << 8);
@@ -42,14 +61,71 @@ static void finish_packet(line_decoder *decoder) {
     return;
   }
   decoder->receiving = false;
-  line_packet packet = {decoder->bytes + 1, checked - 1, decoder->start > 0 ? (cycles_t)decoder->start : 0,
-                        (cycles_t)(decoder->next_sample + decoder->bit_cycles / 2)};
-  decoder->listener.packet(decoder->listener.context, &packet);
+  decoder->following = true;
+  size_t length = checked - 1;
+  decoder->packet = (line_packet){.payload = decoder->bytes + 1,
+                                  .length = length,
+                                  .trailer = LINE_NO_TRAILER,
+                                  .bits = (unsigned)(LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * length),
+                                  .start = decoder->start > 0 ? (cycles_t)decoder->start : 0,
+                                  .end = bit_end(decoder)};
+  if (decoder->listener.whole) decoder->listener.whole(decoder->listener.context, &decoder->packet);
+}
+
+void line_decoder_end(line_decoder *decoder) {
+  if (!decoder->following) return;
+  decoder->following = false;
+  decoder->bit_count = 0;
+  decoder->listener.ended(decoder->listener.context, &decoder->packet);
+}
+
+static bool is_trailer_symbol(unsigned symbol) {
+  return symbol == TRAILER_SYMBOL || (symbol != NO_TRAILER_SYMBOL && nibble_of(symbol) >= 0);
+}
+
+static unsigned trailer_bits(const line_decoder *decoder) {
+  if (decoder->packet.trailer == LINE_MARK) return WINDOW_BITS;
+  return WINDOW_BITS * (1 + (decoder->bytes[0] <= MAX_COUNT_OF_LESS_PARITY ? LESS_PARITY_BYTES : PARITY_BYTES));
+}
+
+static void add_to_packet(line_decoder *decoder, unsigned bits) {
+  decoder->packet.bits += bits;
+  decoder->packet.end = bit_end(decoder);
+  if (decoder->bit_count == trailer_bits(decoder)) line_decoder_end(decoder);
+}
+
+// The trailer's first byte.
+static void take_trailer_word(line_decoder *decoder) {
+  unsigned to_come = WINDOW_BITS - decoder->bit_count;
+  unsigned sent = (unsigned)decoder->window >> to_come;
+  bool mark = sent == (MARK_WORD & WINDOW_MASK >> to_come);
+  bool parity = sent == (PARITY_WORD & WINDOW_MASK >> to_come);
+  if (!mark && !parity) {
+    line_decoder_end(decoder);
+  } else if (to_come == 0) {
+    decoder->packet.trailer = mark ? LINE_MARK : LINE_PARITY;
+    add_to_packet(decoder, WINDOW_BITS);
+  }
+}
+
+// The last bit is one behind a whole packet.
+static void follow(line_decoder *decoder) {
+  decoder->bit_count++;
+  if (!decoder->at_sender) {
+    if (decoder->bit_count == TELLING_BITS) line_decoder_end(decoder);
+  } else if (decoder->bit_count <= WINDOW_BITS) {
+    take_trailer_word(decoder);
+  } else if (decoder->bit_count % SYMBOL_BITS == 0) {
+    if (is_trailer_symbol(decoder->window >> SYMBOL_BITS))
+      add_to_packet(decoder, SYMBOL_BITS);
+    else
+      line_decoder_end(decoder);
+  }
 }
 
 // The low nibble of a packet's last byte, by its CRC; -1 elsewhere.
 static int mended_end(const line_decoder *decoder) {
-  if (!decoder->mends_end || decoder->byte_count < LINE_MIN_COUNT - 1 || decoder->byte_count + 1 != decoder->bytes[0])
+  if (!decoder->at_sender || decoder->byte_count < LINE_MIN_COUNT - 1 || decoder->byte_count + 1 != decoder->bytes[0])
     return -1;
   return crc_x25(decoder->bytes, decoder->byte_count - 1) >> 8 & 0xF;
 }
@@ -72,6 +148,10 @@ static void take_byte(line_decoder *decoder) {
 
 static void take_bit(line_decoder *decoder, bool bit) {
   decoder->window = (uint16_t)(decoder->window >> 1 | (unsigned)bit << (WINDOW_BITS - 1));
+  if (decoder->following) {
+    follow(decoder);
+    return;
+  }
   if (!decoder->receiving) {
     decoder->receiving = decoder->window == START_SYMBOL;
     // Not when the carrier came: it may have been another packet's, close before.
@@ -100,12 +180,6 @@ void line_decoder_advance(line_decoder *decoder, cycles_t now) {
     take_bit(decoder, decoder->level);
     decoder->next_sample += decoder->bit_cycles;
   }
-}
-
-void line_decoder_finish(line_decoder *decoder) {
-  bool last_byte = decoder->byte_count > 0 && decoder->byte_count + 1 == decoder->bytes[0];
-  if (decoder->receiving && last_byte && decoder->bit_count == WINDOW_BITS - 1)
-    line_decoder_advance(decoder, (cycles_t)decoder->next_sample + 1);
 }
 
 void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at) {
@@ -138,6 +212,11 @@ size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length) {
     written += put_symbol(bits + written, SYMBOLS[bytes[i] & 0xF]);
   }
   return written;
+}
+
+const char *line_trailer_text(line_trailer trailer) {
+  static const char *const TEXTS[] = {NULL, "mark", "parity"};
+  return TEXTS[trailer];
 }
 
 const char *line_error_text(line_error error) {

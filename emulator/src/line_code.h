@@ -20,18 +20,26 @@
 #define LINE_BITS_PER_BYTE 12
 #define LINE_MAX_BITS (LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * LINE_MAX_PAYLOAD)
 
+// What may follow a packet (SPEC 6.1).
+typedef enum { LINE_NO_TRAILER, LINE_MARK, LINE_PARITY } line_trailer;
+
 typedef enum { LINE_BAD_SYMBOL, LINE_BAD_COUNT, LINE_BAD_CRC } line_error;
 
 typedef struct {
   const uint8_t *payload;
   size_t length;
+  line_trailer trailer;
+  unsigned bits;   // with the trailer's
   cycles_t start;  // first carrier of the training
   cycles_t end;    // end of the last bit
 } line_packet;
 
 typedef struct {
   void *context;
-  void (*packet)(void *context, const line_packet *packet);
+  // The CRC is right; a trailer may follow. May be NULL.
+  void (*whole)(void *context, const line_packet *packet);
+  // That packet has ended, and its trailer too; told up to four bits later.
+  void (*ended)(void *context, const line_packet *packet);
   void (*damaged)(void *context, line_error error, cycles_t at);
 } line_listener;
 
@@ -40,16 +48,19 @@ typedef struct {
   double bit_cycles;
   bool level;
   double next_sample;  // cycle at which the level is read next: the middle of a bit
-  // Whether a packet counts though its last symbol was cut short, as when its sender lost its power: boards mend one
-  // symbol, so that they may have it. False unless it is set after line_decoder_init().
-  bool mends_end;
+  // Whether the level is a sender's own. Then a trailer is read, as far as it was sent. And a packet counts though its
+  // last symbol was cut short, as when its sender lost its power: boards mend one symbol, so that they may have it.
+  // False unless it is set after line_decoder_init(): at a receiver a packet ends with its CRC.
+  bool at_sender;
   unsigned idle_bits;  // zeros in a row, up to LINE_IDLE_BITS
   double start;        // of the packet being received, in cycles
   uint16_t window;     // the last 12 bits, first one lowest
   bool receiving;      // the start symbol has been seen
-  unsigned bit_count;  // bits of the current byte, 0…11
+  bool following;      // the packet is whole, and may have a trailer
+  unsigned bit_count;  // bits of the current byte, 0…11; of all that follows the packet
   uint8_t bytes[LINE_MAX_COUNT];
   size_t byte_count;
+  line_packet packet;  // the last whole one
 } line_decoder;
 
 void line_decoder_init(line_decoder *decoder, double bit_rate, line_listener listener);
@@ -60,11 +71,14 @@ void line_decoder_edge(line_decoder *decoder, bool level, cycles_t at);
 // Nothing else happens before `now`.
 void line_decoder_advance(line_decoder *decoder, cycles_t now);
 
-// Takes the last bit of a packet of which only the middle of that bit has not come yet, by the level that it has now.
-void line_decoder_finish(line_decoder *decoder);
+// Nothing comes any more: a whole packet ends here.
+void line_decoder_end(line_decoder *decoder);
 
 // Writes the bits, 0 or 1 each, with which 1 to LINE_MAX_PAYLOAD bytes are sent. Returns their number.
 size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length);
+
+// What to call the trailer in the trace; NULL for none.
+const char *line_trailer_text(line_trailer trailer);
 
 // What to call the error in the trace.
 const char *line_error_text(line_error error);

@@ -7,8 +7,8 @@
 #include "frame_view.h"
 #include "utf8.h"
 
-// How much later than the end of a packet its last bit may be decoded at a receiver.
-#define ARRIVAL_BITS 4
+// How much later than the end of a packet a receiver's decoder may tell it.
+#define ARRIVAL_BITS 8
 
 // The source behind the boards' is the stranger's.
 static const char *board_name(const sniffer *s, size_t board) {
@@ -44,7 +44,8 @@ static void write_packet(trace *t, const line_packet *packet) {
     write_frame(t, &view);
   else
     trace_text(t, "kind", "no frame");
-  trace_count(t, "bits", LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * packet->length);
+  if (packet->trailer != LINE_NO_TRAILER) trace_text(t, "trailer", line_trailer_text(packet->trailer));
+  trace_count(t, "bits", packet->bits);
   trace_time(t, "start", packet->start);
   trace_time(t, "end", packet->end);
 }
@@ -65,15 +66,21 @@ static void expect(sniffer_station *station, size_t source, const line_packet *p
   if (expected->deadline < s->next_deadline) s->next_deadline = expected->deadline;
 }
 
-static void tx_packet(void *context, const line_packet *packet) {
+// Receivers have a packet before its trailer has ended.
+static void tx_whole(void *context, const line_packet *packet) {
+  const sniffer_station *station = context;
+  sniffer *s = station->owner;
+  for (size_t r = 0; r < s->config->board_count; r++)
+    if (rf_bus_hears(s->bus, r, station->board)) expect(&s->stations[r], station->board, packet);
+}
+
+static void tx_ended(void *context, const line_packet *packet) {
   sniffer_station *station = context;
   sniffer *s = station->owner;
   station->counters.sent++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
   write_packet(s->out, packet);
   trace_end(s->out);
-  for (size_t r = 0; r < s->config->board_count; r++)
-    if (rf_bus_hears(s->bus, r, station->board)) expect(&s->stations[r], station->board, packet);
 }
 
 static void tx_damaged(void *context, line_error error, cycles_t at) {
@@ -97,20 +104,10 @@ static int find_expected(const sniffer_station *station, const line_packet *pack
   return -1;
 }
 
-// Where something else begins on the air just before a packet's last bit, a receiver reads that bit up to half a bit
-// before its sender has sent its middle.
-static int find_sent_just_now(sniffer_station *station, const line_packet *packet) {
-  sniffer *s = station->owner;
-  for (size_t i = 0; i <= s->config->board_count; i++)
-    if (rf_bus_hears(s->bus, station->board, i)) line_decoder_finish(&s->stations[i].tx);
-  return find_expected(station, packet);
-}
-
-static void rx_packet(void *context, const line_packet *packet) {
+static void rx_ended(void *context, const line_packet *packet) {
   sniffer_station *station = context;
   sniffer *s = station->owner;
   int index = find_expected(station, packet);
-  if (index < 0) index = find_sent_just_now(station, packet);
   station->counters.received++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-rx");
   if (index >= 0) {
@@ -136,11 +133,17 @@ int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *o
     sniffer_station *station = &s->stations[i];
     station->owner = s;
     station->board = i;
-    line_decoder_init(&station->tx, config->radio.bit_rate, (line_listener){station, tx_packet, tx_damaged});
-    station->tx.mends_end = true;
-    line_decoder_init(&station->rx, config->radio.bit_rate, (line_listener){station, rx_packet, rx_damaged});
+    line_decoder_init(&station->tx, config->radio.bit_rate, (line_listener){station, tx_whole, tx_ended, tx_damaged});
+    station->tx.at_sender = true;
+    line_decoder_init(&station->rx, config->radio.bit_rate, (line_listener){station, NULL, rx_ended, rx_damaged});
   }
   return 0;
+}
+
+void sniffer_end(sniffer *s) {
+  if (!s->stations) return;
+  for (size_t i = 0; i <= s->config->board_count; i++) line_decoder_end(&s->stations[i].tx);
+  for (size_t i = 0; i < s->config->board_count; i++) line_decoder_end(&s->stations[i].rx);
 }
 
 void sniffer_release(sniffer *s) { free(s->stations); }

@@ -26,7 +26,7 @@ typedef struct {
 } sniffer_expected;
 
 typedef struct {
-  uint64_t sent;          // packets that left the TX pin whole
+  uint64_t sent;          // packets that left the TX pin whole, whatever became of a trailer
   uint64_t undecodable;   // started on the TX pin, but not by the line code
   uint64_t received;      // packets that reached the RX pin whole
   uint64_t damaged;       // packets that were in range and did not
@@ -56,6 +56,8 @@ typedef struct sniffer {
 
 // Returns 0, or -1 where the memory does not suffice.
 int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *out);
+// Tells what is on the air when the run ends, as far as it was sent.
+void sniffer_end(sniffer *s);
 void sniffer_release(sniffer *s);
 
 // `board` may be the stranger: the number of boards.

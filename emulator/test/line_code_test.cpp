@@ -12,7 +12,7 @@ namespace {
 // Decodes levels given bit by bit and keeps what comes out.
 struct Receiver {
   explicit Receiver(double bit_rate = 2000) : bit_cycles(CYCLES_PER_SECOND / bit_rate) {
-    line_decoder_init(&decoder, bit_rate, {this, on_packet, on_damaged});
+    line_decoder_init(&decoder, bit_rate, {this, nullptr, on_packet, on_damaged});
   }
 
   static void on_packet(void *context, const line_packet *packet) {
@@ -141,7 +141,7 @@ TEST(LineCode, a_packet_whose_last_symbol_was_cut_short_counts_where_it_is_to) {
   for (size_t cut = 1; cut <= 12; cut++) {
     for (bool mends : {false, true}) {
       Receiver receiver;
-      receiver.decoder.mends_end = mends;
+      receiver.decoder.at_sender = mends;
       receiver.send(bits.substr(0, bits.size() - cut));
       // What is 0 anyway is not missed.
       const size_t missing = bits.find('1', bits.size() - cut);

@@ -34,20 +34,47 @@ std::string line_bits(const std::string &payload) {
   return bits;
 }
 
-Event sniffed(const std::string &payload) {
+const cycles_t BIT = CYCLES_PER_SECOND / 2000;
+
+Event sniffed_bits(const std::string &bits) {
   static std::vector<std::unique_ptr<Emulation>> runs;  // events refer to them
   Scratch scratch;
   runs.emplace_back(new Emulation(scratch, R"({"boards":[{"name":"a","firmware":"@blink"}]})"));
   sniffer *listener = &runs.back()->e.listener;
-  const cycles_t bit = CYCLES_PER_SECOND / 2000;
   cycles_t at = CYCLES_PER_MS;
-  for (char level : line_bits(payload) + "0") {
+  for (char level : bits + "0") {
     sniffer_tx_edge(listener, 0, level == '1', at);
-    at += bit;
+    at += BIT;
   }
-  sniffer_advance_tx(listener, at + 20 * bit);
+  sniffer_advance_tx(listener, at + 20 * BIT);
   auto sent = runs.back()->events("rf-tx");
   return sent.size() == 1 ? sent[0] : Event{};
+}
+
+Event sniffed(const std::string &payload) { return sniffed_bits(line_bits(payload)); }
+
+const std::string PAYLOAD = "CAFEROMAAwHello!";
+const int PACKET_BITS = 84 + 12 * 16;
+const std::string MARK = "001110110001";
+const std::string PARITY = "110001001110";
+
+// So many bytes of parity: whatever they are, their symbols are those of SPEC 6.1.
+std::string parity_bits(int bytes) {
+  std::string bits;
+  for (int i = 0; i < bytes; i++) bits += i % 2 ? "111000001011" : "101100001110";
+  return bits;
+}
+
+// What the carrier shows of a packet with something behind it, and how long it is to be on the air.
+void expect_trailer(const std::string &payload, const std::string &behind, const std::string &trailer, size_t bits) {
+  const std::string packet = line_bits(payload);
+  Event event = sniffed_bits(packet + behind);
+  EXPECT_EQ(event.text("trailer"), trailer) << behind;
+  EXPECT_EQ(static_cast<size_t>(event.number("bits")), packet.size() + bits) << behind;
+  // The first bit is a 0.
+  EXPECT_NEAR((event.real("end") - event.real("start")) * 2000, static_cast<double>(packet.size() + bits - 1), 0.01)
+      << behind;
+  EXPECT_EQ(event.t, event.real("end"));
 }
 
 }  // namespace
@@ -60,24 +87,99 @@ TEST(Sniffer, tells_that_a_packet_was_sent_before_it_tells_that_it_was_heard) {
   Scratch scratch;
   Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"},{"name":"b","firmware":"@blink"}]})");
   sniffer *listener = &run.e.listener;
-  const cycles_t bit = CYCLES_PER_SECOND / 2000;
   cycles_t at = CYCLES_PER_MS;
-  for (size_t i = 0; i < bits.size(); i++, at += bit) {
+  for (size_t i = 0; i < bits.size(); i++, at += BIT) {
     sniffer_tx_edge(listener, 0, bits[i] == '1', at);
     if (i + 1 < bits.size()) sniffer_rx_edge(listener, 1, bits[i] == '1', at + RF_DELAY);
   }
-  const cycles_t jam = at - bit - bit / 4;
-  sniffer_rx_edge(listener, 1, true, jam);
-  const cycles_t heard = jam + bit / 2 + 1;
-  sniffer_advance_tx(listener, heard);
-  sniffer_advance_rx(listener, heard);
+  sniffer_rx_edge(listener, 1, true, at - BIT - BIT / 4);
+  sniffer_tx_edge(listener, 0, false, at);
+  for (int i = 0; i < 20; i++, at += BIT / 2) {
+    sniffer_advance_tx(listener, at);
+    sniffer_advance_rx(listener, at);
+  }
   ASSERT_EQ(run.events("rf-rx").size(), 1u);
   EXPECT_EQ(run.events("rf-rx")[0].text("from"), "a");
-  sniffer_tx_edge(listener, 0, false, at);
-  sniffer_advance_tx(listener, at + 20 * bit);
-  sniffer_advance_rx(listener, at + 20 * bit);
-  EXPECT_EQ(run.events("rf-tx").size(), 1u);
+  ASSERT_EQ(run.events("rf-tx").size(), 1u);
+  EXPECT_LT(run.trace_text().find("rf-tx"), run.trace_text().find("rf-rx"));
   EXPECT_TRUE(run.events("rf-damaged").empty());
+}
+
+TEST(Sniffer, counts_a_trailer_to_its_packet) {
+  expect_trailer(PAYLOAD, "", "", 0);
+  expect_trailer(PAYLOAD, MARK, "mark", 12);
+  expect_trailer(PAYLOAD, PARITY + parity_bits(12), "parity", 156);
+  expect_trailer(std::string(45, 'x'), PARITY + parity_bits(16), "parity", 156);
+  expect_trailer(std::string(46, 'x'), PARITY + parity_bits(16), "parity", 204);
+}
+
+// A board that loses power or is reset breaks off.
+TEST(Sniffer, counts_of_a_trailer_that_was_cut_off_the_symbols_that_were_sent) {
+  const std::string parity = PARITY + parity_bits(12);
+  for (size_t sent = 0; sent < MARK.size(); sent++) {
+    if (MARK.find('1', sent) != std::string::npos) expect_trailer(PAYLOAD, MARK.substr(0, sent), "", 0);
+    if (PARITY.find('1', sent) != std::string::npos) expect_trailer(PAYLOAD, parity.substr(0, sent), "", 0);
+  }
+  for (size_t sent = 12; sent < parity.size(); sent++) {
+    const size_t missing = parity.find('1', sent);
+    if (missing == std::string::npos) continue;
+    expect_trailer(PAYLOAD, parity.substr(0, sent), "parity", missing / 6 * 6);
+  }
+}
+
+TEST(Sniffer, calls_nothing_else_a_trailer) {
+  expect_trailer(PAYLOAD, "1", "", 0);
+  expect_trailer(PAYLOAD, "001110110011", "", 0);
+  expect_trailer(PAYLOAD, "110001001111", "", 0);
+  // 16, which is no symbol of trailers.
+  expect_trailer(PAYLOAD, PARITY + "101100" + "011010" + parity_bits(11), "parity", 18);
+}
+
+// Who receives has the packet with its CRC; what hits its trailer does it no harm.
+TEST(Sniffer, tells_that_a_packet_was_heard_whose_trailer_was_hit) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"},{"name":"b","firmware":"@blink"}]})");
+  sniffer *listener = &run.e.listener;
+  const std::string bits = line_bits(PAYLOAD) + PARITY + parity_bits(12) + "0";
+  cycles_t at = CYCLES_PER_MS;
+  for (size_t i = 0; i < bits.size(); i++, at += BIT) {
+    sniffer_tx_edge(listener, 0, bits[i] == '1', at);
+    sniffer_rx_edge(listener, 1, bits[i] == '1' || i > static_cast<size_t>(PACKET_BITS), at + RF_DELAY);
+    sniffer_advance_tx(listener, at);
+    sniffer_advance_rx(listener, at);
+  }
+  sniffer_advance_tx(listener, at + 20 * BIT);
+  sniffer_advance_rx(listener, at + 20 * BIT);
+  ASSERT_EQ(run.events("rf-tx").size(), 1u);
+  ASSERT_EQ(run.events("rf-rx").size(), 1u);
+  const Event heard = run.events("rf-rx")[0];
+  EXPECT_EQ(heard.text("from"), "a");
+  EXPECT_EQ(heard.number("bits"), PACKET_BITS);
+  EXPECT_EQ(heard.text("trailer"), "");
+  EXPECT_LT(heard.t, run.events("rf-tx")[0].t - 0.07);
+  EXPECT_TRUE(run.events("rf-damaged").empty());
+}
+
+TEST(Sniffer, tells_at_the_end_what_was_sent_of_a_packet_that_was_heard) {
+  Scratch scratch;
+  Emulation run(scratch, R"({"boards":[{"name":"a","firmware":"@blink"},{"name":"b","firmware":"@blink"}]})");
+  const std::string bits = line_bits(PAYLOAD) + PARITY + parity_bits(4).substr(0, 45);
+  cycles_t at = CYCLES_PER_MS;
+  for (char level : bits) {
+    sniffer_tx_edge(&run.e.listener, 0, level == '1', at);
+    sniffer_rx_edge(&run.e.listener, 1, level == '1', at + RF_DELAY);
+    at += BIT;
+  }
+  sniffer_advance_tx(&run.e.listener, at);
+  sniffer_advance_rx(&run.e.listener, at);
+  EXPECT_TRUE(run.events("rf-tx").empty());
+  ASSERT_EQ(run.events("rf-rx").size(), 1u);
+  run.close();
+  ASSERT_EQ(run.events("rf-tx").size(), 1u);
+  const Event sent = run.events("rf-tx")[0];
+  EXPECT_EQ(sent.text("trailer"), "parity");
+  EXPECT_EQ(sent.number("bits"), PACKET_BITS + 12 + 42);
+  EXPECT_NEAR((sent.real("end") - sent.real("start")) * 2000, PACKET_BITS + 12 + 42 - 1, 0.01);
 }
 
 TEST(Sniffer, tells_content_in_the_clear) {

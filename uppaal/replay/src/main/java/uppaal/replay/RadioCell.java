@@ -249,6 +249,11 @@ final class RadioCell {
         }
     }
 
+    /** Whether the trace has told who sends what somebody hears. */
+    boolean isSent(Event event) {
+        return source(event).isPresent();
+    }
+
     private Optional<Packet> source(Event event) {
         double start = event.number("start");
         Collection<Station> from = event.fields().has("from") ? List.of(board(event.text("from"))) : boards.values();

@@ -2,6 +2,7 @@ package uppaal.replay;
 
 import com.google.gson.JsonParseException;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.PriorityQueue;
@@ -12,11 +13,14 @@ import java.util.PriorityQueue;
  */
 public final class Replay {
     /**
-     * A packet's line comes when it has ended, but it counts when it began: at 100 bit/s this much earlier, in seconds.
+     * A packet's line comes when it has ended with its trailer, but it counts when it began: at 100 bit/s this much
+     * earlier, in seconds.
      */
-    private static final double LATEST = 12;
-    /** How far lines may be out of order: two bits of the slowest air, in seconds. */
-    private static final double DISORDER = 0.03;
+    private static final double LATEST = 13;
+    /** A trailer takes less than this share of its packet's time. Before its end others may have the packet already. */
+    private static final double TRAILER = 0.5;
+    /** How far lines may be out of order: some bits of the slowest air, in seconds. */
+    private static final double DISORDER = 0.05;
 
     private record Step(double seconds, Event event) {}
 
@@ -27,6 +31,7 @@ public final class Replay {
     private int events;
     private double now;
     private String refusal;
+    private boolean ended;
 
     /**
      * Takes the next line.
@@ -63,6 +68,7 @@ public final class Replay {
      * @throws IllegalArgumentException where one of its last lines was none of a trace
      */
     public synchronized void finish() {
+        ended = true;
         perform(Double.POSITIVE_INFINITY);
     }
 
@@ -93,6 +99,10 @@ public final class Replay {
         while (refusal == null && !steps.isEmpty() && steps.peek().seconds() <= until) {
             Event event = steps.remove().event();
             try {
+                if (ended && isOfUnfinishedPacket(event)) {
+                    steps.clear();
+                    return;
+                }
                 perform(event);
                 events++;
             } catch (RefusedException refused) {
@@ -101,6 +111,14 @@ public final class Replay {
                 throw wrong(event.index(), wrong);
             }
         }
+    }
+
+    /** Whether the trace ends before it has told what somebody hears; what follows from that cannot be checked. */
+    private boolean isOfUnfinishedPacket(Event event) {
+        boolean mayHaveTrailer = event.name().equals("rf-damaged")
+                || event.name().equals("rf-rx") && List.of("unicast", "piece").contains(event.text("kind"));
+        return mayHaveTrailer && !cell.isSent(event)
+                && event.seconds() + TRAILER * (event.seconds() - event.number("start")) > now;
     }
 
     private void refuse(Event event, String why) {

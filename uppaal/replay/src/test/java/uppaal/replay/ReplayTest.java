@@ -59,6 +59,26 @@ class ReplayTest {
     }
 
     @Test
+    void replay_packetWhoseTrailerEndsAfterItWasHandedOver_isAcceptedHoweverEarlyTheTraceEnds() {
+        Lines lines = Lines.of("highway");
+        int handed = handedToHospital(lines);
+        int sent = lines.where(line -> lines.is(line, "support", "rf-tx")
+                && lines.text(line, "kind").equals("unicast") && line < handed).get(0);
+        JsonObject packet = lines.get(sent);
+        packet.addProperty("trailer", "parity");
+        packet.add("t", lines.get(handed).get("t"));
+        packet.add("end", lines.get(handed).get("t"));
+        lines.all.add(handed, packet);
+        lines.all.remove(sent - 1);
+        assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());
+        for (int end = sent; end <= handed; end++) {
+            int last = end;
+            assertTrue(lines.without(line -> line > last).replay().refusal().isEmpty(),
+                    () -> "of the first " + last + " lines");
+        }
+    }
+
+    @Test
     void replay_eventsThatItDoesNotKnow_changeNothing() {
         Lines lines = Lines.of("highway");
         String verdict = lines.replay().verdict();
