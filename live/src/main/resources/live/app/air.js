@@ -30,7 +30,7 @@ export function sniffer(model, state, t, chosen, choose) {
     <td>${seconds(p.t)}</td>
     <td class=${hueClass(state.boards.get(p.board))}><button type="button" class="link" aria-pressed=${p.n === chosen}><code>${plain(p.origin, 4)} → ${plain(p.destination, 4)}</code></button>
       ${p.board === 'stranger' ? html`<b> stranger</b>` : nothing}</td>
-    <td>${KINDS[p.kind] ?? plain(p.kind, 20)}${p.sealed ? ', sealed' : p.content === undefined ? '' : ', open'}</td>
+    <td>${KINDS[p.kind] ?? plain(p.kind, 20)}${p.sealed ? ', sealed' : p.content === undefined ? '' : ', open'}${p.trailer === 'parity' ? ', with parity' : ''}</td>
     <td class="bytes">${fieldsOf(p).map((f) => html`<span class="field ${f.name.replace(' ', '-')}" title="${f.name}: ${plain(f.text, 90)}"><code>${grouped(f.bytes)}</code><small>${f.name}</small></span>`)}</td>
     <td class="readable">${readable(p)}</td></tr>`)}</tbody></table></div>`;
 }

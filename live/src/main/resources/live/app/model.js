@@ -11,6 +11,8 @@ const CHECKPOINT = 256;
 const MOST_EVENTS = 200_000;
 /** A pin that changed within this time blinks: the time line shows only its first change. */
 const BLINK = 1;
+/** Packets that are on the air at one time are few. */
+const MOST_EARLY = 64;
 
 /** The number of entries whose `at` is not later than t. */
 function upTo(entries, t, at = (entry) => entry.t) {
@@ -36,6 +38,8 @@ export class Model {
   #readings = new Map();
   #last = new Map();
   #numbered = 0;
+  /** What boards did with a packet that has not ended: they have it before its trailer. */
+  #early = [];
 
   /** What could be read of the air, in order of the ends. */
   packets = [];
@@ -147,17 +151,18 @@ export class Model {
     switch (e.event) {
       case 'rf-tx':
         this.#packet(e, s);
+        this.#catchUp();
         break;
       case 'rf-rx':
       case 'rf-damaged':
-        this.#heard(e);
+        this.#arrived({ e, t: s.t });
         if (e.event === 'rf-damaged') this.losses.push({ t: s.t, board: text(e.board), why: text(e.why) });
         break;
       case 'rf-collision':
         this.losses.push({ t: s.t, board: text(e.board), why: 'collision', boards: texts(e.boards) });
         break;
       case 'host-handed':
-        this.#handed(e);
+        this.#arrived({ e, t: s.t });
         break;
       case 'percepts':
         this.#reading(e, s);
@@ -212,6 +217,7 @@ export class Model {
       sealed: e.sealed === true,
       content: typeof e.content === 'string' ? e.content : undefined,
       answers: text(e.answers),
+      trailer: text(e.trailer),
       bits: number(e.bits),
       heard: [],
       handed: [],
@@ -238,23 +244,44 @@ export class Model {
     return [];
   }
 
-  #heard(e) {
+  #arrived(arrival) {
+    if (arrival.e.event === 'host-handed' ? this.#handed(arrival) : this.#heard(arrival)) return;
+    this.#early.push(arrival);
+    if (this.#early.length > MOST_EARLY) this.#early.shift();
+  }
+
+  #catchUp() {
+    const { start, end, trailer } = this.packets.at(-1);
+    if (!trailer) return;
+    const early = this.#early;
+    this.#early = [];
+    for (const arrival of early) {
+      if (arrival.t > start && arrival.t <= end) this.#arrived(arrival);
+      else this.#early.push(arrival);
+    }
+  }
+
+  /** Whether there is a packet of which somebody has heard. */
+  #heard({ e, t }) {
     const start = number(e.start, e.t);
     for (let i = this.packets.length - 1; i >= Math.max(0, this.packets.length - 64); i--) {
       const p = this.packets[i];
       if (p.board === e.from && Math.abs(p.start - start) < 0.002) {
-        p.heard.push({ t: this.#head.t, board: text(e.board), why: e.event === 'rf-rx' ? '' : text(e.why) || 'damaged' });
-        return;
+        p.heard.push({ t, board: text(e.board), why: e.event === 'rf-rx' ? '' : text(e.why) || 'damaged' });
+        return true;
       }
     }
+    return false;
   }
 
-  #handed(e) {
+  /** Whether there is a packet that was handed over. */
+  #handed({ e, t }) {
     const fitting = this.packets.slice(-64).filter((p) => p.origin === e.origin && p.destination === e.destination
       && p.heard.some((h) => h.board === e.board && !h.why));
     // A message's id is in the nonce of its packet (SPEC 4.3). A later one with the same id is a copy.
     const packet = fitting.find((p) => p.sealed && idIn(p) === e.id) ?? fitting.findLast((p) => !p.sealed || p.kind === 'piece');
-    packet?.handed.push({ t: this.#head.t, board: text(e.board) });
+    packet?.handed.push({ t, board: text(e.board) });
+    return packet !== undefined;
   }
 
   #reading(e, s) {

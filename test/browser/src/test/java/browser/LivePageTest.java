@@ -186,6 +186,37 @@ class LivePageTest {
         }
     }
 
+    /** Boards have a packet before its trailer has ended, and the trace tells so. */
+    @Test
+    void packetWithATrailer_isHeardAndHandedOverByItsBoards() throws Exception {
+        String packet =
+                "\"payload\":\"535550505355504f4d49000001000000%s\",\"destination\":\"SUPP\",".formatted("00".repeat(8))
+                        + "\"origin\":\"SUPO\",\"kind\":\"unicast\",\"sealed\":true,";
+        Files.writeString(folder.resolve("trace.jsonl"), """
+                {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"},{"name":"b"},{"name":"c"}]}
+                {"t":1.2001,"board":"b","event":"rf-rx","from":"a",%1$s"bits":372,"start":1.0001,"end":1.2001}
+                {"t":1.204,"board":"c","event":"rf-damaged","from":"a","why":"wrong CRC","start":1,"end":1.2}
+                {"t":1.22,"board":"b","event":"host-handed","number":1,"destination":"SUPP","origin":"SUPO","id":"010000"}
+                {"t":1.278,"board":"a","event":"rf-tx",%1$s"trailer":"parity","bits":528,"start":1,"end":1.278}
+                {"t":2,"board":"b","event":"rf-rx",%1$s"bits":372,"start":1.8,"end":2}
+                """.formatted(packet));
+        try (LiveRun watch = LiveRun.watch(folder, "--trace", "trace.jsonl"); Page page = Page.open(watch.address())) {
+            page.driver().findElement(By.id("tab-air")).click();
+            page.awaitText("tr.packet", "sealed, with parity");
+            assertEquals("1.2001 b , 1.204 c wrong CRC; 1.22 b", page.script("""
+                    const text = arguments[0];
+                    return import('/app/model.js').then(({ Model }) => {
+                      const model = new Model();
+                      for (const line of text.trim().split('\\n')) model.add(JSON.parse(line));
+                      const [p] = model.packets;
+                      return p.heard.map((h) => [h.t, h.board, h.why].join(' ')).join(', ')
+                        + '; ' + p.handed.map((h) => [h.t, h.board].join(' ')).join(', ');
+                    });
+                    """, Files.readString(folder.resolve("trace.jsonl"))));
+            assertClean(page);
+        }
+    }
+
     @Test
     void board_isWatchedWithoutAnyAgent() throws Exception {
         Files.writeString(folder.resolve("lamp.json"), """
