@@ -196,7 +196,7 @@ class LivePageTest {
                 {"t":0,"event":"scenario","seed":1,"boards":[{"name":"a"},{"name":"b"},{"name":"c"}]}
                 {"t":1.2001,"board":"b","event":"rf-rx","from":"a",%1$s"bits":372,"start":1.0001,"end":1.2001}
                 {"t":1.204,"board":"c","event":"rf-damaged","from":"a","why":"wrong CRC","start":1,"end":1.2}
-                {"t":1.22,"board":"b","event":"host-handed","number":1,"destination":"SUPP","origin":"SUPO","id":"010000"}
+                {"t":1.22,"board":"b","event":"host-handed","destination":"SUPP","origin":"SUPO","id":"010000"}
                 {"t":1.278,"board":"a","event":"rf-tx",%1$s"trailer":"parity","bits":528,"start":1,"end":1.278}
                 {"t":2,"board":"b","event":"rf-rx",%1$s"bits":372,"start":1.8,"end":2}
                 """.formatted(packet));
