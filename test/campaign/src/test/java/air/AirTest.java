@@ -137,8 +137,9 @@ class AirTest {
     void damage_withoutAnother_isOfNoiseOrAJamOrAPacketThatWasBrokenOff() throws IOException {
         line("\"t\":2.9,\"event\":\"fault\",\"do\":\"jam\",\"until\":4").send("a", 1, "-b", "c").send("a", 3, "-b", "c")
                 .overlap("b", 3.0001, "\"a\",\"jam\"").overlap("c", 3.0001, "\"a\",\"jam\"").send("a", 5, "-b", "c")
-                .overlap("b", 5.1, "\"a\",\"c\"").send("a", 7, "b").overlap("b", 7.1, "\"a\",\"jam\"");
-        assertEquals(list(Cause.NOISE, Cause.JAM, Cause.UNFINISHED, null), causes());
+                .overlap("b", 5.1, "\"a\",\"c\"").send("a", 7, "b").overlap("b", 7.1, "\"a\",\"jam\"")
+                .send("a", 9, "-b", "c").overlap("c", 9.1, "\"a\",\"jam\"");
+        assertEquals(list(Cause.NOISE, Cause.JAM, Cause.UNFINISHED, null, Cause.NOISE), causes());
     }
 
     @Test
