@@ -23,7 +23,7 @@ final class AirTrace {
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
     private static final int LEAST_BITS = 84;
-    private static final double MOST_SECONDS = 1e9;
+    private static final double LAST_SECOND = 1e9;
     private static final int PIECES = 8;
     private static final int HEADER_DIGITS = 20;
 
@@ -95,7 +95,7 @@ final class AirTrace {
 
     private static double real(TraceEvent event, String field) {
         double value = event.fields().get(field).getAsDouble();
-        if (!(value >= 0 && value <= MOST_SECONDS)) {
+        if (!(value >= 0 && value <= LAST_SECOND)) {
             throw new NumberFormatException(field);
         }
         return value;
