@@ -155,6 +155,29 @@ class ReplayTest {
     }
 
     @Test
+    void replay_repeatAcknowledgedThrice_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int acknowledged = acknowledgedByHospital(lines);
+        Lines repeated = lines.without(line -> line > acknowledged);
+        int sent = lines.next(0, "support", "rf-tx");
+        int heard = lines.next(sent, "hospital", "rf-rx");
+        repeated.all.add(later(lines.copy(sent), 1));
+        repeated.all.add(later(lines.copy(heard), 1));
+        repeated.all.add(later(lines.copy(acknowledged), 2));
+        repeated.all.add(later(lines.copy(acknowledged), 3));
+        assertEquals("accepted", repeated.replay().refusal().orElse("accepted"));
+        repeated.all.add(later(lines.copy(acknowledged), 4));
+        assertRefused(repeated, repeated.all.size(), "hospital acknowledges it as delivered (SUPP to SUHO, ");
+    }
+
+    private static JsonObject later(JsonObject line, int seconds) {
+        for (String field : List.of("t", "start", "end")) {
+            line.addProperty(field, line.get(field).getAsDouble() + seconds);
+        }
+        return line;
+    }
+
+    @Test
     void replay_acknowledgedByAnother_isRefusedThere() {
         Lines lines = Lines.of("highway");
         int acknowledged = acknowledgedByHospital(lines);
