@@ -79,10 +79,12 @@ void CarrierSense::addPeriod() {
   if (periods_ == PERIODS_OF_PACKET) expectAtLeast(BITS_TO_NEXT_PERIODS);
 }
 
-// A shorter pulse is noise, and so was then what seemed to be a carrier by its first pulses.
+// A shorter pulse is noise, and so was then what seemed to be a carrier by its first pulses. It is much shorter: where a
+// pulse follows a gap of a few ticks, as in collisions, the interrupt of the gap's end waits for that of its beginning,
+// which has up to five bits to decode, and the pulse seems to begin a third of a bit later.
 void CarrierSense::addPulse(uint16_t ticks) {
   if (!clean_) return;
-  if (ticks < bitTicks_ - toleranceTicks_) {
+  if (ticks < bitTicks_ / 2) {
     clean_ = false;
     if (pulses_ == PULSES_AFTER_SILENCE && training_ < PERIODS_OF_TRAINING) bitsLeft_ = 0;
   } else if (pulses_ != PULSES_AFTER_SILENCE && ++pulses_ == PULSES_AFTER_SILENCE) {

@@ -275,6 +275,24 @@ TEST(AskRadio, hearsACarrierWhereManyFillEachOthersGapsIfTheLineWasSilentBefore)
   }
 }
 
+// The edge that ends a short gap waits until the one that began it has been dealt with.
+TEST(AskRadio, hearsACollisionOnThoughALateInterruptMakesAPulseShorter) {
+  for (int before = 1; before < 30; before++) {
+    Modem modem;
+    hearSilence(modem);
+    CarrierLog log(modem);
+    AirLine line;
+    double bits = 0;
+    for (int i = 0; i < 60; i++) {
+      const double high = i == before ? 0.65 : i % 2 ? 3.4 : 1.6;  // without a rhythm
+      line.hold(true, high * Modem::BIT).silence(0.6 * Modem::BIT);
+      bits += high + 0.6;
+    }
+    modem.hardware.play(line);
+    EXPECT_TRUE(log.covers(TWELFTH_BIT, bits)) << "after " << before << " pulses";
+  }
+}
+
 TEST(AskRadio, hearsNoCarrierForLongInNoiseThatFollowsSilence) {
   std::mt19937 random(47);
   for (double longestPulse : {0.1, 0.6, 1.0, 1.5, 2.0, 4.0}) {
