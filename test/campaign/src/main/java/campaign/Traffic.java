@@ -32,7 +32,7 @@ final class Traffic implements AutoCloseable {
         }
 
         /** The wait that this share of them did not exceed; 0 where nothing was delivered. */
-        double wait(double share) {
+        double longestWait(double share) {
             List<Double> sorted = waits.stream().sorted().toList();
             return sorted.isEmpty() ? 0 : sorted.get((int) Math.ceil(share * sorted.size()) - 1);
         }

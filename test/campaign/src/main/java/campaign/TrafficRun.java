@@ -44,11 +44,12 @@ record TrafficRun(long seed, double seconds, List<TrafficRun.Plan> plans) implem
 
     /**
      * Each plan with each of so many seeds; what came of each, in their order, and of those that are alike together.
-     * Plans share emulators, as many as fit.
+     *
+     * @param sets plans that may share an emulator; one ends when all that was sent in it has ended.
      */
-    static Map<Plan, List<Result>> all(List<Plan> plans, Settings settings, int seeds, double seconds, Report report)
-            throws Exception {
-        List<List<Plan>> groups = groups(plans);
+    static Map<Plan, List<Result>> all(List<List<Plan>> sets, Settings settings, int seeds, double seconds,
+            Report report) throws Exception {
+        List<List<Plan>> groups = sets.stream().flatMap(plans -> groups(plans).stream()).toList();
         List<TrafficRun> runs = new ArrayList<>();
         for (int seed = 0; seed < seeds; seed++) {
             for (int group = 0; group < groups.size(); group++) {

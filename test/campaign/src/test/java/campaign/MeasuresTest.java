@@ -66,13 +66,13 @@ class MeasuresTest {
     }
 
     @Test
-    void wait_shareOfMessages_isTheLongestOfThem() {
+    void longestWait_shareOfMessages_isTheLongestOfThem() {
         Traffic.Sent sent = new Traffic.Sent(Ledger.Sum.ZERO, List.of(3.0, 1.0)).plus(
                 new Traffic.Sent(Ledger.Sum.ZERO, List.of(4.0, 2.0)));
-        assertEquals(2, sent.wait(0.5));
-        assertEquals(3, sent.wait(0.51));
-        assertEquals(4, sent.wait(1));
-        assertEquals(0, Traffic.Sent.NONE.wait(0.5));
+        assertEquals(2, sent.longestWait(0.5));
+        assertEquals(3, sent.longestWait(0.51));
+        assertEquals(4, sent.longestWait(1.0));
+        assertEquals(0, Traffic.Sent.NONE.longestWait(0.5));
     }
 
     @Test
