@@ -43,7 +43,7 @@ static void check_board(const scenario *s, size_t index, const json_node *node) 
 static void read_boards(scenario *s, const json_node *node, const char *scenario_directory, const char *directory) {
   size_t count = json_array_length(node);
   if (count == 0 || count > MAX_BOARDS) {
-    json_expected(node, "a list of 1 to 32 boards");
+    json_expected(node, "a list of 1 to 48 boards");
     return;
   }
   s->boards = calloc(count, sizeof *s->boards);

@@ -9,7 +9,7 @@
 #include "model.h"
 #include "series.h"
 
-#define MAX_BOARDS 32
+#define MAX_BOARDS 48
 #define MIN_BIT_RATE 100
 #define MAX_BIT_RATE 10000
 // Who sends without being a board is called so.

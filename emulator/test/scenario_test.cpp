@@ -193,8 +193,8 @@ TEST(Scenario, each_mistake_gets_a_line_that_helps) {
   } CASES[] = {
       {"{\n\"radio\": {,}}", ": line 2, column 11: string or '}' expected near ','"},
       {"[]", ": the whole file: expected an object { … }, found []"},
-      {"{}", ": boards: is missing; expected a list of 1 to 32 boards"},
-      {R"({"boards":[]})", ": boards: expected a list of 1 to 32 boards, found []"},
+      {"{}", ": boards: is missing; expected a list of 1 to 48 boards"},
+      {R"({"boards":[]})", ": boards: expected a list of 1 to 48 boards, found []"},
       {R"({"board":[]})", ": the whole file: unknown key \"board\"; did you mean \"boards\"?"},
       {R"({"weather":1})", ": the whole file: unknown key \"weather\"; expected one of: radio, boards, faults, world"},
       {R"({"radio":{"bitrate":2000},#boards})", ": radio: unknown key \"bitrate\"; did you mean \"bitRate\"?"},
@@ -331,6 +331,19 @@ TEST(Scenario, each_mistake_in_a_sensor_gets_a_line_that_helps) {
   Scratch scratch;
   for (const auto &c : CASES)
     EXPECT_EQ(load(scratch, with_sensor(c.sensor)), ": boards[0].sensors[0]" + std::string(c.error)) << c.sensor;
+}
+
+TEST(Scenario, there_are_48_boards_at_most) {
+  Scratch scratch;
+  std::string boards;
+  auto add = [&boards](int n) { boards += R"({"firmware":"bus.elf","name":"b)" + std::to_string(n) + "\"}"; };
+  for (int n = 1; n < 48; n++, boards += ',') add(n);
+  add(48);
+  EXPECT_EQ(load(scratch, "{\"boards\":[" + boards + "]}"), "");
+  boards += ',';
+  add(49);
+  std::string error = load(scratch, "{\"boards\":[" + boards + "]}");
+  EXPECT_EQ(error.find(": boards: expected a list of 1 to 48 boards, found [{"), 0u) << error;
 }
 
 TEST(Scenario, a_missing_file_is_named) {

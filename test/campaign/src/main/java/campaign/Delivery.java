@@ -15,7 +15,7 @@ final class Delivery implements Campaign {
     private static final int SEEDS = 3;
     private static final Field.Cell BOARDS = new Field.Cell("Station", 2);
     private static final Field.Cell FROM_UNCHANGED =
-            new Field.Cell("Station", List.of(Map.of("firmware", Before.station().toString()), Map.of()));
+            new Field.Cell("Station", List.of(Before.BOARD, Map.of()));
 
     /**
      * One kind of air.
@@ -123,7 +123,7 @@ final class Delivery implements Campaign {
                     runs.add(new PairRun(each.radio, settings.seed() + seed, each.seconds, plans));
                 }
             }
-            List<List<PairRun.Result>> results = PairRun.all(runs, report);
+            List<List<PairRun.Result>> results = Runs.all(runs, report);
             for (int i = 0; i < cases.size(); i++) {
                 int first = 0;
                 for (int length : cases.get(i).lengths) {

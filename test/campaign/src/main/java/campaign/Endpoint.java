@@ -2,6 +2,7 @@ package campaign;
 
 import harness.Host;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
@@ -11,6 +12,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 
 /** A host with its board: sends what ledgers say, and enters in ledgers what came. */
 final class Endpoint implements AutoCloseable {
@@ -24,13 +26,22 @@ final class Endpoint implements AutoCloseable {
      * @param incoming where what it sends is entered.
      */
     Endpoint(LinkOpener link, Address peer, Ledger incoming) {
+        this(link, Map.of(peer, incoming), incoming);
+    }
+
+    /**
+     * @param incoming where what each device sends is entered.
+     * @param strays   where it is entered if it comes from any other.
+     */
+    Endpoint(LinkOpener link, Map<Address, Ledger> incoming, Ledger strays) {
         board = Board.open(link, config(), new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
-                if (message.from().equals(peer)) {
-                    incoming.received(message.content());
+                Ledger ledger = incoming.get(message.from());
+                if (ledger != null) {
+                    ledger.received(message.content());
                 } else {
-                    incoming.strayed();
+                    strays.strayed();
                 }
             }
         });
@@ -53,14 +64,10 @@ final class Endpoint implements AutoCloseable {
         return this;
     }
 
-    /**
-     * Sends the ledger's next message.
-     *
-     * @param then what to do once its end is known, on the session's thread.
-     */
-    void send(Address to, Ledger ledger, Runnable then) {
+    /** Sends the ledger's next message. What follows its end runs on the session's thread, after the ledger knows it. */
+    CompletableFuture<Outcome> send(Address to, Ledger ledger) {
         int number = ledger.next();
-        board.transmit(to, ledger.content(number)).end().whenComplete((outcome, failure) -> {
+        return board.transmit(to, ledger.content(number)).end().whenComplete((outcome, failure) -> {
             if (failure == null) {
                 ledger.ended(number, outcome);
             } else if (failure instanceof OutcomeUnknownException) {
@@ -68,7 +75,6 @@ final class Endpoint implements AutoCloseable {
             } else {
                 ledger.refused();
             }
-            then.run();
         });
     }
 

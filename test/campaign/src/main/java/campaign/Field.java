@@ -19,7 +19,7 @@ import javino.protocol.Address;
 final class Field implements AutoCloseable {
 
     /** What one emulator takes beside a metronome. */
-    static final int MOST_BOARDS = 31;
+    static final int MOST_BOARDS = 47;
     private static final double CELL_METRES = 10_000;
 
     private final Path folder;
@@ -30,7 +30,8 @@ final class Field implements AutoCloseable {
      * Boards in one range.
      *
      * @param sketch what they all run.
-     * @param boards of each, at least one, what a scenario is to say beside or in place of what it says of all.
+     * @param boards of each, at least one, what a scenario is to say beside or in place of what it says of all;
+     *               positions count from where the cell is.
      */
     record Cell(String sketch, List<Map<String, Object>> boards) {
 
@@ -70,12 +71,12 @@ final class Field implements AutoCloseable {
 
     /** Where the boards of a cell stand: x and y in metres. */
     static List<Double> position(int cell) {
-        return position(cell, 0);
+        return position(cell, List.of(0.0, 0.0));
     }
 
-    /** So far from there. */
-    static List<Double> position(int cell, double metres) {
-        return List.of(cell * CELL_METRES, metres);
+    private static List<Double> position(int cell, List<?> within) {
+        return List.of(cell * CELL_METRES + ((Number) within.get(0)).doubleValue(),
+                ((Number) within.get(1)).doubleValue());
     }
 
     /** Adds the boards to a scenario and starts it. */
@@ -83,8 +84,8 @@ final class Field implements AutoCloseable {
         List<List<Post>> posts = posts(cells);
         for (int cell = 0; cell < cells.size(); cell++) {
             for (int i = 0; i < posts.get(cell).size(); i++) {
-                Map<String, Object> more = new LinkedHashMap<>(Map.of("position", position(cell)));
-                more.putAll(cells.get(cell).boards.get(i));
+                Map<String, Object> more = new LinkedHashMap<>(cells.get(cell).boards.get(i));
+                more.put("position", position(cell, (List<?>) more.getOrDefault("position", List.of(0.0, 0.0))));
                 scenario.board(posts.get(cell).get(i).name, cells.get(cell).sketch, more);
             }
         }

@@ -5,10 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 
 /**
  * Pairs of boards in one emulator, each out of the others' range. One board of a pair sends unicasts to the other, with
@@ -23,8 +19,6 @@ record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> pla
     private static final int WINDOW = 2;
     /** Wall time, far more than a run takes. */
     private static final long PATIENCE_SECONDS = 1800;
-    /** An emulator takes one core, and these boards some third of it. */
-    private static final int AT_A_TIME = 4;
 
     /**
      * One pair.
@@ -50,26 +44,6 @@ record PairRun(Map<String, Object> radio, long seed, int seconds, List<Plan> pla
         /** Of air, for each delivered byte; not a number where none was delivered. */
         double milliseconds(int length) {
             return 1000 * air.seconds() / (sum.delivered() * length);
-        }
-    }
-
-    /** Several runs, some at a time; what came of each, in their order. */
-    static List<List<Result>> all(List<PairRun> runs, Report report) throws Exception {
-        ExecutorService pool = Executors.newFixedThreadPool(AT_A_TIME);
-        try {
-            List<List<Result>> results = new ArrayList<>();
-            for (Future<List<Result>> each : runs.stream().map(pool::submit).toList()) {
-                results.add(each.get());
-                report.progress("%d of %d runs done", results.size(), runs.size());
-            }
-            return results;
-        } catch (ExecutionException failed) {
-            if (failed.getCause() instanceof Error refused) {
-                throw refused;
-            }
-            throw (Exception) failed.getCause();
-        } finally {
-            pool.shutdownNow();
         }
     }
 

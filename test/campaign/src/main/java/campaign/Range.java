@@ -58,14 +58,13 @@ final class Range implements Campaign {
             Unicasts have %d bytes, %d seeds."""
                 .formatted(Before.COMMIT, LENGTH, seeds));
         List<PairRun> runs = new ArrayList<>();
-        for (Map<String, Object> firmware : List.of(Map.<String, Object>of("firmware", Before.station().toString()),
-                Map.<String, Object>of())) {
+        for (Map<String, Object> firmware : List.of(Before.BOARD, Map.<String, Object>of())) {
             for (int seed = 0; seed < seeds; seed++) {
                 runs.add(new PairRun(RADIO, settings.seed() + seed, settings.choose(SECONDS, 5),
                         plans(distances, firmware)));
             }
         }
-        List<List<PairRun.Result>> results = PairRun.all(runs, report);
+        List<List<PairRun.Result>> results = Runs.all(runs, report);
         describe(reach(distances, results.subList(0, seeds)), reach(distances, results.subList(seeds, 2 * seeds)),
                 seeds, report);
     }
@@ -74,7 +73,7 @@ final class Range implements Campaign {
         List<PairRun.Plan> plans = new ArrayList<>();
         for (int metres : distances) {
             Map<String, Object> far = new LinkedHashMap<>(firmware);
-            far.put("position", Field.position(plans.size(), metres));
+            far.put("position", List.of(0, metres));
             plans.add(new PairRun.Plan(new Field.Cell("Station", List.of(firmware, far)), LENGTH));
         }
         return plans;

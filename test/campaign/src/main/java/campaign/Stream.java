@@ -31,7 +31,7 @@ final class Stream {
 
     private void begin() {
         if (goOn.getAsBoolean()) {
-            from.send(to, ledger, this::begin);
+            from.send(to, ledger).whenComplete((outcome, failure) -> begin());
         } else {
             ended.countDown();
         }

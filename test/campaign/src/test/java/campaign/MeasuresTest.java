@@ -66,6 +66,30 @@ class MeasuresTest {
     }
 
     @Test
+    void longestWait_shareOfMessages_isTheLongestOfThem() {
+        Traffic.Sent sent = new Traffic.Sent(Ledger.Sum.ZERO, List.of(3.0, 1.0)).plus(
+                new Traffic.Sent(Ledger.Sum.ZERO, List.of(4.0, 2.0)));
+        assertEquals(2, sent.longestWait(0.5));
+        assertEquals(3, sent.longestWait(0.51));
+        assertEquals(4, sent.longestWait(1.0));
+        assertEquals(0, Traffic.Sent.NONE.longestWait(0.5));
+    }
+
+    @Test
+    void groups_plansOfManySizes_fillFewEmulatorsAndNoneTooMuch() {
+        List<TrafficRun.Plan> plans =
+                java.util.stream.Stream.of(2, 20, 5, 40, 20, 5).map(MeasuresTest::plan).toList();
+        List<List<TrafficRun.Plan>> groups = TrafficRun.groups(plans);
+        assertEquals(List.of(List.of(40, 5, 2), List.of(20, 20, 5)),
+                groups.stream().map(group -> group.stream().map(TrafficRun.Plan::boards).toList()).toList());
+        assertEquals(Field.MOST_BOARDS, groups.get(0).stream().mapToInt(TrafficRun.Plan::boards).sum());
+    }
+
+    private static TrafficRun.Plan plan(int boards) {
+        return new TrafficRun.Plan(new Field.Cell("Station", boards), List.of());
+    }
+
+    @Test
     void crossings_packetsAtTheSameTime_areCountedOnceEach() {
         Crossings crossings = new Crossings();
         send(crossings, "a", 1, 2);

@@ -1,0 +1,82 @@
+package campaign;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** How long messages to one partner wait while others, to which the same board sends, are absent. */
+final class Absent {
+
+    private static final double PRESENT_SECONDS = 2;
+    private static final double ABSENT_SECONDS = 10;
+    private static final double AIM_SECONDS = 5;
+    private static final double MOST = 0.99;
+    /** The partners to which messages are under way at once (JAVINO_PARTNERS); where all are absent, others wait. */
+    private static final int PLACES = 4;
+
+    private final Map<Integer, TrafficRun.Plan> before = new LinkedHashMap<>();
+    private final Map<Integer, TrafficRun.Plan> now = new LinkedHashMap<>();
+
+    Absent(Settings settings) {
+        for (int absent : settings.choose(List.of(0, 1, 3, 6), List.of(1))) {
+            before.put(absent, plan(absent, Before.BOARD));
+            now.put(absent, plan(absent, Map.of()));
+        }
+    }
+
+    /** A pair; the first board sends to the second one and to absent ones. */
+    private static TrafficRun.Plan plan(int absent, Map<String, Object> board) {
+        List<Traffic.Flow> flows = new ArrayList<>();
+        flows.add(new Traffic.Flow(0, 1, PRESENT_SECONDS));
+        for (int i = 0; i < absent; i++) {
+            flows.add(new Traffic.Flow(0, 2 + i, ABSENT_SECONDS * absent));
+        }
+        return new TrafficRun.Plan(new Field.Cell("Station", List.of(board, board)), flows);
+    }
+
+    /** Each twice, for more figures. */
+    List<TrafficRun.Plan> plans() {
+        List<TrafficRun.Plan> plans = new ArrayList<>();
+        for (int i = 0; i < 2; i++) {
+            plans.addAll(before.values());
+            plans.addAll(now.values());
+        }
+        return plans;
+    }
+
+    void describe(Map<TrafficRun.Plan, List<TrafficRun.Result>> results, Report report) {
+        report.text("""
+            **Absent partners.** A board sends to a partner that is there every %.0f s on average, and every %.0f s to
+            one that is not: to always the same, or to one of several. *Waits*: emulated time from the host's message to
+            the report that the present partner has it. Boards have messages to four partners under way (`JAVINO_PARTNERS`),
+            before only one."""
+                .formatted(PRESENT_SECONDS, ABSENT_SECONDS));
+        Table table =
+                new Table("absent", "before: unicasts", "delivered", "median wait", "99 % wait at most", "longest",
+                        "now: unicasts", "delivered", "median wait", "99 % wait at most", "longest");
+        for (int absent : now.keySet()) {
+            List<Object> row = new ArrayList<>(List.of(absent));
+            for (Map<Integer, TrafficRun.Plan> firmware : List.of(before, now)) {
+                Traffic.Sent sent = present(results.get(firmware.get(absent)));
+                row.add(sent.sum().offered());
+                row.add(Table.percent(sent.sum().delivered(), sent.sum().offered()));
+                for (double share : List.of(0.5, MOST, 1.0)) {
+                    row.add(Table.text("%.2f s", sent.longestWait(share)));
+                }
+            }
+            table.row(row.toArray());
+        }
+        report.table(table);
+        for (int absent : now.keySet()) {
+            if (absent > 0 && absent < PLACES) {
+                report.aim(Table.text("%d absent: 99 %% of the messages to another wait at most %.0f s", absent,
+                        AIM_SECONDS), present(results.get(now.get(absent))).longestWait(MOST) <= AIM_SECONDS);
+            }
+        }
+    }
+
+    private static Traffic.Sent present(List<TrafficRun.Result> seeds) {
+        return seeds.stream().map(seed -> seed.sent().get(0)).reduce(Traffic.Sent.NONE, Traffic.Sent::plus);
+    }
+}

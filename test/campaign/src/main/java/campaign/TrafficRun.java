@@ -1,0 +1,129 @@
+package campaign;
+
+import harness.Emulator;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Cells of boards in one emulator, each with its traffic.
+ *
+ * @param seed    of the air, and of the times at which messages are offered.
+ * @param seconds emulated, how long messages are offered.
+ */
+record TrafficRun(long seed, double seconds, List<TrafficRun.Plan> plans) implements
+        Callable<List<TrafficRun.Result>> {
+
+    /** Of each content, in bytes. */
+    static final int LENGTH = 16;
+    /** The air is looked at from here on, in parts of the whole time: until then queues fill. */
+    private static final double FROM = 1.0 / 3;
+    /** Wall time, far more than a run takes. */
+    private static final long PATIENCE_SECONDS = 1800;
+
+    /** The boards of a cell, and what they send. */
+    record Plan(Field.Cell cell, List<Traffic.Flow> flows) {
+
+        int boards() {
+            return cell.boards().size();
+        }
+    }
+
+    /**
+     * @param sum       of all flows.
+     * @param sent      what became of each flow.
+     * @param perSecond how many were delivered a second while all went at its pace.
+     * @param repeated  nonces with two messages.
+     */
+    record Result(Ledger.Sum sum, List<Traffic.Sent> sent, double perSecond, AirUsage.Sum air, long repeated) {}
+
+    /**
+     * Each plan with each of so many seeds; what came of each, in their order, and of those that are alike together.
+     *
+     * @param sets plans that may share an emulator; one ends when all that was sent in it has ended.
+     */
+    static Map<Plan, List<Result>> all(List<List<Plan>> sets, Settings settings, int seeds, double seconds,
+            Report report) throws Exception {
+        List<List<Plan>> groups = sets.stream().flatMap(plans -> groups(plans).stream()).toList();
+        List<TrafficRun> runs = new ArrayList<>();
+        for (int seed = 0; seed < seeds; seed++) {
+            for (int group = 0; group < groups.size(); group++) {
+                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds, groups.get(group)));
+            }
+        }
+        Map<Plan, List<Result>> results = new LinkedHashMap<>();
+        List<List<Result>> all = Runs.all(runs, report);
+        for (int run = 0; run < runs.size(); run++) {
+            for (int cell = 0; cell < all.get(run).size(); cell++) {
+                results.computeIfAbsent(runs.get(run).plans.get(cell), any -> new ArrayList<>())
+                        .add(all.get(run).get(cell));
+            }
+        }
+        return results;
+    }
+
+    /** The large ones first, and the small ones where there is room. */
+    static List<List<Plan>> groups(List<Plan> plans) {
+        List<List<Plan>> groups = new ArrayList<>();
+        for (Plan plan : plans.stream().sorted(java.util.Comparator.comparingInt(Plan::boards).reversed()).toList()) {
+            List<Plan> group = groups.stream()
+                    .filter(some -> some.stream().mapToInt(Plan::boards).sum() + plan.boards() <= Field.MOST_BOARDS)
+                    .findFirst().orElse(null);
+            if (group == null) {
+                groups.add(group = new ArrayList<>());
+            }
+            group.add(plan);
+        }
+        return groups;
+    }
+
+    @Override
+    public List<Result> call() throws Exception {
+        AirUsage air = new AirUsage();
+        Timetable timetable = new Timetable();
+        Emulator.Scenario scenario = timetable.scenario(seed, air);
+        SplittableRandom seeds = new SplittableRandom(seed);
+        try (Closing closing = new Closing()) {
+            closing.add(timetable);
+            Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));
+            List<Traffic> all = new ArrayList<>();
+            for (int cell = 0; cell < plans.size(); cell++) {
+                all.add(closing.add(new Traffic(field, cell, plans.get(cell).flows, LENGTH)));
+            }
+            double begin = timetable.now();
+            all.forEach(traffic -> traffic.offer(timetable, seeds, begin + seconds));
+            await(timetable, begin + FROM * seconds, field);
+            long[] before = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
+            await(timetable, begin + seconds, field);
+            long[] then = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
+            awaitEnds(all);
+            List<Result> results = new ArrayList<>();
+            for (int cell = 0; cell < plans.size(); cell++) {
+                Traffic traffic = all.get(cell);
+                // Nonces are watched in the whole run: what was repeated counts with its first cell.
+                results.add(new Result(traffic.sum(), traffic.sent(),
+                        (then[cell] - before[cell]) / (seconds - FROM * seconds), air.of(traffic.posts()),
+                        cell == 0 ? air.nonces().repeated() : 0));
+            }
+            return results;
+        }
+    }
+
+    private static void await(Timetable timetable, double second, Field field) throws Exception {
+        if (!timetable.await(second, field.emulator().process())) {
+            throw new IOException("the emulator ended: " + field.emulator().complaints());
+        }
+    }
+
+    private static void awaitEnds(List<Traffic> all) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (System.nanoTime() - end < 0 && all.stream().anyMatch(traffic -> traffic.sum().open() > 0)) {
+            TimeUnit.MILLISECONDS.sleep(100);
+        }
+    }
+}
