@@ -71,9 +71,9 @@ class CarrierSense {
   bool trained_ JAVINO_ZEROED;         // the packet that is expected had training
   bool held_ JAVINO_ZEROED;            // a carrier was taken for one since the line stays high
   bool edgeIsOld_ JAVINO_ZEROED;       // it does not tell how long the line has been high
-  bool clean_ JAVINO_ZEROED;           // the line was silent, and has had no pulse since that is shorter than half a bit
-  uint8_t pulses_ JAVINO_ZEROED;       // since then, or since a packet began
-  uint16_t bitsLeft_ JAVINO_ZEROED;    // for which a carrier is expected
+  bool clean_ JAVINO_ZEROED;         // the line was silent, and has had no pulse since that is shorter than half a bit
+  uint8_t pulses_ JAVINO_ZEROED;     // since then, or since a packet began
+  uint16_t bitsLeft_ JAVINO_ZEROED;  // for which a carrier is expected
 };
 
 }  // namespace javino

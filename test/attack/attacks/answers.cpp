@@ -125,6 +125,13 @@ Bytes forged(const Bytes &nonce, RandomBytes &random) {
   }
 }
 
+// Whether they differ in two bytes at most.
+bool isNearly(const Bytes &one, const Bytes &other) {
+  size_t differ = 0;
+  for (size_t i = 0; i < one.size() && i < other.size(); i++) differ += one[i] != other[i];
+  return one.size() == other.size() && differ <= 2;
+}
+
 }  // namespace
 
 Tally forgeAcknowledgements(uint32_t seed, uint64_t tries) {
@@ -134,6 +141,24 @@ Tally forgeAcknowledgements(uint32_t seed, uint64_t tries) {
     for (int i = 0; i < 500; i++) victim.suffer(forged(errand.nonce(), victim.random));
     errand.checkUndecided();
     errand.end(delivered(errand.nonce()));
+  });
+}
+
+// One that is nearly right, and then damaged, is a genuine one that was damaged a little more: it may be borne.
+Tally forgeDamagedAcknowledgements(uint32_t seed, uint64_t tries) {
+  Victim victim(seed);
+  victim.board.radio.mends = true;
+  Errand errand(victim);
+  return victim.endure(tries, [&] {
+    const Bytes right = delivered(errand.nonce());
+    for (int i = 0; i < 30; i++) {
+      Bytes guess = forged(errand.nonce(), victim.random);
+      if (guess.size() == right.size() && victim.random.number(2) == 0)
+        std::copy(right.begin(), right.begin() + HEADER, guess.begin());
+      if (!isNearly(guess, right)) victim.suffer(guess, 0.03);
+    }
+    errand.checkUndecided();
+    errand.end(right);
   });
 }
 

@@ -18,6 +18,10 @@ Tally replayAcrossPowerLoss(uint32_t seed, uint64_t tries);
 Tally replayAcrossCutWrites(uint32_t seed, uint64_t tries);
 Tally inventOrigins(uint32_t seed, uint64_t tries);
 
+// Packets that come damaged to a board that mends them (damage.cpp).
+Tally damageFrames(uint32_t seed, uint64_t tries);
+Tally imitateFrames(uint32_t seed, uint64_t tries);
+
 // Messages in pieces (pieces.cpp).
 Tally mixPieces(uint32_t seed, uint64_t tries);
 Tally forgePieces(uint32_t seed, uint64_t tries);
@@ -25,6 +29,7 @@ Tally floodWithFirstPieces(uint32_t seed, uint64_t tries);
 
 // Answers to the board's own messages (answers.cpp).
 Tally forgeAcknowledgements(uint32_t seed, uint64_t tries);
+Tally forgeDamagedAcknowledgements(uint32_t seed, uint64_t tries);
 Tally replayAcknowledgements(uint32_t seed, uint64_t tries);
 Tally forgeStaleNotices(uint32_t seed, uint64_t tries);
 Tally raiseByMulticast(uint32_t seed, uint64_t tries);

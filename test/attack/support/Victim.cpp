@@ -33,6 +33,17 @@ void Victim::suffer(const Bytes &packet) {
   hear(packet);
 }
 
+void Victim::suffer(const Bytes &packet, double wrongBits) {
+  std::set<size_t> wrong;
+  for (size_t bit = 0; bit < 12 * (packet.size() + 3); bit++) {
+    if (random.number(1 << 16) < wrongBits * (1 << 16)) wrong.insert(bit);
+  }
+  tally.tries++;
+  board.radio.arrive(packet, wrong, random.number(4) == 0 ? javino::Trailer::PARITY : javino::Trailer::NONE);
+  board.board->run();
+  if (board.radio.sending()) board.finishSending();
+}
+
 Bytes Victim::genuine(size_t contentLength, bool toGroup) {
   counter_++;
   const std::string number = std::to_string(counter_);

@@ -23,6 +23,9 @@ class Victim {
   /// Hears a hostile packet, which counts as a try.
   void suffer(const Bytes &packet);
 
+  /// Hears a hostile packet that comes with wrong bits, each with this chance: what mends looks at it, too.
+  void suffer(const Bytes &packet, double wrongBits);
+
   /// Has an attack go on, turn by turn, until there were this many tries or a few more.
   template <typename Turn>
   const Tally &endure(uint64_t tries, Turn turn) {
