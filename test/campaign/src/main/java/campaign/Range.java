@@ -52,7 +52,8 @@ final class Range implements Campaign {
         report.text("""
             Pairs of boards as in [delivery](#delivery), with the path loss `"outdoors"` of
             [emulator/README.md](../emulator/README.md#air): a bit error rate of 1e-3 at 100 m, rising steeply.
-            Shadowing is off: it would make each distance of a pair larger or smaller by the same factor, before and now. *Before*
+            Shadowing is off: it would make each distance of a pair larger or smaller by the same factor, before and
+            now. *Before*
             both boards run the firmware of commit %s, built from the repository's history; *now* both run today's.
             Unicasts have %d bytes, %d seeds."""
                 .formatted(Before.COMMIT, LENGTH, seeds));
