@@ -49,8 +49,8 @@ final class Absent {
         report.text("""
             **Absent partners.** A board sends to a partner that is there every %.0f s on average, and every %.0f s to
             one that is not: to always the same, or to one of several. *Waits*: emulated time from the host's message to
-            the report that the present partner has it. Boards have messages to four partners under way (`JAVINO_PARTNERS`),
-            before only one."""
+            the report that the present partner has it. Boards have messages to four partners under way
+            (`JAVINO_PARTNERS`), before only one."""
                 .formatted(PRESENT_SECONDS, ABSENT_SECONDS));
         Table table =
                 new Table("absent", "before: unicasts", "delivered", "median wait", "99 % wait at most", "longest",

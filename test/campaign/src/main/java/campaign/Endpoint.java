@@ -64,7 +64,7 @@ final class Endpoint implements AutoCloseable {
         return this;
     }
 
-    /** Sends the ledger's next message. What follows its end runs on the session's thread, after the ledger knows it. */
+    /** Sends the ledger's next message. What follows its end runs on the session's thread, once the ledger knows it. */
     CompletableFuture<Outcome> send(Address to, Ledger ledger) {
         int number = ledger.next();
         return board.transmit(to, ledger.content(number)).end().whenComplete((outcome, failure) -> {

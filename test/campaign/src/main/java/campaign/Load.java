@@ -200,7 +200,8 @@ final class Load implements Campaign {
             offered: at full load queues grow as long as messages are offered. *Worst board*: the least share of one
             board. *Fairness*: Jain's index of the boards' shares. *Air used*: the share of the last two thirds of the
             time that delivered messages and their acknowledgements took. Figures are those of %d seeds together,
-            with each of which two boards have three runs, and *of a run* those of the worst and the best one. *Before*: boards run the firmware of commit %s.
+            with each of which two boards have three runs, and *of a run* those of the worst and the best one. *Before*:
+            boards run the firmware of commit %s.
             *Without carrier sense* they run `test/system/sketches/DeafStation`, which begins to send even if others
             are on the air, and listens only for the answer to its own message; all else is the same."""
                 .formatted(seconds, seeds, Before.COMMIT));
