@@ -47,9 +47,9 @@ final class Delivery implements Campaign {
             FROM_UNCHANGED, List.of(SHORT), 60);
     private static final List<Case> CAMPAIGN = List.of(CLEAN, new Case(1e-4, 30), AT_1E_3, new Case(3e-3, 60), AT_1E_2,
             AT_3E_2, BURSTS, NOISE, UNCHANGED);
-    private static final List<Case> TEST = List.of(new Case(1e-3, 10),
-            new Case("bursts, 1e-03", Map.of("bursts", Map.of("rate", 1e-3)), 5),
-            new Case("unchanged sender, 1e-03", Map.of("bitErrorRate", 1e-3), FROM_UNCHANGED, List.of(SHORT), 5));
+    private static final List<Case> TEST = List.of(new Case(1e-2, 10),
+            new Case("bursts, 1e-02", Map.of("bursts", Map.of("rate", 1e-2)), 5),
+            new Case("unchanged sender, 1e-02", Map.of("bitErrorRate", 1e-2), FROM_UNCHANGED, List.of(SHORT), 5));
 
     @Override
     public String name() {
