@@ -13,8 +13,11 @@ void Receiver::run() {
     acknowledger_.heard(KeyStore::NO_SLOT);
     accept(packet, length);
     if (config::PARITY && mender && mender->hasMended()) {
-      if (mender->trailer() == Trailer::PARITY) acknowledger_.askForParity();
-      if (mender->trailer() == Trailer::NONE) acknowledger_.answerTwice();
+      if (mender->trailer() != Trailer::NONE) {
+        acknowledger_.askForParity();
+      } else {
+        acknowledger_.answerTwice();
+      }
     }
     medium_.release();
   }
@@ -23,7 +26,7 @@ void Receiver::run() {
     medium_.release();
   }
   // The mark of an intact packet comes when that has been handled.
-  if (config::PARITY && mender && mender->trailer() == Trailer::MARK) acknowledger_.askForParity();
+  if (config::PARITY && mender && mender->lastTrailer() == Trailer::MARK) acknowledger_.askForParity();
   pieces_.run();
 }
 

@@ -78,7 +78,7 @@ uint8_t AskRadio::slotMillis() const { return static_cast<uint8_t>((SLOT_BITS * 
 // A packet that is lost waits for release(), or for the next call.
 uint8_t *AskRadio::receive(uint8_t &length) {
   lookAtLine();
-  mender_.setTrailer(decoder_.trailer());
+  mender_.setLastTrailer(decoder_.trailer());
   if (mender_.lost()) release();
   RadioPacket *packet = decoder_.queue().oldest();
   if (!packet) return nullptr;

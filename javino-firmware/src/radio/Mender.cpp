@@ -32,6 +32,11 @@ const uint8_t LIKE_PART = 8;
 const uint8_t MOST_OF_CRC = 5;
 const uint8_t CRC_SYMBOLS = 4;
 
+// A piece that asks for an answer, and the same one that does not, differ in a digit and in the CRC; the others of their bits
+// tell of each other. As the CRC does not tell then whether they are the same, fewer may differ.
+const uint8_t LIKE_BUT_FOR_CRC_PART = 12;
+const uint8_t DIGIT_SYMBOL = 8;
+
 // Symbols that one step decides on, or writes: an even number. One takes 1600 cycles at most.
 const uint8_t STEP_SYMBOLS = 16;
 
@@ -64,6 +69,7 @@ Mender::Progress Mender::work(RadioPacket &packet) {
 // The end of a good packet is not waited for.
 Mender::Progress Mender::look(RadioPacket &packet) {
   like_ = NONE;
+  isOther_ = false;
   mended_ = false;
   doubtful_ = false;
   if (packet.isIntact()) {
@@ -88,7 +94,8 @@ Mender::Progress Mender::compare(RadioPacket &packet) {
   } else if (++next_ < config::DAMAGED_COPIES) {
     return PENDING;
   }
-  if (like_ != NONE && copy.areBytes) {
+  if (like_ != NONE && copy.areBytes && !isOther_) {
+    trailer_ = trailerOf(packet, copy.room[0]);
     memcpy(packet.room, copy.room, sizeof packet.room);
     packet.areBytes = true;
     return WHOLE;
@@ -96,8 +103,8 @@ Mender::Progress Mender::compare(RadioPacket &packet) {
   return choose(linecode::MIN_COUNT);
 }
 
-// A piece that asks and the same one that does not differ in one digit, and in the CRC: they are two packets.
 bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) {
+  isOther_ = false;
   if (copy.symbols == 0) return false;
   const uint8_t count = packet.count();
   const uint8_t other = copy.count();
@@ -108,17 +115,19 @@ bool Mender::isLike(const RadioPacket &packet, const RadioPacket &copy) {
     if (2 * known > symbols) return false;
     symbols = static_cast<uint8_t>(2 * known);
   }
-  uint8_t left = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_PART / 2));
-  uint8_t leftOfCrc = MOST_OF_CRC;
-  for (uint8_t i = 0; i < symbols; i++) {
-    const uint8_t differ = linecode::onesOf(packet.symbol(i) ^ copy.symbol(i));
-    if (differ > left) return false;
-    left = static_cast<uint8_t>(left - differ);
-    if (known == RadioPacket::NO_COUNT || i + CRC_SYMBOLS < symbols) continue;
-    if (differ > leftOfCrc) return false;
-    leftOfCrc = static_cast<uint8_t>(leftOfCrc - differ);
+  const uint8_t end = static_cast<uint8_t>(known != RadioPacket::NO_COUNT ? symbols - CRC_SYMBOLS : symbols);
+  uint8_t differ = 0;
+  uint8_t most = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_PART / 2));
+  for (uint8_t i = 0; i < end; i++) {
+    differ = static_cast<uint8_t>(differ + linecode::onesOf(packet.symbol(i) ^ copy.symbol(i)));
+    if (differ > most) return false;
   }
-  return true;
+  uint8_t ofCrc = 0;
+  for (uint8_t i = end; i < symbols; i++)
+    ofCrc = static_cast<uint8_t>(ofCrc + linecode::onesOf(packet.symbol(i) ^ copy.symbol(i)));
+  isOther_ = ofCrc > MOST_OF_CRC;
+  most = static_cast<uint8_t>(symbols * (linecode::BITS_PER_SYMBOL / 2) / (LIKE_BUT_FOR_CRC_PART / 2));
+  return !isOther_ || differ <= most;
 }
 
 const RadioPacket *Mender::copy() const { return like_ != NONE ? copies_ + like_ : nullptr; }
@@ -159,9 +168,10 @@ Mender::Progress Mender::choose(RadioPacket &packet) {
     decide(packet);
     return PENDING;
   }
+  const bool hasParity = findsParity(packet);
   if (choices_ != 0 && tryChoices()) {
     doubtful_ = copy() || undecided_ != 1 || distance_ != 2 || packet.count() == RadioPacket::NO_COUNT;
-  } else if (findsParity(packet)) {
+  } else if (hasParity) {
     isSaved_ = !copy();
     if (isSaved_) save(packet);
     beginParity(packet);
@@ -182,7 +192,8 @@ Mender::Progress Mender::lose(const RadioPacket &packet) {
 // of the one that is there.
 uint16_t Mender::nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const {
   const RadioPacket *const other = copy();
-  const bool inOther = other && index < other->symbols;
+  const bool differs = isOther_ && (inTrailer || index + CRC_SYMBOLS >= 2 * next_ || index / 2 == DIGIT_SYMBOL / 2);
+  const bool inOther = other && !differs && index < other->symbols;
   const uint8_t one = !inOther || index < packet.symbols ? packet.symbol(index) : other->symbol(index);
   const uint8_t two = inOther ? other->symbol(index) : one;
   return linecode::nearestTo(one, two, inTrailer, distance);
@@ -293,15 +304,20 @@ Mender::Progress Mender::write(RadioPacket &packet) {
 
 #if JAVINO_PARITY
 
-bool Mender::findsParity(const RadioPacket &packet) const {
+Trailer Mender::trailerOf(const RadioPacket &packet, uint8_t count) {
+  const uint8_t at = static_cast<uint8_t>(2 * count);
+  if (packet.symbols < at + 2) return Trailer::NONE;
+  const uint16_t second = packet.symbol(static_cast<uint8_t>(at + 1));
+  return linecode::trailerOf(static_cast<uint16_t>(packet.symbol(at) | second << linecode::BITS_PER_SYMBOL));
+}
+
+// Behind the packet, or behind its copy, whose parity is the same.
+bool Mender::findsParity(const RadioPacket &packet) {
+  trailer_ = trailerOf(packet, next_);
   if (next_ < LEAST_KEPT) return false;
   const uint8_t end = static_cast<uint8_t>(2 * (next_ + 1 + linecode::parityLength(next_)));
-  const RadioPacket *from = packet.symbols >= end ? &packet : copy() && copy()->symbols >= end ? copy() : nullptr;
-  if (!from) return false;
-  const uint8_t at = static_cast<uint8_t>(2 * next_);
-  const uint8_t following = from->symbol(static_cast<uint8_t>(at + 1));
-  return linecode::trailerOf(static_cast<uint16_t>(from->symbol(at) | following << linecode::BITS_PER_SYMBOL)) ==
-         Trailer::PARITY;
+  if (packet.symbols >= end) return trailer_ == Trailer::PARITY;
+  return copy() && !isOther_ && copy()->symbols >= end && trailerOf(*copy(), next_) == Trailer::PARITY;
 }
 
 void Mender::beginParity(RadioPacket &packet) {
@@ -327,7 +343,8 @@ Mender::Progress Mender::correct(RadioPacket &packet) {
 
 #else
 
-bool Mender::findsParity(const RadioPacket &) const { return false; }
+Trailer Mender::trailerOf(const RadioPacket &, uint8_t) { return Trailer::NONE; }
+bool Mender::findsParity(const RadioPacket &) { return false; }
 void Mender::beginParity(RadioPacket &) {}
 void Mender::erase(uint8_t) {}
 Mender::Progress Mender::correct(RadioPacket &) { return LOST; }

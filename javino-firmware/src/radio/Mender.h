@@ -47,9 +47,12 @@ class Mender {
   /// Whether the packet that is whole was damaged.
   bool hasMended() const { return mended_; }
 
-  /// What came behind the last packet of all: behind an intact one it is known only later.
+  /// What came behind the packet that is whole, if it was damaged.
   Trailer trailer() const { return trailer_; }
-  void setTrailer(Trailer trailer) { trailer_ = trailer; }
+
+  /// What came behind the last packet of all, as the decoder tells: behind an intact one it is known only later.
+  Trailer lastTrailer() const { return lastTrailer_; }
+  void setLastTrailer(Trailer trailer) { lastTrailer_ = trailer; }
 
   /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
   /// leaves no doubt.
@@ -76,14 +79,15 @@ class Mender {
   Progress write(RadioPacket &packet);
   Progress correct(RadioPacket &packet);
   Progress lose(const RadioPacket &packet);
-  static bool isLike(const RadioPacket &packet, const RadioPacket &copy);
+  bool isLike(const RadioPacket &packet, const RadioPacket &copy);
   bool mayHaveCount(const RadioPacket &packet, uint8_t count) const;
   JAVINO_NOINLINE uint16_t nearest(const RadioPacket &packet, uint8_t index, bool inTrailer, uint8_t &distance) const;
   JAVINO_NOINLINE uint16_t nibblesAt(const RadioPacket &packet, uint8_t index, uint8_t &distance) const;
   uint8_t endOfStep() const;
   void decide(const RadioPacket &packet);
   JAVINO_NOINLINE bool tryChoices();
-  bool findsParity(const RadioPacket &packet) const;
+  static Trailer trailerOf(const RadioPacket &packet, uint8_t count);
+  bool findsParity(const RadioPacket &packet);
   void beginParity(RadioPacket &packet);
   void erase(uint8_t byte);
   void save(const RadioPacket &packet);
@@ -95,6 +99,7 @@ class Mender {
   uint8_t at_ JAVINO_ZEROED;          // symbol to decide on, or to write
   uint8_t end_ JAVINO_ZEROED;         // of these
   uint8_t like_ JAVINO_ZEROED;        // the copy that is like the packet
+  bool isOther_ JAVINO_ZEROED;        // that copy is another piece, but for its digit and CRC
   uint8_t oldest_ JAVINO_ZEROED;      // copy
   uint8_t distance_ JAVINO_ZEROED;    // of the last undecided symbol from the nearest ones
   uint8_t choices_ JAVINO_ZEROED;     // of the undecided symbols' nibbles, 1…64; 0 for more
@@ -112,6 +117,7 @@ class Mender {
   const RadioPacket *packet_ JAVINO_ZEROED;
   Progress progress_ JAVINO_ZEROED;
   Trailer trailer_ JAVINO_ZEROED;
+  Trailer lastTrailer_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;
 };

@@ -223,6 +223,8 @@ TEST_F(DamagedMessages, parity_is_asked_for_where_a_mark_or_parity_shows_that_it
   EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers());
   hear(wrongSymbols(50, 3), Trailer::PARITY);
   EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers());
+  hear({2}, Trailer::MARK);
+  EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers()) << "though its count was damaged";
   hear({}, Trailer::PARITY);
   EXPECT_EQ(std::vector<Bytes>{delivered()}, answers()) << "it was not needed";
   hear({});

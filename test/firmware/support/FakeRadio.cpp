@@ -21,7 +21,7 @@ uint8_t *FakeRadio::receive(uint8_t &length) {
     length = static_cast<uint8_t>(first.payload.size());
     return first.payload.data();
   }
-  mender_.setTrailer(first.trailer);
+  mender_.setLastTrailer(first.trailer);
   javino::Mender::Progress progress;
   do {
     progress = mender_.step(first.packet);

@@ -168,3 +168,24 @@ TEST(Mender, survivesRandomSymbols) {
     }
   }
 }
+
+// They differ in a digit and in the CRC alone.
+TEST(Mender, combinesAPieceWithTheSameOneThatAsksForAnAnswer) {
+  std::mt19937 random(60);
+  int tries = 0, whole = 0;
+  for (int k = 0; k < 300; k++) {
+    Bytes piece = randomBytes(77, random);
+    piece[3] = 'B';
+    Bytes asking = piece;
+    asking[3] = 'J';
+    MendingDecoder decoder;
+    decoder.addAll(damaged(reference::packetBits(piece), 2e-2, random));
+    if (decoder.isEmpty() || decoder.take() == javino::Mender::WHOLE) continue;
+    decoder.addAll(damaged(reference::packetBits(asking), 2e-2, random));
+    tries++;
+    if (decoder.isEmpty() || decoder.take() != javino::Mender::WHOLE) continue;
+    EXPECT_EQ(decoder.payload, asking);
+    whole++;
+  }
+  EXPECT_GT(whole, tries * 6 / 10) << "of " << tries;
+}
