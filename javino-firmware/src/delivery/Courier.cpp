@@ -292,7 +292,7 @@ bool Courier::accept(const Frame &acknowledgement) {
                         false};
   if (acknowledgement.length < PROOF_LENGTH || bodyLength != Proof::bodyLength(claim.type)) return false;
   while (!isProved(claim, acknowledgement.message + bodyLength)) {
-    if (claim.asksParity || !current().trailed) return false;
+    if (claim.asksParity) return false;
     claim.asksParity = true;
   }
   noteParity(claim);

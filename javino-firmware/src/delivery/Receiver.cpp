@@ -22,17 +22,25 @@ void Receiver::run() {
     medium_.release();
   }
   if (mender && mender->lost()) {
+    acknowledger_.heard(KeyStore::NO_SLOT);
     if (config::MENDING) courier_.acknowledged(*mender->lost());
     medium_.release();
   }
-  // The mark of an intact packet comes when that has been handled.
-  if (config::PARITY && mender && mender->lastTrailer() == Trailer::MARK) acknowledger_.askForParity();
+  // The mark of an intact packet comes when that has been handled; it is another's if another waits.
+  if (config::PARITY && mender && medium_.isIdle() && mender->lastTrailer() == Trailer::MARK)
+    acknowledger_.askForParity();
   pieces_.run();
 }
 
 void Receiver::keep() {
 #if JAVINO_DAMAGED_COPIES
   if (medium_.mender()) medium_.mender()->keep();
+#endif
+}
+
+void Receiver::forget() {
+#if JAVINO_DAMAGED_COPIES
+  if (medium_.mender()) medium_.mender()->forget();
 #endif
 }
 
@@ -68,7 +76,7 @@ void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
     admission_.drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_.isForUs(frame)) {
     if (frame.destination.isDevice()) keep();
-    admission_.accept(frame, packet, length, begun);
+    if (!admission_.accept(frame, packet, length, begun) && frame.destination.isDevice()) forget();
   }
 }
 

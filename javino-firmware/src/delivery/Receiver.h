@@ -29,6 +29,7 @@ class Receiver {
   JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length);
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
   void keep();
+  void forget();
 
   MediumAccess &medium_;
   Admission &admission_;

@@ -74,17 +74,17 @@ uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance) 
 
 namespace {
 
-bool isWord(uint16_t bits, uint8_t word) {
+bool isWord(uint16_t bits, uint8_t word, uint8_t mostWrong) {
   const uint16_t wrong = static_cast<uint16_t>(
       bits ^ (trailerSymbolOf(static_cast<uint8_t>(word >> 4)) | trailerSymbolOf(word) << BITS_PER_SYMBOL));
-  return onesOfWord(wrong) <= 2;
+  return onesOfWord(wrong) <= mostWrong;
 }
 
 }  // namespace
 
 Trailer trailerOf(uint16_t bits) {
-  if (isWord(bits, TRAILER_PARITY)) return Trailer::PARITY;
-  return isWord(bits, TRAILER_MARK) ? Trailer::MARK : Trailer::NONE;
+  if (isWord(bits, TRAILER_PARITY, 2)) return Trailer::PARITY;
+  return isWord(bits, TRAILER_MARK, 1) ? Trailer::MARK : Trailer::NONE;
 }
 
 uint8_t parityLength(uint8_t count) { return count <= 48 ? 12 : 16; }

@@ -73,7 +73,7 @@ inline uint8_t nibbleIn(const uint8_t *bytes, uint8_t index) {
 /// @return bit k for nibble k
 uint16_t nearestTo(uint8_t one, uint8_t two, bool inTrailer, uint8_t &distance);
 
-/// Reads the word behind a packet, of which two bits may be wrong.
+/// Reads the word behind a packet. Of PARITY two bits may be wrong; of MARK one, as noise behind a packet may look like it.
 /// @param bits twelve, the first one lowest
 Trailer trailerOf(uint16_t bits);
 

@@ -40,8 +40,9 @@ const uint8_t DIGIT_SYMBOL = 8;
 // Symbols that one step decides on, or writes: an even number. One takes 1600 cycles at most.
 const uint8_t STEP_SYMBOLS = 16;
 
-// Shorter ones are acknowledgements, which their sender knows beforehand.
-const uint8_t LEAST_KEPT = 30;
+// Most shorter ones are acknowledgements, which their sender knows beforehand; and there is little in them that could tell a
+// wrong guess from a right one.
+const uint8_t LEAST_KEPT = 24;
 
 uint16_t bitOf(uint8_t nibble) { return static_cast<uint16_t>(1 << nibble); }
 
@@ -160,9 +161,9 @@ Mender::Progress Mender::choose(uint8_t count) {
 }
 
 Mender::Progress Mender::choose(RadioPacket &packet) {
-  while (!mayHaveCount(packet, next_) || (copy() && !mayHaveCount(*copy(), next_))) {
-    next_++;
+  for (;; next_++) {
     if (next_ > linecode::MAX_COUNT || 2 * next_ > packet.symbols) return lose(packet);
+    if (mayHaveCount(packet, next_) && (!copy() || mayHaveCount(*copy(), next_))) break;
   }
   if (at_ < 2 * next_) {
     decide(packet);
@@ -271,6 +272,7 @@ bool Mender::tryChoices() {
   for (uint8_t k = 0; k < undecided_; k++) {
     for (uint8_t skip = static_cast<uint8_t>(right[k] - (k == 0 ? 0 : ends[k - 1])); skip != 0; skip--)
       nibbles_[k] = static_cast<uint16_t>(nibbles_[k] & (nibbles_[k] - 1));
+    nibbles_[k] = bitOf(firstOf(nibbles_[k]));
   }
   return true;
 }
@@ -371,10 +373,15 @@ void Mender::keep() {
   if (like_ != NONE) copies_[like_].symbols = static_cast<uint8_t>(2 * packet_->room[0]);
 }
 
+void Mender::forget() {
+  if (like_ != NONE) copies_[like_].symbols = 0;
+}
+
 #else
 
 void Mender::save(const RadioPacket &) {}
 void Mender::keep() {}
+void Mender::forget() {}
 
 #endif
 

@@ -61,6 +61,9 @@ class Mender {
   /// Keeps the packet that is whole, as long as there is room: a damaged copy that comes later is taken for it.
   void keep();
 
+  /// What was kept last is a forgery: genuine copies are not to be taken for it.
+  void forget();
+
  private:
   static const uint8_t NONE = 0xFF;
   static const uint8_t MOST_CHOICES = 64;  // of symbols that are tried

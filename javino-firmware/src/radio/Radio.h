@@ -25,11 +25,11 @@ enum class Trailer : uint8_t {
 
 /// What a radio has seen since it began; each count stops at 4294967295 (SPEC 4.5, counters 5, 6, 7, 17, 28).
 struct RadioCounters {
-  uint32_t received;  ///< packets with a right CRC, corrected ones too
+  uint32_t received;  ///< packets with a right CRC, mended ones too
   uint32_t damaged;   ///< packets with a wrong symbol, count or CRC
   uint32_t missed;    ///< packets that came while no buffer was free
   uint32_t sent;      ///< packets that have been on the air whole
-  uint32_t mended;    ///< packets of which one symbol was corrected
+  uint32_t mended;    ///< packets that came damaged and were mended
 };
 
 /// A half-duplex packet radio: it sends and receives payloads. Only the driver knows how, and how fast. No function

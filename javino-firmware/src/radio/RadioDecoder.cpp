@@ -16,6 +16,9 @@ const int8_t LEAST_NOISE = -16;
 
 const uint8_t COUNT_SYMBOLS = 2;
 
+// As many as the shortest acknowledgement has.
+const uint8_t LEAST_UNCOUNTED = 42;
+
 }  // namespace
 
 RadioDecoder::RadioDecoder(uint16_t bitTicks) : carrier_(bitTicks) {}
@@ -56,8 +59,8 @@ bool RadioDecoder::isBetterStart(uint8_t wrong) const {
 }
 
 void RadioDecoder::begin(uint8_t wrong) {
-  if (phase_ == COUNT || phase_ == BODY) {
-    countUp(counters_.damaged);
+  if (phase_ == BODY) {
+    giveUp();
   } else {
     close();
   }
@@ -165,6 +168,7 @@ void RadioDecoder::addToTrailer() {
   const uint8_t symbols = static_cast<uint8_t>(2 * linecode::parityLength(static_cast<uint8_t>((symbols_ - 2) / 2)));
   end_ = static_cast<uint8_t>(end_ + symbols);
   phase_ = PARITY;
+  noise_ = 0;
   carrier_.expect(static_cast<uint16_t>(linecode::BITS_PER_SYMBOL) * symbols);
 }
 
@@ -194,10 +198,23 @@ void RadioDecoder::abandon() {
 }
 
 void RadioDecoder::refuse() {
-  if (phase_ == BODY) carrier_.doubt();
-  if (phase_ == COUNT || phase_ == BODY) countUp(counters_.damaged);
+  if (phase_ >= BODY) carrier_.doubt();
+  if (phase_ == BODY) {
+    giveUp();
+  } else if (phase_ == COUNT) {
+    countUp(counters_.damaged);
+  }
   close();
   hunt();
+}
+
+// Noise follows a packet at once where receivers give noise: one whose count is not known may have ended long ago.
+void RadioDecoder::giveUp() {
+  if (!counted_ && symbols_ >= LEAST_UNCOUNTED) {
+    endBody();
+  } else {
+    countUp(counters_.damaged);
+  }
 }
 
 }  // namespace javino

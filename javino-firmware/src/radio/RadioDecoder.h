@@ -61,6 +61,7 @@ class RadioDecoder {
   void endBody();
   void addToTrailer();
   void refuse();
+  void giveUp();
   void close();
   void hunt() { phase_ = HUNTING; }
 

@@ -11,7 +11,7 @@ namespace javino {
 /// Packets on their way from the interrupt, the only writer, to the loop, the only reader.
 ///
 /// All packets but one wait while the last is being received. Neither side ever waits for the other: a slot belongs to the
-/// reader while it is marked full, and to the writer otherwise.
+/// reader while it is marked full, and to the writer otherwise. Only what comes behind a packet is still written to a full one.
 class RadioQueue {
  public:
   static const uint8_t CAPACITY = config::RADIO_PACKETS;

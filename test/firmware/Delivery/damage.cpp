@@ -7,6 +7,7 @@
 
 #include "support/Keys.h"
 #include "support/Pieces.h"
+#include "support/Reference.h"
 #include "support/TestBoard.h"
 
 using javino::Counter;
@@ -254,6 +255,40 @@ TEST_F(DamagedMessages, two_damaged_copies_make_one_message) {
   board.radio.arrive(other, wrongSymbols(20, 20));
   board.pass(1);
   ASSERT_EQ(1u, board.messages().size());
+}
+
+TEST_F(DamagedMessages, no_forgery_takes_the_place_of_damaged_copies) {
+  const Bytes other = sealed(KEY, "SUHO", "SUPP", {0, 0, 5, 0, 1, 3}, "tell;a message of some length");
+  const auto crcOf = [](const Bytes &payload) {
+    return reference::crc(Bytes(1, static_cast<uint8_t>(payload.size() + 3)) + payload);
+  };
+  Bytes forged = other;
+  forged[20] ^= 1;
+  for (uint32_t i = 0; crcOf(forged) != crcOf(other); i++) {
+    forged[25] = static_cast<uint8_t>(i);
+    forged[30] = static_cast<uint8_t>(i >> 8);
+  }
+  board.radio.arrive(forged);
+  board.pass(1);
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_BAD_TAG));
+  board.radio.arrive(other, {100, 200, 300});
+  board.pass(1);
+  board.radio.arrive(other, {150, 250, 350});
+  board.pass(1);
+  EXPECT_EQ(1u, board.messages().size());
+}
+
+TEST_F(DamagedMessages, another_packet_s_mark_says_nothing_of_a_message_that_waits) {
+  const Bytes other = sealed(KEY, "SUHO", "SUPP", {0, 0, 5, 0, 1, 3}, "tell;y");
+  board.radio.arrive(other);
+  board.pass(1);
+  std::set<size_t> all;
+  for (size_t bit = 14; bit < 400; bit += 3) all.insert(bit);
+  board.radio.arrive(sealed(OTHER_KEY, "SUHO", "ROMA", {0, 0, 5, 0, 1, 3}, "tell;y"), all, Trailer::MARK);
+  board.pass(1);
+  board.messages();
+  board.pollTaking(1);
+  EXPECT_EQ(std::vector<Bytes>{acknowledgement(KEY, "SUPP", "SUHO", {0, 0, 5, 0, 1, 3}, DELIVERED)}, answers());
 }
 
 TEST_F(DamagedMessages, a_broadcast_is_taken_only_where_there_is_no_doubt) {
