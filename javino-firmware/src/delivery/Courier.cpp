@@ -17,7 +17,7 @@ static const uint8_t HEADER_AT = 2;
 static const uint8_t BODY_AT = HEADER_AT + 2 * HEADER_LENGTH;
 
 // A damaged acknowledgement is taken where no more of its bits are wrong. Of the 96 of a proof so many let a forger's guess
-// succeed with 2^-44 (SECURITY.md), and only so many guesses are looked at.
+// succeed with 2^-44 (SECURITY.md), and only so many wrong guesses are looked at.
 static const uint8_t MOST_WRONG_PROOF_BITS = 7;
 static const uint8_t MOST_WRONG_HEADER_BITS = 15;
 static const uint8_t MOST_WRONG_PIECES_BITS = 2;
@@ -337,6 +337,7 @@ bool Courier::isExpected(Proof::Type type, const RadioPacket &lost) {
         borne = isBorne(claim, lost);
       }
       if (borne) {
+        message.guesses--;  // it was none
         noteParity(claim);
         return onAnswer(type, &have);
       }

@@ -70,7 +70,7 @@ class Courier {
     uint8_t arrived;  // pieces that the receiver has ever had
     bool resealed;
     bool trailed;     // a trailer was sent behind it, so that its answer may ask for parity
-    uint8_t guesses;  // damaged answers that were compared with the expected one
+    uint8_t guesses;  // damaged answers that were not the expected one
     uint32_t sentAt;  // when it was first sent, in ms
     uint8_t slot;     // the place of its key; NO_SLOT for a broadcast, and for a unicast that has ended
     Address destination;

@@ -182,6 +182,16 @@ TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_pieces_is_borne_too) {
   EXPECT_EQ(third, board.sendNext()) << "the one that is lacking";
 }
 
+TEST_F(DamagedAnswers, what_is_borne_is_no_guess) {
+  hear(answer(), {});
+  ASSERT_TRUE(isDelivered());
+  send("tell;" + std::string(150, 'x'));
+  board.sendNext();
+  board.sendNext();
+  for (int i = 0; i < 40; i++) hear(answer(PIECES, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
+  EXPECT_EQ(40u, board.counter(Counter::RADIO_ANSWERS_BORNE));
+}
+
 TEST_F(DamagedAnswers, packets_sent_again_have_a_mark_and_parity_once_it_was_asked_for) {
   EXPECT_EQ(Trailer::NONE, lastTrailer());
   EXPECT_EQ(first, board.sendNext());
