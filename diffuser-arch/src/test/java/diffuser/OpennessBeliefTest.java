@@ -28,22 +28,21 @@ class OpennessBeliefTest {
 
     /** An agent that has come from totally closed to a state. */
     private static RunningAgent in(Openness state, FakeBoard board) {
-        RunningAgent agent = open(board);
-        if (state.abilities().contains(Ability.MOB)) {
-            agent.achieve("allow(lte,[mob])");
-            changes(agent, "closed", "open");
-        }
-        if (!state.abilities().contains(Ability.COM)) {
-            board.unplug();
-            changes(agent, state.abilities().contains(Ability.MOB) ? "open" : "closed", state.atom());
-        }
-        return agent;
+        return open(board).after(agent -> {
+            if (state.abilities().contains(Ability.MOB)) {
+                agent.achieve("allow(lte,[mob])");
+                changes(agent, "closed", "open");
+            }
+            if (!state.abilities().contains(Ability.COM)) {
+                board.unplug();
+                changes(agent, state.abilities().contains(Ability.MOB) ? "open" : "closed", state.atom());
+            }
+        });
     }
 
     private static RunningAgent open(FakeBoard board) {
-        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board);
-        agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
-        return agent;
+        return RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board)
+                .after(agent -> agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready"));
     }
 
     private static void changes(RunningAgent agent, String from, String to) {

@@ -15,6 +15,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
@@ -178,6 +179,17 @@ final class RunningAgent implements AutoCloseable {
         cycles(5);
         achieve("probe");
         notes("probed");
+    }
+
+    /** Brings the agent to where a test begins; one that does not come there is ended, and keeps no board. */
+    RunningAgent after(Consumer<RunningAgent> steps) {
+        try {
+            steps.accept(this);
+            return this;
+        } catch (AssertionError e) {
+            close();
+            throw e;
+        }
     }
 
     String nextNote() {
