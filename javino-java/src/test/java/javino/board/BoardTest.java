@@ -298,8 +298,10 @@ class BoardTest extends BoardFixture {
         board.act("one").get();
         board.act("two").get();
         assertEquals(List.of("one", "two"), fake.performed());
-        fake.awaitPolls(2);
-        assertTrue(board.counters().get(SessionCounter.STALE_REPLIES) > 0);
+        // The second copy of a reply is read with the next one.
+        while (board.counters().get(SessionCounter.STALE_REPLIES) == 0) {
+            board.act("three").get();
+        }
     }
 
     @Test
