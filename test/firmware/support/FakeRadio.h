@@ -28,12 +28,8 @@ class FakeRadio : public javino::Radio {
   void counters(javino::RadioCounters &into) const override { into = counts; }
   bool idle() const override { return in_.empty(); }
 
-  void arrive(const Bytes &payload) {
-    in_.push_back({packetOf(payload, {}, javino::Trailer::NONE), javino::Trailer::NONE, payload});
-  }
-
   /// A packet arrives of which these bits are wrong, counted from the first one of its count.
-  void arrive(const Bytes &payload, const std::set<size_t> &wrongBits,
+  void arrive(const Bytes &payload, const std::set<size_t> &wrongBits = {},
               javino::Trailer trailer = javino::Trailer::NONE) {
     in_.push_back({packetOf(payload, wrongBits, trailer), trailer, payload});
   }
