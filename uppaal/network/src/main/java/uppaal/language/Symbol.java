@@ -14,6 +14,10 @@ public sealed interface Symbol {
     record Clock(int slot) implements Symbol {
     }
 
+    /** An array: its elements are declared too, as {@code name[0]} and so on. */
+    record Array(int size) implements Symbol {
+    }
+
     /**
      * A channel. Two channels are the same when they have the same name, since channels are global.
      *

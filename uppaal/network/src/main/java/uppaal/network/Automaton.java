@@ -74,6 +74,11 @@ public final class Automaton {
         return locations.get(state[slot]).committed();
     }
 
+    /** Whether it is at a location, urgent or committed, where no time passes. */
+    public boolean urgent(int[] state) {
+        return locations.get(state[slot]).urgent();
+    }
+
     /** Whether the clock of this slot is one of its own. */
     boolean owns(int clock) {
         return clocks.contains(clock);
