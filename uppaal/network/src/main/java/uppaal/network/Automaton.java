@@ -59,9 +59,9 @@ public final class Automaton {
         return locations;
     }
 
-    /** The transitions that leave the location where it is in a state. */
-    public List<Transition> outgoing(int[] state) {
-        return outgoing.get(state[slot]);
+    /** The transitions that leave the location of this index. */
+    public List<Transition> outgoing(int location) {
+        return outgoing.get(location);
     }
 
     /** All its transitions. */
@@ -93,11 +93,6 @@ public final class Automaton {
     /** What must be true as long as it is at the location of this index. */
     public Term invariant(int location) {
         return invariants.get(location);
-    }
-
-    /** Whether the invariant of the location where it is in a state is true there. */
-    public boolean keepsInvariant(int[] state) {
-        return invariants.get(state[slot]).holds(state);
     }
 
     /** What the names in its template stand for. */
