@@ -97,6 +97,11 @@ public final class TinyNetworks {
                         Sketch.of("clock x;").template("P", "a~ -> b; guard x >= 1")
                                 .template("Q", "a -> b"),
                         2, 1, "A[] !P.b", true),
+                new Tiny("no time passes while an urgent channel can be used",
+                        Sketch.of("clock x; urgent chan c; bool on;").template("P", "a -> b; guard on; sync c!")
+                                .template("Q", "a -> b; sync c?").template("S", "a -> b; guard x == 1; set on = true",
+                                        "b -> d; guard x == 2"),
+                        10, 3, "A[] S.d imply P.b", true),
                 new Tiny("each element of an array is a variable, a clock or a channel of its own",
                         Sketch.of("const int N = 2; int[0,3] n[N] = {1, N}; clock x[N]; chan c[N];")
                                 .template("P",

@@ -127,14 +127,14 @@ public final class Exploration {
     private void visit(int number, int[] state) {
         state[network.deadlockSlot()] = 0;
         steps = 0;
-        successors.each(state, (parts, target) -> {
+        boolean stays = successors.each(state, (parts, target) -> {
             int reached = add(target, number);
             graph.ifPresent(kept -> kept.lead(reached));
             steps++;
         });
         boolean deadlocked = steps == 0;
         deadlocks += deadlocked ? 1 : 0;
-        graph.ifPresent(kept -> kept.next(deadlocked || successors.mayStay(state)));
+        graph.ifPresent(kept -> kept.next(deadlocked || stays));
         state[network.deadlockSlot()] = deadlocked ? 1 : 0;
         for (int i = 0; i < settled.length; i++) {
             Property property = properties.get(i);

@@ -4,11 +4,12 @@ import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import uppaal.ModelException;
 
 /**
  * Parses declarations: {@code const int}, {@code const bool}, {@code int}, {@code int[low,high]}, {@code bool},
- * {@code clock}, and among the global ones {@code chan} and {@code broadcast chan}; of each also arrays of one dimension.
+ * {@code clock}, and among the global ones {@code chan}, {@code broadcast} or {@code urgent} or both; of each also arrays of one dimension.
  */
 public final class Declarations {
     private static final int INT_LOW = -32768;
@@ -90,10 +91,11 @@ public final class Declarations {
             initialised(true, (name, value) -> constant(name, range, value));
         } else if (tokens.accept("clock")) {
             list(name -> scope.declare(name, new Symbol.Clock(memory.allocateClock(name)), tokens.where()));
-        } else if (global && (tokens.peek().is("broadcast") || tokens.peek().is("chan"))) {
+        } else if (global && Stream.of("urgent", "broadcast", "chan").anyMatch(tokens.peek()::is)) {
+            boolean urgent = tokens.accept("urgent");
             boolean broadcast = tokens.accept("broadcast");
             tokens.expect("chan");
-            list(name -> scope.declare(name, new Symbol.Channel(name, broadcast), tokens.where()));
+            list(name -> scope.declare(name, new Symbol.Channel(name, broadcast, urgent), tokens.where()));
         } else {
             Range range = range();
             initialised(false, (name, value) -> variable(name, range, value));

@@ -20,7 +20,7 @@ import uppaal.network.JointMove.Part;
  * <li>the sender's assignments come first, then the receivers' in the order of the system line;</li>
  * <li>no step leads to where an invariant is false, and time passes only as long as all invariants stay true;</li>
  * <li>while an automaton is at a committed location, only steps that leave a committed location are possible;</li>
- * <li>while one is at a committed or an urgent location, no time passes.</li>
+ * <li>while one is at a committed or an urgent location, or a step on an urgent channel is possible, no time passes.</li>
  * </ul>
  * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with,
  * waiting changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.
@@ -121,8 +121,32 @@ public final class Successors {
         return moves;
     }
 
-    /** As {@link #of(int[])}, for who counts steps in millions. */
-    public void each(int[] state, BiConsumer<List<Part>, int[]> found) {
+    /**
+     * As {@link #of(int[])}, for who counts steps in millions.
+     *
+     * @return whether the network may stay in the state for ever: time passes there, and changes nothing
+     */
+    public boolean each(int[] state, BiConsumer<List<Part>, int[]> found) {
+        boolean[] urgent = {urgent(state)};
+        moves(state, (parts, target) -> {
+            urgent[0] |= parts.get(0).transition().urgent();
+            found.accept(parts, target);
+        });
+        if (urgent[0]) {
+            return false;
+        }
+        int[] later = later(state);
+        if (Arrays.equals(later, state)) {
+            return true;
+        }
+        if (keepsInvariants(later)) {
+            found.accept(List.of(), later);
+        }
+        return false;
+    }
+
+    /** All steps but that of time. */
+    private void moves(int[] state, BiConsumer<List<Part>, int[]> found) {
         boolean hurry = committed(state);
         for (int i = 0; i < starts.length; i++) {
             for (Start start : starts[i][state[automata.get(i).slot()]]) {
@@ -131,17 +155,6 @@ public final class Successors {
                 }
             }
         }
-        if (!clocks.isEmpty() && !urgent(state)) {
-            int[] later = later(state);
-            if (!Arrays.equals(later, state) && keepsInvariants(later)) {
-                found.accept(List.of(), later);
-            }
-        }
-    }
-
-    /** Whether the network may stay in a state for ever: time passes there, and changes nothing. */
-    public boolean mayStay(int[] state) {
-        return !urgent(state) && Arrays.equals(later(state), state);
     }
 
     private boolean committed(int[] state) {

@@ -36,7 +36,8 @@ class DeclarationsTest {
     @Test
     void global_eachKind_isDeclared() {
         declare("const int N = 2 + 1, SQUARE = N * N; const bool YES = true;"
-                + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;");
+                + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;"
+                + "urgent chan u; urgent broadcast chan v;");
 
         assertEquals(List.of("a[0,3]=3", "b[0,3]=0", "c[-2,-1]=-1", "d[0,1]=0", "e[-32768,32767]=0", "clock x"),
                 allocated);
@@ -45,6 +46,8 @@ class DeclarationsTest {
         assertEquals(Optional.of(new Symbol.Variable(2)), scope.find("c"));
         assertEquals(Optional.of(new Symbol.Channel("g", false)), scope.find("g"));
         assertEquals(Optional.of(new Symbol.Channel("h", true)), scope.find("h"));
+        assertEquals(Optional.of(new Symbol.Channel("u", false, true)), scope.find("u"));
+        assertEquals(Optional.of(new Symbol.Channel("v", true, true)), scope.find("v"));
     }
 
     @Test
@@ -73,8 +76,7 @@ class DeclarationsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "clock x = 1;           | expected ';', not '='",
-            "urgent chan a;         | 'urgent' here, where a declaration is read, is outside the subset that this "
-                    + "checker reads",
+            "urgent a;              | expected 'chan', not 'a'",
             "typedef int[0,1] t;    | 'typedef' here, where a declaration is read, is outside the subset that this "
                     + "checker reads",
             "void f() { }           | 'void' here, where a declaration is read, is outside the subset that this "
