@@ -168,7 +168,7 @@ final class Bytes {
         Frame frame = desk.cut.get(payload.pieceId());
         if (frame == null) {
             throw new RefusedException(
-                    desk.name + " sends a piece with id " + payload.pieceId() + "; expected a first piece with it");
+                    desk.name + " sends a piece of a message that it has not begun; expected a first piece");
         }
         if (payload.asks() && !frame.isUnicast()) {
             throw new RefusedException(desk.name + " asks for an answer to a piece of a message to many");

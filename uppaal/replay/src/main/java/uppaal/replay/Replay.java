@@ -146,8 +146,8 @@ public final class Replay {
     private void perform(Event event) throws RefusedException {
         switch (event.name()) {
             case "rf-tx" -> {
-                cell.begin(event);
                 bytes.begin(event);
+                cell.begin(event);
             }
             case "rf-rx", "rf-damaged" -> {
                 cell.reach(event);

@@ -76,7 +76,8 @@ final class SharedKey {
         return Arrays.equals(proof, proof(type, claim)) || Arrays.equals(proof, proof(type | ASKS_PARITY, claim));
     }
 
-    private byte[] proof(int type, byte[] claim) {
+    /** The proof of what is claimed: nonce, sender, acknowledger and what comes before the proof. */
+    byte[] proof(int type, byte[] claim) {
         return Arrays.copyOf(Crypto.cmac(authentication, join(new byte[] {(byte) type}, claim)), TAG);
     }
 

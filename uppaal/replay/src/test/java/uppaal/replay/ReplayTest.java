@@ -102,7 +102,7 @@ class ReplayTest {
         int handed = handedToHospital(lines);
         lines.get(handed).addProperty("board", "ambulance");
         assertRefused(lines, handed,
-                "ambulance hands it to its host (SUPP to SUHO, nonce 000006000000); expected one of: SUHO "
+                "ambulance hands it to its host (SUPP to SUHO, nonce 072d60000000); expected one of: SUHO "
                         + "answers that it is stale; SUHO hands it to its host; ");
     }
 
@@ -121,7 +121,7 @@ class ReplayTest {
         String acknowledgement = lines.text(acknowledgedByHospital(lines), "payload");
         Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(acknowledgement));
         assertRefused(spoilt, spoilt.next(0, "support", "host-outcome"),
-                "SUPP reports it delivered (SUPP to SUHO, nonce 000006000000); expected one of: SUHO "
+                "SUPP reports it delivered (SUPP to SUHO, nonce 072d60000000); expected one of: SUHO "
                         + "acknowledges it as delivered; ");
     }
 
@@ -183,6 +183,7 @@ class ReplayTest {
         int acknowledged = acknowledgedByHospital(lines);
         JsonObject changed = lines.get(acknowledged);
         changed.addProperty("board", "ambulance");
+        changed.addProperty("origin", "SUAM");
         changed.addProperty("payload", changed.get("payload").getAsString().replace("5355484f", "5355414d"));
         assertRefused(lines, acknowledged,
                 "ambulance acknowledges; expected that a message for it is on its way");
@@ -228,7 +229,7 @@ class ReplayTest {
         int ended = lines.next(0, "support", "host-outcome");
         lines.get(ended).addProperty("outcome", "undelivered");
         assertRefused(lines, ended,
-                "SUPP reports it undelivered (SUPP to SUHO, nonce 000006000000); expected one of: ");
+                "SUPP reports it undelivered (SUPP to SUHO, nonce 072d60000000); expected one of: ");
     }
 
     @Test
@@ -360,7 +361,7 @@ class ReplayTest {
             if (id.equals("42")) {
                 assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
             } else {
-                assertRefused(lines, lines.all.size(), "sends other bytes under the nonce of an earlier message");
+                assertRefused(lines, lines.all.size(), "police sends other bytes as piece 1 of SUPO to SUPP, ");
             }
         }
     }
