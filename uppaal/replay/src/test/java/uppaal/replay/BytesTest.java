@@ -19,6 +19,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What boards must not put on the air: by small traces that firmware with a mistake would leave, and spoilt genuine ones. */
 class BytesTest {
@@ -275,7 +276,8 @@ class BytesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"highway, '7 messages opened, 5 proofs'"})
+    @CsvSource({"highway, '7 messages opened, 5 proofs'", "pieces, '3 messages opened, 4 proofs'",
+            "partners, '10 messages opened, 6 proofs'"})
     void genuineTrace_withItsKeys_isAcceptedHoweverEarlyItEnds(String name, String checked) {
         Lines lines = Lines.of(name);
         assertEquals("model: trace accepted (" + lines.all.size() + " events, " + checked + ")",
@@ -289,7 +291,7 @@ class BytesTest {
 
     /** Each packet that a board sends, with one bit changed, wherever it is heard. */
     @ParameterizedTest
-    @CsvSource({"highway"})
+    @ValueSource(strings = {"highway", "pieces", "partners"})
     void genuineTrace_withAChangedBit_isRefusedThere(String name) {
         Random random = new Random(1);
         for (int line : Lines.of(name).where(each -> Lines.of(name).is(each, "rf-tx"))) {
