@@ -77,7 +77,8 @@ class BytesTest {
     @Test
     void sealed_wrongly_isRefusedByName() {
         byte[] right = sealed("SUPP", FIRST, HELP);
-        assertRefused(asked("SUPP", HELP).unheard("police", changed(right, -1)), "with a wrong tag; expected that of 'tell;help'");
+        assertRefused(asked("SUPP", HELP).unheard("police", changed(right, -1)),
+                "with a wrong tag; expected that of 'tell;help'");
         assertRefused(asked("SUPP", HELP).unheard("police", withZeros(right, SharedKey.TAG)), "with a wrong tag");
         assertRefused(asked("SUPP", HELP).unheard("police", changed(right, Frame.CONTENT)),
                 "police sends a message to SUPP under nonce 000001000000 that opens under none of the 1 keys for it");
@@ -85,10 +86,14 @@ class BytesTest {
                 "that says 'tell;halp'; expected 'tell;help'");
         byte[] cipher = withCipher(right, new byte[HELP.length()]);
         assertRefused(asked("SUPP", HELP).unheard("police", cipher), "opens under none of the 1 keys");
-        assertRefused(asked("SUHO", HELP).unheard("police", Talk.PAIR.seal("SUHO", "SUPO", HexFormat.of().parseHex(FIRST),
-                utf8(HELP))), "and no key was given for SUPO and SUHO");
-        assertRefused(asked("//SU", HELP).unheard("police", Talk.PAIR.seal("//SU", "SUPO", HexFormat.of().parseHex(FIRST),
-                utf8(HELP))), "opens under none of the 1 keys for it");
+        assertRefused(
+                asked("SUHO", HELP).unheard("police", Talk.PAIR.seal("SUHO", "SUPO", HexFormat.of().parseHex(FIRST),
+                        utf8(HELP))),
+                "and no key was given for SUPO and SUHO");
+        assertRefused(
+                asked("//SU", HELP).unheard("police", Talk.PAIR.seal("//SU", "SUPO", HexFormat.of().parseHex(FIRST),
+                        utf8(HELP))),
+                "opens under none of the 1 keys for it");
     }
 
     @Test
@@ -145,7 +150,8 @@ class BytesTest {
 
     @Test
     void pieces_thatAreNotTheFramesSlices_areRefusedByName() {
-        assertRefused(asked("SUPP", LONG).unheard("police", changed(BEGIN, -1)), "that opens under none of the 1 keys for it");
+        assertRefused(asked("SUPP", LONG).unheard("police", changed(BEGIN, -1)),
+                "that opens under none of the 1 keys for it");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", changed(END, 20)),
                 "police sends other bytes as piece 1 of SUPO to SUPP, nonce 000001000000; expected those of the whole");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", withZeros(END, SharedKey.TAG)),
@@ -153,7 +159,8 @@ class BytesTest {
         byte[] shorter = SharedKey.join(Payload.header("+FAJ", "SUPO", 2), new byte[2]);
         assertRefusedEvenWithoutKeys(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", shorter),
                 "sends other bytes as piece 1");
-        assertRefusedEvenWithoutKeys(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", piece("AK", LONG_FRAME, 1)),
+        assertRefusedEvenWithoutKeys(
+                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", piece("AK", LONG_FRAME, 1)),
                 "sends other bytes as piece 2");
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", piece("AA", sealed("SUPP", FIRST, HELP), 0)),
                 "sends a piece with a frame that fits one packet");
@@ -163,7 +170,8 @@ class BytesTest {
     void pieces_ofTheNextFrame_haveTheNextId() {
         byte[] next = sealed("//SU", SECOND, LONG);
         for (String id : List.of("A", "B", "C", "/")) {
-            Talk talk = asked("SUPP", LONG).asks("//SU", LONG).sends("police", BEGIN).unheard("police", piece(id + "A", next, 0));
+            Talk talk = asked("SUPP", LONG).asks("//SU", LONG).sends("police", BEGIN).unheard("police",
+                    piece(id + "A", next, 0));
             if (id.equals("B")) {
                 assertAccepted(talk, "2 messages opened, 0 proofs");
             } else {
@@ -209,7 +217,8 @@ class BytesTest {
             assertRefused(delivered().unheard("support", wrong),
                     "support acknowledges with a wrong proof; expected that of SUPO to SUPP, nonce 000001000000");
         }
-        assertRefusedEvenWithoutKeys(delivered().unheard("support", acknowledgement(SECOND, "")), "support acknowledges");
+        assertRefusedEvenWithoutKeys(delivered().unheard("support", acknowledgement(SECOND, "")),
+                "support acknowledges");
     }
 
     @Test
