@@ -15,7 +15,6 @@
 #define RECORD_HEADER_LENGTH 3
 // Of the reply to hello: where the epoch stands, behind version and RF id.
 #define EPOCH_AT 5
-#define EPOCH_LENGTH 3
 // Of a message record: where what follows the number stands.
 #define DESTINATION_AT 1
 #define ORIGIN_AT 5
@@ -41,6 +40,7 @@ void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board) {
   memset(s, 0, sizeof *s);
   s->out = out;
   s->board = board;
+  memcpy(s->id, SERIAL_ADDRESS, sizeof s->id);
   s->taken = -1;
 }
 
@@ -91,12 +91,12 @@ static void write_number(serial_sniffer *s, cycles_t at, const char *event, int 
   trace_end(s->out);
 }
 
-// `epoch` may be NULL.
-static void write_id(serial_sniffer *s, const uint8_t *address, const uint8_t *epoch, cycles_t at) {
-  memcpy(s->id, address, ADDRESS_LENGTH);
+// Who the board is now, if it has an id.
+static void write_id(serial_sniffer *s, cycles_t at) {
+  if (memcmp(s->id, SERIAL_ADDRESS, ADDRESS_LENGTH) == 0) return;
   begin(s, at, "host-id");
-  trace_utf8(s->out, "id", address, ADDRESS_LENGTH);
-  if (epoch) trace_hex(s->out, "epoch", epoch, EPOCH_LENGTH);
+  trace_utf8(s->out, "id", s->id, ADDRESS_LENGTH);
+  trace_hex(s->out, "epoch", s->epoch, SERIAL_EPOCH_LENGTH);
   trace_end(s->out);
 }
 
@@ -134,6 +134,8 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
     s->request.content_length = packet->length < SERIAL_MAX_MESSAGE ? packet->length : SERIAL_MAX_MESSAGE;
     memcpy(s->request.content, packet->message, s->request.content_length);
   }
+  if (command == 'E' && packet->length == 1 + SERIAL_EPOCH_LENGTH)
+    memcpy(s->request.epoch, packet->message + 1, SERIAL_EPOCH_LENGTH);
   if ((command == 'K' || command == 'N') && packet->length == 1 + ADDRESS_LENGTH + KEY_LENGTH)
     write_key(s, packet->message + 1, packet->message + 1 + ADDRESS_LENGTH);
   if (command == 'I' && packet->length == 1 + ADDRESS_LENGTH)
@@ -222,10 +224,20 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
   switch (request->command) {
     case 'H':
       s->greeted = true;
-      if (length >= EPOCH_AT + EPOCH_LENGTH && memcmp(body + 1, SERIAL_ADDRESS, ADDRESS_LENGTH) != 0)
-        write_id(s, body + 1, body + EPOCH_AT, at);
+      if (length < EPOCH_AT + SERIAL_EPOCH_LENGTH) break;
+      memcpy(s->id, body + 1, ADDRESS_LENGTH);
+      memcpy(s->epoch, body + EPOCH_AT, SERIAL_EPOCH_LENGTH);
+      write_id(s, at);
       break;
-    case 'I': write_id(s, request->address, NULL, at); break;
+    case 'I':
+      memcpy(s->id, request->address, ADDRESS_LENGTH);
+      write_id(s, at);
+      break;
+    case 'E':
+      if (memcmp(request->epoch, s->epoch, SERIAL_EPOCH_LENGTH) <= 0) break;
+      memcpy(s->epoch, request->epoch, SERIAL_EPOCH_LENGTH);
+      write_id(s, at);
+      break;
     case 'P':
       if (request->taken >= 0) {
         s->taken = request->taken;

@@ -17,6 +17,7 @@
 #define SERIAL_MAX_PACKET 527
 // The longest message of a frame.
 #define SERIAL_MAX_MESSAGE 511
+#define SERIAL_EPOCH_LENGTH 3
 
 // The bytes of a packet, as they come.
 typedef struct {
@@ -27,9 +28,10 @@ typedef struct {
 typedef struct {
   uint8_t sequence;
   uint16_t crc;
-  char command;        // 0: a frame to be transmitted
-  int taken;           // of a poll that says something new, or -1
-  uint8_t address[4];  // that becomes the RF id, or that is to be sent to
+  char command;                        // 0: a frame to be transmitted
+  int taken;                           // of a poll that says something new, or -1
+  uint8_t address[4];                  // that becomes the RF id, or that is to be sent to
+  uint8_t epoch[SERIAL_EPOCH_LENGTH];  // that the boot epoch is to be raised to
   cycles_t at;
   uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent
   size_t content_length;
@@ -39,7 +41,8 @@ typedef struct {
   trace *out;
   FILE *keys;  // NULL: they are not written
   const char *board;
-  uint8_t id[4];  // the RF id as far as it was told; else zeros
+  uint8_t id[4];  // the RF id, `++++` as long as it was not told
+  uint8_t epoch[SERIAL_EPOCH_LENGTH];
   serial_line from_host, from_board;
   serial_request request;  // the last one
   bool waiting;            // it has no reply yet

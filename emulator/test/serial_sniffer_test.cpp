@@ -106,7 +106,20 @@ TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given) {
   EXPECT_EQ(ids[0].text("id"), "ROMA");
   EXPECT_EQ(ids[0].text("epoch"), "000001");
   EXPECT_EQ(ids[1].text("id"), "SUPO");
-  EXPECT_EQ(json_object_get(ids[1].fields, "epoch"), nullptr);
+  EXPECT_EQ(ids[1].text("epoch"), "000001");
+}
+
+TEST(SerialSniffer, tells_the_epoch_that_a_board_is_raised_to_and_no_lower_one) {
+  Line line;
+  line.greet();
+  for (uint8_t epoch : {2, 1}) {
+    line.host(epoch, TO_BOARD, {'E', 0, 0, epoch});
+    line.board(epoch, {0});
+  }
+  auto ids = line.events("host-id");
+  ASSERT_EQ(ids.size(), 2u);
+  EXPECT_EQ(ids[1].text("id"), "ROMA");
+  EXPECT_EQ(ids[1].text("epoch"), "000002");
 }
 
 TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked) {

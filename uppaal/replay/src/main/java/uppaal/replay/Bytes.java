@@ -23,6 +23,8 @@ final class Bytes {
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
     private static final int MOST_SHOWN = 40;
+    /** Of a broadcast that is handed to a host. */
+    private static final String NO_ID = "000000";
 
     private record Packet(String board, Payload payload, double start) {}
 
@@ -73,7 +75,7 @@ final class Bytes {
         desk.ids.add(event.text("id"));
         if (event.fields().has("epoch")) {
             desk.greetedAt = desk.greetedAt < 0 ? event.seconds() : desk.greetedAt;
-            desk.checkEpoch(HexFormat.fromHexDigits(event.text("epoch")), "says that it has");
+            desk.told(HexFormat.fromHexDigits(event.text("epoch")));
         }
     }
 
@@ -359,6 +361,6 @@ final class Bytes {
     private static boolean isHanded(Frame frame, Event event) {
         String nonce = frame.nonceHex();
         return frame.origin.equals(event.text("origin")) && frame.destination.equals(event.text("destination"))
-                && (frame.isBroadcast() || event.text("id").equals(nonce.substring(4, 6) + nonce.substring(8)));
+                && event.text("id").equals(frame.isBroadcast() ? NO_ID : nonce.substring(4, 6) + nonce.substring(8));
     }
 }

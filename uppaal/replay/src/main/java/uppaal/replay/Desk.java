@@ -43,6 +43,8 @@ final class Desk {
     private final Set<String> stale = new HashSet<>();
     private long highest = -1;
     private long epoch = -1;
+    /** As its host knows it since the last reset; negative where that does not. */
+    private long told = -1;
     private long leastEpoch;
     private int lastId = -1;
 
@@ -59,6 +61,7 @@ final class Desk {
         leastEpoch = epoch < 0 || epoch == NONE_LEFT ? leastEpoch : epoch + 1;
         resetAt = seconds;
         greetedAt = -1;
+        told = -1;
         lastId = -1;
         lastBroadcast = null;
         waiting.clear();
@@ -106,8 +109,13 @@ final class Desk {
         stale.add(frame.nonceHex());
     }
 
-    /** @throws RefusedException where a board of this epoch has had a later one */
-    void checkEpoch(long now, String what) throws RefusedException {
+    /** Its host knows its epoch: another one after each boot. */
+    void told(long now) throws RefusedException {
+        checkEpoch(now, "says that it has");
+        told = now;
+    }
+
+    private void checkEpoch(long now, String what) throws RefusedException {
         if (now < leastEpoch) {
             throw new RefusedException(String.format("%s %s epoch %06x; expected %06x or a later one, since %s", name,
                     what, now, leastEpoch, leastEpoch > epoch ? "it was reset" : "it has had that"));
@@ -125,6 +133,11 @@ final class Desk {
                     + "%012x, which it has used", name, frame.destination, nonce, least));
         }
         checkEpoch(nonce >> COUNTER_BITS, "seals under");
+        if (told >= 0 && nonce >> COUNTER_BITS != told) {
+            throw new RefusedException(
+                    String.format("%s seals under epoch %06x; expected %06x, as it has told its host",
+                            name, nonce >> COUNTER_BITS, told));
+        }
         highest = Math.max(highest, nonce);
     }
 

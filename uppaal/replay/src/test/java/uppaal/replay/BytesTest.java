@@ -201,6 +201,8 @@ class BytesTest {
         Talk same = new Talk().resets("police", "power").asks("SUPP", HELP);
         assertRefusedEvenWithoutKeys(same.unheard("police", sealed("SUPP", FIRST, HELP)),
                 "police seals under epoch 000001; expected 000002");
+        assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", sealed("SUPP", "000002000000", HELP)),
+                "police seals under epoch 000002; expected 000001, as it has told its host");
         assertAccepted(new Talk().resets("police", "power").greets("police", "SUPO", "000002").asks("SUPP", HELP)
                 .sends("police", sealed("SUPP", "000002000000", HELP)), "1 messages opened, 0 proofs");
     }
@@ -274,6 +276,16 @@ class BytesTest {
         handed.addProperty("t", 6);
         talk.lines.all.add(handed);
         assertRefusedEvenWithoutKeys(talk, "support hands its host 'tell;halp' from SUPO; expected 'tell;help'");
+    }
+
+    @Test
+    void handed_broadcastWithAnId_isRefused() {
+        Talk talk = asked("////", HELP).sends("police", broadcast(HELP));
+        talk.lines.add(7, "support", "host-handed",
+                Map.of("number", 0, "destination", "////", "origin", "SUPO", "id", "000000", "content", HELP));
+        assertAccepted(talk, "0 messages opened, 0 proofs");
+        talk.last().addProperty("id", "000001");
+        assertRefusedEvenWithoutKeys(talk, "support hands its host 'tell;help' from SUPO; expected nothing");
     }
 
     @Test
