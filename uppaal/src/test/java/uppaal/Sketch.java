@@ -32,8 +32,8 @@ public final class Sketch {
 
     /**
      * Adds a template. Its locations are those that its edges name, the first one first;
-     * a name that ends in {@code !} is committed, one in {@code ~} urgent, and what stands in braces behind one, without spaces, is its
-     * invariant.
+     * a name that ends in {@code !} is committed, one in {@code ~} urgent, and what stands in braces behind one,
+     * without spaces, is its invariant.
      *
      * @param edges {@code a -> b; guard G; sync S; set A}, the last three optional
      */

@@ -14,8 +14,8 @@ import uppaal.language.Term;
 
 /**
  * Compares the constants of a model with the firmware's. What stands behind a declaration tells where its number comes
- * from: {@code // = EXPRESSION}, with the firmware's names, perhaps closed by a colon; {@code // model: …} where it is of
- * the model alone; or neither, where the firmware has the same name.
+ * from: {@code // = EXPRESSION}, with the firmware's names, perhaps closed by a colon; {@code // model: …} where it
+ * is of the model alone; or neither, where the firmware has the same name.
  */
 final class Constants {
     private static final Pattern DECLARATION =

@@ -14,8 +14,8 @@ import uppaal.language.Names;
 import uppaal.language.Term;
 
 /**
- * The numbers that the firmware's sources have names for: constants, macros and parameters' defaults. A name that has two
- * values is refused; a value may be computed from others.
+ * The numbers that the firmware's sources have names for: constants, macros and parameters' defaults. A name that has
+ * two values is refused; a value may be computed from others.
  *
  * @param sources the files' texts
  */

@@ -18,8 +18,8 @@ import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 
 /**
- * A model as it is checked: a file, perhaps with the instances of {@code NAME.system} and with other constants. The whole
- * is written as one file, so that every tool gets the same.
+ * A model as it is checked: a file, perhaps with the instances of {@code NAME.system} and with other constants. The
+ * whole is written as one file, so that every tool gets the same.
  *
  * @param model the file that it is made of
  * @param constants that are other than in the file

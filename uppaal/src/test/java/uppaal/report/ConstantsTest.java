@@ -27,16 +27,22 @@ class ConstantsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "const int TRIES = 8;                                | ''",
-            "const int TRIES = 9;                                | m.xml: TRIES is 9, by the firmware's sources it must be 8",
-            "const int TRIES = 9; // a remark                    | m.xml: TRIES is 9, by the firmware's sources it must be 8",
+            "const int TRIES = 9;                                | m.xml: TRIES is 9, by the firmware's sources "
+                    + "it must be 8",
+            "const int TRIES = 9; // a remark                    | m.xml: TRIES is 9, by the firmware's sources "
+                    + "it must be 8",
             "const int T = 7; // = TRIES - 1                     | ''",
-            "const int T = 7; // = TRIES: all of them            | m.xml: T is 7, by the firmware's sources it must be 8",
+            "const int T = 7; // = TRIES: all of them            | m.xml: T is 7, by the firmware's sources it "
+                    + "must be 8",
             "const int T = 125; // = rate / BITS                 | ''",
-            "const int ALL_SENDS = 2, SENDS = 3;                 | m.xml: SENDS is 3, by the firmware's sources it must be 2",
-            "const int[0,9] T = 5;                               | m.xml: the firmware has no T; say behind it '// = …' with the "
+            "const int ALL_SENDS = 2, SENDS = 3;                 | m.xml: SENDS is 3, by the firmware's sources "
+                    + "it must be 2",
+            "const int[0,9] T = 5;                               | m.xml: the firmware has no T; say behind it "
+                    + "'// = …' with the "
                     + "firmware's names, or '// model: …' if it is of the model alone",
             "const int T = 5, U = 6; // model: why               | ''",
-            "const bool T = true;                                | m.xml: the firmware has no T; say behind it '// = …' with the "
+            "const bool T = true;                                | m.xml: the firmware has no T; say behind it "
+                    + "'// = …' with the "
                     + "firmware's names, or '// model: …' if it is of the model alone",
             "const int T[2] = {1, 2}; // model: why              | ''",
             "int TRIES = 9; chan c;                              | ''"})

@@ -1,6 +1,5 @@
 package uppaal.report;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -59,7 +58,10 @@ class OpinionTest {
         }
     }
 
-    /** Which of two things is possible hangs on whether two clocks are together; between, where no integers are, neither. */
+    /**
+     * Which of two things is possible hangs on whether two clocks are together; between, where no integers are,
+     * neither.
+     */
     @Test
     void opinion_deadlockBetweenIntegers_isSeenByItAlone() throws IOException {
         Sketch sketch = Sketch.of("clock x, y;").template("P", "a{x<=2} -> b{x<=1}; set x = 0",

@@ -4,9 +4,9 @@ import java.util.Optional;
 import uppaal.ModelException;
 
 /**
- * Parses expressions: {@code ?: imply || or && and == != < <= > >= << + - * / ! not}, parentheses, numbers, {@code true},
- * {@code false}, names and elements of arrays. UPPAAL gives {@code imply} and {@code ||} the same level, readers do not;
- * so an expression that chains {@code imply} with either, without parentheses, is refused.
+ * Parses expressions: {@code ?: imply || or && and == != < <= > >= << + - * / ! not}, parentheses, numbers, {@code
+ * true}, {@code false}, names and elements of arrays. UPPAAL gives {@code imply} and {@code ||} the same level,
+ * readers do not; so an expression that chains {@code imply} with either, without parentheses, is refused.
  */
 public final class Expressions {
     private final Tokens tokens;
