@@ -82,6 +82,7 @@ public final class Main {
         report.verdicts(paper);
         report.counterexamples(paper);
         report.substance(Substance.of(paper.network(), paper.queries()));
+        report.readings(Reading.all(suite));
         report.verdicts(quiet);
         report.kills(kills);
 

@@ -48,6 +48,15 @@ final class Report {
         }
     }
 
+    /** What comes of other readings of the paper's text. */
+    void readings(List<Reading> readings) {
+        heading("Other readings of the paper's text");
+        out.printf("%-8s%-16s%s%n", "states", "failing", "what is other");
+        for (Reading reading : readings) {
+            out.printf("%-8d%-16s%s%n", reading.states(), names(reading.failing()), reading.sentence());
+        }
+    }
+
     /** Which queries notice which fault. */
     void kills(List<Kill> kills) {
         heading("Deliberate faults, and the properties that notice them");
