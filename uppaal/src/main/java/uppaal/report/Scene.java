@@ -29,10 +29,16 @@ record Scene(String name, String title, String model, Map<String, Integer> const
 
     static final Scene PAPER =
             new Scene("paper", "The network of the paper", "paper.xml", Map.of(), List.of("paper.q", "stronger.q"));
-    static final Scene QUIET = new Scene("quiet", "The same, with a connection that stays online", "quiet.xml",
+    static final Scene QUIET = new Scene("quiet",
+            "The same, with a connection that stays online and senders that do not dawdle", "quiet.xml",
             Map.of(), List.of("quiet.q", "stronger.q"));
-    static final Scene RENEWAL = new Scene("renewal", "The renewal of a key that three boards share", "renewal.xml",
-            Map.of(), List.of("renewal.q"));
+    static final Scene RENEWAL =
+            new Scene("renewal", "The renewal and the deletion of a key that three boards share", "renewal.xml",
+                    Map.of(), List.of("renewal.q"));
+
+    /** So that the boards come to an end: each takes up one message, of one attempt. */
+    static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
+            Map.of("MESSAGES", 1, "ATTEMPTS", 1), List.of("rollover.q"));
 
     /** Those of delivery. Where a frame's time on the air matters, it is that of the shortest message, rounded up. */
     static final List<Scene> OF_DELIVERY = List.of(
