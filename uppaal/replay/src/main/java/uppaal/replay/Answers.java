@@ -32,7 +32,7 @@ final class Answers {
     /** Whether an acknowledgement may answer a frame. */
     static boolean mayMean(Payload payload, Frame frame) {
         return frame.isSealed() && (frame.isUnicast() || payload.message().length == STALE)
-                && Payload.lastBits(frame.nonceHex()) == payload.answered()
+                && Payload.lastBits(frame.nonceHex) == payload.answered()
                 && Payload.concerns(frame.destination, payload.origin());
     }
 

@@ -117,7 +117,7 @@ final class Bytes {
     /** A board of ours sends a frame, or its first piece. */
     private void first(Desk desk, Frame frame, Payload payload) throws RefusedException {
         checkForm(desk, frame, payload);
-        Frame known = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex())
+        Frame known = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex)
                 : frame.pieceId >= 0 ? desk.cut.get(frame.pieceId) : null;
         if (known != null && known.isSame(frame)) {
             return;
@@ -138,7 +138,7 @@ final class Bytes {
         }
         desk.take(asked, frame);
         desk.lastBroadcast = frame.isBroadcast() ? frame : desk.lastBroadcast;
-        frames.put(frame.origin + (frame.isSealed() ? frame.nonceHex() : HexFormat.of().formatHex(frame.first)), frame);
+        frames.put(frame.origin + (frame.isSealed() ? frame.nonceHex : HexFormat.of().formatHex(frame.first)), frame);
     }
 
     private static boolean isAgain(Desk desk, Frame frame) {
@@ -272,7 +272,7 @@ final class Bytes {
             }
         }
         return new RefusedException(desk.name + " sends a message to " + frame.destination
-                + (frame.isSealed() ? " under nonce " + frame.nonceHex() : "") + why);
+                + (frame.isSealed() ? " under nonce " + frame.nonceHex : "") + why);
     }
 
     private static boolean hasWrongTag(Frame frame, SharedKey key, byte[] content) {
@@ -284,10 +284,12 @@ final class Bytes {
     /** A stranger begins to send a frame: one of ours again, or anything. */
     private void remember(Payload payload, double start) {
         Frame frame = payload.index() == 0 ? new Frame(payload, start) : null;
-        if (frame == null || frame.length == 0 || frame.isSealed() && frame.contentLength() < 0) {
+        boolean isWhole = frame != null && frame.length != 0
+                && (frame.isBroadcast() || frame.contentLength() >= 0 && !frame.nonceHex.isEmpty());
+        if (!isWhole) {
             return;
         }
-        Frame ours = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex()) : null;
+        Frame ours = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex) : null;
         if (ours != null && ours.isSame(frame)) {
             return;
         }
@@ -359,8 +361,12 @@ final class Bytes {
     }
 
     private static boolean isHanded(Frame frame, Event event) {
-        String nonce = frame.nonceHex();
         return frame.origin.equals(event.text("origin")) && frame.destination.equals(event.text("destination"))
-                && event.text("id").equals(frame.isBroadcast() ? NO_ID : nonce.substring(4, 6) + nonce.substring(8));
+                && event.text("id").equals(frame.isBroadcast() ? NO_ID : id(frame.nonceHex));
+    }
+
+    /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
+    private static String id(String nonce) {
+        return nonce.substring(4, 6) + nonce.substring(8);
     }
 }

@@ -106,7 +106,7 @@ final class Desk {
     /** One of its frames is known to be stale. It seals that anew, and then perhaps sends others before. */
     void goOnAbove(Frame frame) {
         frame.isStale = true;
-        stale.add(frame.nonceHex());
+        stale.add(frame.nonceHex);
     }
 
     /** Its host knows its epoch: another one after each boot. */

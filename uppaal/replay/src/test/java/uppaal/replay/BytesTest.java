@@ -111,8 +111,10 @@ class BytesTest {
     @Test
     void sizes_thatDoNotFit_areRefusedByName() {
         byte[] right = sealed("SUPP", FIRST, HELP);
-        assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", changed(right, 9)),
-                "police's packet is told with the kind 'unicast'; expected 'no frame', as its bytes say: the size");
+        Talk talk = asked("SUPP", HELP).unheard("police", changed(right, 9));
+        talk.last().addProperty("kind", "unicast");
+        assertRefusedEvenWithoutKeys(talk, "police's packet is told with the kind 'unicast'; expected 'no frame', as its "
+                + "bytes say: the size");
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", sealed("SUPP", FIRST, HELP + "!")),
                 "with a content of 10 bytes; expected 9");
         byte[] small = SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]);
@@ -286,6 +288,25 @@ class BytesTest {
         assertAccepted(talk, "0 messages opened, 0 proofs");
         talk.last().addProperty("id", "000001");
         assertRefusedEvenWithoutKeys(talk, "support hands its host 'tell;help' from SUPO; expected nothing");
+    }
+
+    /** A board without a host, of which nobody has said who it is. */
+    @Test
+    void stranger_maySendAnything_butAForgeryIsNeverHanded() {
+        byte[] right = sealed("SUPP", FIRST, HELP);
+        byte[] header = SharedKey.join(Payload.header("+FAA", "SUPO", Frame.HEADER), Payload.header("SUPP", "SUPO", 200));
+        for (byte[] any : List.of(changed(right, -1), header, new byte[] {1, 2, 3}, BEGIN, changed(END, -1),
+                acknowledgement(SECOND, ""), SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]))) {
+            assertAccepted(new Talk().sends("thief", any), "0 messages opened, 0 proofs");
+        }
+        assertAccepted(asked("SUPP", HELP).unheard("police", right).sends("thief", right).hands(0, FIRST, HELP),
+                "1 messages opened, 0 proofs");
+        Talk another = new Talk().sends("thief", Talk.PAIR.seal("SUPP", "CAFE", HexFormat.of().parseHex(FIRST),
+                utf8(HELP)));
+        another.lines.add(6, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "CAFE",
+                "id", "010000", "content", HELP));
+        assertTrue(another.verdictWithoutKeys().contains("accepted"), another.verdictWithoutKeys());
+        assertRefused(another, "support hands its host 'tell;help' from CAFE; expected nothing that any key opens");
     }
 
     @Test
