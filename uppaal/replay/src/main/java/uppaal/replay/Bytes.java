@@ -151,18 +151,26 @@ final class Bytes {
     }
 
     private static void checkForm(Desk desk, Frame frame, Payload payload) throws RefusedException {
-        String wrong = frame.length == 0 || !frame.origin.equals(payload.origin()) ? "no header of a frame of its own"
-                : frame.isSealed() && frame.contentLength() < 0 ? "no room for nonce and tag"
-                        : payload.isPiece() && frame.length <= Payload.PART + Frame.HEADER
-                                ? "a frame that fits one packet"
-                                : payload.isPiece() && frame.first.length != Payload.PART
-                                        ? frame.first.length + " bytes, not 67"
-                                        : payload.isPiece() && payload.asks() && !frame.isUnicast()
-                                                ? "a wish for an answer, though to many"
-                                                : "";
+        String wrong = wrongForm(frame, payload);
         if (!wrong.isEmpty()) {
             throw new RefusedException(desk.name + " sends a " + payload.kind() + " with " + wrong);
         }
+    }
+
+    private static String wrongForm(Frame frame, Payload payload) {
+        if (frame.length == 0 || !frame.origin.equals(payload.origin())) {
+            return "no header of a frame of its own";
+        }
+        if (frame.isSealed() && frame.contentLength() < 0) {
+            return "no room for nonce and tag";
+        }
+        if (payload.isPiece() && frame.length <= Payload.PART + Frame.HEADER) {
+            return "a frame that fits one packet";
+        }
+        if (payload.isPiece() && frame.first.length != Payload.PART) {
+            return frame.first.length + " bytes; expected " + Payload.PART;
+        }
+        return payload.isPiece() && payload.asks() && !frame.isUnicast() ? "a wish for an answer, though to many" : "";
     }
 
     /** A board of ours sends a further piece of a frame. */
@@ -201,9 +209,18 @@ final class Bytes {
         }
         if (found.isPresent()) {
             opened += frame.key == null ? 0 : 1;
+            if (frame.isSealed() && keys == null && able.stream().anyMatch(other -> isAsLong(other, found.get()))) {
+                frame.content = null;
+            }
             return found.get();
         }
         throw wrong(desk, frame, able, shared);
+    }
+
+    /** Whether two messages differ, though a sealed frame does not show which of them it is. */
+    private static boolean isAsLong(Desk.Asked one, Desk.Asked other) {
+        return one.content == null || other.content == null
+                || one.content.length == other.content.length && !Arrays.equals(one.content, other.content);
     }
 
     private static boolean isInTheClear(Frame frame, byte[] content) {

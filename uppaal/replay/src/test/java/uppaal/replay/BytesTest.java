@@ -113,8 +113,9 @@ class BytesTest {
         byte[] right = sealed("SUPP", FIRST, HELP);
         Talk talk = asked("SUPP", HELP).unheard("police", changed(right, 9));
         talk.last().addProperty("kind", "unicast");
-        assertRefusedEvenWithoutKeys(talk, "police's packet is told with the kind 'unicast'; expected 'no frame', as its "
-                + "bytes say: the size");
+        assertRefusedEvenWithoutKeys(talk,
+                "police's packet is told with the kind 'unicast'; expected 'no frame', as its "
+                        + "bytes say: the size");
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", sealed("SUPP", FIRST, HELP + "!")),
                 "with a content of 10 bytes; expected 9");
         byte[] small = SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]);
@@ -281,6 +282,13 @@ class BytesTest {
     }
 
     @Test
+    void handed_ofTwoThatAreAsLong_isToldApartByKeysOnly() {
+        Talk talk = asked("SUPP", "tell;fire").asks("SUPP", HELP).sends("police", sealed("SUPP", FIRST, HELP)).hands(0,
+                FIRST, HELP);
+        assertAccepted(talk, "1 messages opened, 0 proofs");
+    }
+
+    @Test
     void handed_broadcastWithAnId_isRefused() {
         Talk talk = asked("////", HELP).sends("police", broadcast(HELP));
         talk.lines.add(7, "support", "host-handed",
@@ -294,7 +302,8 @@ class BytesTest {
     @Test
     void stranger_maySendAnything_butAForgeryIsNeverHanded() {
         byte[] right = sealed("SUPP", FIRST, HELP);
-        byte[] header = SharedKey.join(Payload.header("+FAA", "SUPO", Frame.HEADER), Payload.header("SUPP", "SUPO", 200));
+        byte[] header =
+                SharedKey.join(Payload.header("+FAA", "SUPO", Frame.HEADER), Payload.header("SUPP", "SUPO", 200));
         for (byte[] any : List.of(changed(right, -1), header, new byte[] {1, 2, 3}, BEGIN, changed(END, -1),
                 acknowledgement(SECOND, ""), SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]))) {
             assertAccepted(new Talk().sends("thief", any), "0 messages opened, 0 proofs");

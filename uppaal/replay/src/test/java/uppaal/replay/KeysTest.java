@@ -44,7 +44,8 @@ class KeysTest {
     @Test
     void of_renewedOrSetAgain_areAllOnce() throws IOException {
         assertEquals(2, count(keys("SUPO SUPP = " + ONE + ", next " + OTHER), "SUPP", "SUPO"));
-        assertEquals(2, count(keys("SUPO SUPP = " + ONE, "SUPP SUPO = " + OTHER, "SUPO SUPP = " + ONE), "SUPP", "SUPO"));
+        assertEquals(2,
+                count(keys("SUPO SUPP = " + ONE, "SUPP SUPO = " + OTHER, "SUPO SUPP = " + ONE), "SUPP", "SUPO"));
     }
 
     @Test
