@@ -14,8 +14,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards seal
- * is opened if the run's keys are known. Strangers may send anything; it is only remembered.
+ * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards
+ * seal is opened if the run's keys are known. Strangers may send anything; it is only remembered.
  */
 final class Bytes {
     /** Packets of which somebody may still hear the end. */

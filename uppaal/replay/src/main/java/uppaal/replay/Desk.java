@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** What is known of a board: what its host wants to be sent, what it has sealed and cut, and which pieces it may have. */
+/** What is known of a board: what its host wants to be sent, what it has sealed and cut, which pieces it may have. */
 final class Desk {
     private static final int IDS = 64;
     private static final int COUNTER_BITS = 24;

@@ -20,7 +20,7 @@ import java.util.regex.Pattern;
  */
 final class Keys {
     private static final Pattern LINE = Pattern.compile(
-            "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*([0-9A-Fa-f]{32})(?:\\s*,\\s*next\\s+([0-9A-Fa-f]{32}))?\\s*(?:#.*)?");
+            "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*(\\p{XDigit}{32})(?:\\s*,\\s*next\\s+(\\p{XDigit}{32}))?\\s*(?:#.*)?");
     private static final int NEXT = 4;
 
     private final Path file;

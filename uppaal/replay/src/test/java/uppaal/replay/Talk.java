@@ -8,7 +8,7 @@ import java.util.HexFormat;
 
 import java.util.Map;
 
-/** A trace of two boards, the police SUPO and the support SUPP, with what they really would send. One event a second. */
+/** A trace of two boards, the police SUPO and the support SUPP, with what they would send. One event a second. */
 final class Talk {
     /** Those of {@code talk.keys}. */
     static final SharedKey PAIR = new SharedKey(HexFormat.of().parseHex("000102030405060708090a0b0c0d0e0f"));
