@@ -43,7 +43,7 @@ final class Desk {
     private long epoch = -1;
     /** As its host knows it since the last reset; negative where that does not. */
     private long told = -1;
-    private long leastEpoch;
+    private long leastEpoch = 1;
     private int lastId = -1;
     private boolean wasStale;
 
