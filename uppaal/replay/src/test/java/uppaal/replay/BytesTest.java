@@ -201,6 +201,9 @@ class BytesTest {
                 "police says that it has epoch 000001; expected 000002 or a later one, since it was reset");
         assertRefusedEvenWithoutKeys(new Talk().greets("police", "SUPO", "000000"),
                 "expected 000001 or a later one, since it has had that");
+        Lines never = new Lines().add(0, "police", "reset", Map.of("why", "power")).add(1, "police", "host-id",
+                Map.of("id", "SUPO", "epoch", "000000"));
+        assertTrue(never.replay().verdict().contains("expected 000001 or a later one"), never.replay().verdict());
         Talk same = new Talk().resets("police", "power").asks("SUPP", HELP);
         assertRefusedEvenWithoutKeys(same.unheard("police", sealed("SUPP", FIRST, HELP)),
                 "police seals under epoch 000001; expected 000002");
