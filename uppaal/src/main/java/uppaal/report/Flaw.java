@@ -10,35 +10,11 @@ import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 
 /**
- * A deliberate mistake in {@code delivery.xml} or {@code renewal.xml}, and a property that it breaks.
+ * A deliberate mistake in {@code renewal.xml}, and a property that it breaks.
  *
- * @param query the name of a query of the scene {@code unicast}, or of {@code renewal}
+ * @param query the name of a query of {@code renewal.q}
  */
 record Flaw(Fault fault, String query) {
-    private static final String REPEAT = " && waits1 == 0 && waits2 == 0";
-
-    /** One for each check that a board makes of messages. */
-    static final List<Flaw> ALL = List.of(
-            new Flaw(guard("no nonce check", "a receiver does not ask whether the host has had something newer",
-                    "Receiver", "Listening -> Listening", " && taken < 1", ""), "D4"),
-            new Flaw(guard("no duplicate check", "a receiver does not ask whether the message waits already",
-                    "Receiver", "Listening -> Listening", REPEAT, " && waits1 < 2 && waits2 == 0"), "D1"),
-            new Flaw(guard("no tag check", "a receiver takes frames with a wrong tag",
-                    "Receiver", "Listening -> Listening", " && genuine", ""), "D2"),
-            new Flaw(guard("no proof check", "a sender takes acknowledgements with a wrong proof",
-                    "Sender", "Held -> Idle", " && genuine", ""), "D3"),
-            new Flaw(guard("proof without nonce", "a sender takes an acknowledgement of another message",
-                    "Sender", "Held -> Idle", " && nonce == current", ""), "D3"),
-            new Flaw(new Fault("hasty acknowledgement", "a receiver acknowledges before its host has the message",
-                    Fault.added("Receiver", "Listening", "Pending", "heard?").andThen(document -> Fault.edge("Receiver",
-                            "Listening -> Pending",
-                            edge -> edge.guard().isEmpty() ? edge.withGuard("kind == DATA && nonce == 1")
-                                    .withAssignment("answer = 1") : edge)
-                            .apply(document))::apply),
-                    "D3"),
-            new Flaw(new Fault("endless patience", "a sender waits for ever for its last acknowledgement",
-                    Fault.removed("Sender", "Awaiting -> Idle")), "D5"));
-
     /** One for each condition of the steps in which a key is renewed or deleted. */
     static final List<Flaw> OF_RENEWAL = List.of(
             new Flaw(guard("seal too early", "a board seals with the next key before all accept it",

@@ -25,7 +25,7 @@ import uppaal.document.DocumentReader;
  * @param constants that are other than in the file
  * @param queries the files of its queries, in the order in which they are asked
  */
-record Scene(String name, String title, String model, Map<String, Integer> constants, List<String> queries) {
+record Scene(String name, String title, String model, Map<String, String> constants, List<String> queries) {
 
     static final Scene PAPER =
             new Scene("paper", "The network of the paper", "paper.xml", Map.of(), List.of("paper.q", "stronger.q"));
@@ -38,25 +38,32 @@ record Scene(String name, String title, String model, Map<String, Integer> const
 
     /** So that the boards come to an end: each takes up one message, of one attempt. */
     static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
-            Map.of("MESSAGES", 1, "ATTEMPTS", 1), List.of("rollover.q"));
+            Map.of("MESSAGES", "1", "ATTEMPTS", "1"), List.of("rollover.q"));
 
-    /** Those of delivery. Where a frame's time on the air matters, it is that of the shortest message, rounded up. */
+    /**
+     * Those of delivery. With all attempts and an attacker there are 11.5 million states, and as many of two boards that
+     * send to each other: so these have fewer. Where a packet's time on the air matters, it is that of the shortest
+     * message, rounded up, and so is the patience.
+     */
     static final List<Scene> OF_DELIVERY = List.of(
-            ofDelivery("unicast", "Two unicasts, and an attacker", Map.of()),
+            ofDelivery("unicast", "Two unicasts, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
+            ofDelivery("repeats", "Two unicasts, with all attempts", Map.of()),
             ofDelivery("multicast", "Two multicasts, another group, and an attacker", Map.of()),
-            ofDelivery("crossing", "Two boards that send to each other at the same time (three attempts only)",
-                    Map.of("MESSAGES", 1, "ATTEMPTS", 3)),
+            ofDelivery("crossing", "Two boards that send to each other at the same time (two attempts only)",
+                    Map.of("MAX_ATTEMPTS", "2")),
+            ofDelivery("cuts", "One unicast, and a reset or a loss of power", Map.of()),
+            ofDelivery("fair", "Two unicasts over a channel that is fair in the end", Map.of("FAIR", "true")),
             ofDelivery("bound", "How long a unicast may take",
-                    Map.of("MESSAGES", 1, "PATIENCE", 3, "DATA_TIME", 4, "ACK_TIME", 3)));
+                    Map.of("PATIENCE", "19", "DATA_TIME", "28", "ACK_TIME", "19", "DEADLINE", "1444")));
 
     private static final Pattern SYSTEM = Pattern.compile("<system>.*</system>", Pattern.DOTALL);
 
-    private static Scene ofDelivery(String name, String title, Map<String, Integer> constants) {
+    private static Scene ofDelivery(String name, String title, Map<String, String> constants) {
         return new Scene(name, "Delivery: " + title, "delivery.xml", constants, List.of(name + ".q"));
     }
 
     /** This scene with another number for a constant. */
-    Scene with(String constant, int number) {
+    Scene with(String constant, String number) {
         return new Scene(name, title, model, Stream.concat(constants.entrySet().stream(), Map.of(constant, number)
                 .entrySet().stream()).collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue,
                         (before, after) -> after)),
@@ -71,8 +78,8 @@ record Scene(String name, String title, String model, Map<String, Integer> const
             String instances = read(system).replace("&", "&amp;").replace("<", "&lt;");
             text = SYSTEM.matcher(text).replaceFirst(Matcher.quoteReplacement("<system>" + instances + "</system>"));
         }
-        for (Map.Entry<String, Integer> constant : constants.entrySet()) {
-            Matcher declared = Pattern.compile("(const int " + constant.getKey() + " = )\\d+").matcher(text);
+        for (Map.Entry<String, String> constant : constants.entrySet()) {
+            Matcher declared = Pattern.compile("(const (?:int|bool) " + constant.getKey() + " = )\\w+").matcher(text);
             if (!declared.find()) {
                 throw new ModelException(model, "there is no constant " + constant.getKey());
             }

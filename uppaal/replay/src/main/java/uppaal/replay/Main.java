@@ -46,6 +46,8 @@ public final class Main {
             return 2;
         }
         System.out.println(replay.verdict());
+        System.out.println("model: it may have taken " + replay.covered().size() + " of the model's "
+                + Replay.edges().size() + " edges");
         return replay.refusal().isPresent() ? 1 : 0;
     }
 }

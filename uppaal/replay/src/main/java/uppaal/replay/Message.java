@@ -95,8 +95,9 @@ final class Message {
 
     /** Its end at a board that is not the sender's. */
     End receiver(Station board) {
-        return receivers.computeIfAbsent(board.name(), name -> new End(this, board.id(), Scenes.receiver(kind), board.ear,
-                covered));
+        return receivers.computeIfAbsent(board.name(),
+                name -> new End(this, board.name(), Scenes.receiver(kind), board.ear,
+                        covered));
     }
 
     /** Whether something of it has come there. */
@@ -107,7 +108,8 @@ final class Message {
     /** Something happens at a board that is not the sender's. */
     void receiver(double seconds, Station board, String step) throws RefusedException {
         if (!isFor(board)) {
-            throw new RefusedException(Steps.words(step, origin, board.name()) + " (" + this + "); expected nothing of it there");
+            throw new RefusedException(
+                    Steps.words(step, origin, board.name()) + " (" + this + "); expected nothing of it there");
         }
         receiver(board).see(seconds, step);
     }

@@ -13,16 +13,18 @@ import java.util.Set;
  * @param owner the end of a message that has sent it; null where a stranger has
  * @param reached the boards that it has reached
  */
-record Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered,
+record Packet(String board, Payload payload, double start, double end, double bits, Message message,
+        List<Message> answered,
         String answer, End owner,
         Set<String> reached) {
-    Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered,
+    Packet(String board, Payload payload, double start, double end, double bits, Message message,
+            List<Message> answered,
             String answer) {
-        this(board, payload, start, end, message, answered, answer, null, new HashSet<>());
+        this(board, payload, start, end, bits, message, answered, answer, null, new HashSet<>());
     }
 
     /** The same, sent by an end of a message of ours. */
     Packet of(End sender) {
-        return new Packet(board, payload, start, end, message, answered, answer, sender, reached);
+        return new Packet(board, payload, start, end, bits, message, answered, answer, sender, reached);
     }
 }

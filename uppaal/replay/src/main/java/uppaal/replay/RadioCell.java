@@ -26,6 +26,12 @@ final class RadioCell {
     private final Map<String, Message> messages = new Recent<>();
     private final Map<String, Message> byPayload = new Recent<>();
     private final Map<String, List<Message>> answers = new Recent<>();
+    /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
+    private static final int FRAMING_BITS = 84;
+    private static final int BITS_A_BYTE = 12;
+    private static final int MOST_TRAILER_BITS = 12 * 17;
+    private static final int LEAST_RATE = 90;
+    private static final int MOST_RATE = 11_000;
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
     private static final double LATE = 0.5;
 
@@ -98,19 +104,23 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
+        checkAirtime(event, payload, board.isNamed());
         board.ear.learn(event.number("bits"), event.number("end") - start);
-        Packet packet = new Packet(board.name(), payload, start, event.number("end"), null, List.of(), "");
+        Packet packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), null,
+                List.of(), "");
         End owner = null;
         if (payload.isData()) {
             Message message = board.isNamed() ? own(start, board, payload) : strange(payload);
             owner = board.isNamed() ? message.sender() : null;
-            packet = new Packet(board.name(), payload, start, event.number("end"), message, List.of(), "");
+            packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message,
+                    List.of(), "");
         } else if (payload.isAcknowledgement()) {
             String answer = ANSWERS.getOrDefault(payload.message().length, "");
             List<Message> answered = board.isNamed() ? acknowledge(start, board, payload, answer)
                     : answers.getOrDefault(payload.hex(), List.of());
             owner = board.isNamed() && answered.size() == 1 ? answered.get(0).receiver(board) : null;
-            packet = new Packet(board.name(), payload, start, event.number("end"), null, answered, answer);
+            packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), null, answered,
+                    answer);
         } else if (board.isNamed()) {
             throw new RefusedException(
                     board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
@@ -119,10 +129,27 @@ final class RadioCell {
         board.send(packet.of(owner));
     }
 
+    /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
+    private static void checkAirtime(Event event, Payload payload, boolean ours) throws RefusedException {
+        double bits = event.number("bits");
+        int least = FRAMING_BITS + BITS_A_BYTE * (payload.hex().length() / 2);
+        boolean trailed = event.fields().has("trailer");
+        if (ours && (bits < least || bits > least && !trailed || bits > least + MOST_TRAILER_BITS)) {
+            throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + least
+                    + " for these bytes" + (trailed ? " and a trailer" : ""));
+        }
+        double rate = bits / (event.number("end") - event.number("start"));
+        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE)) {
+            throw new RefusedException(event.board() + " sends with " + Math.round(rate)
+                    + " bit/s; expected a time on the air that fits its bits");
+        }
+    }
+
     /** It has ended to send. */
     void end(Event event) throws RefusedException {
         Station board = board(event.board());
-        board.ear.end(event.number("end"), "own_end", board.sentAt(event.number("start")).map(Packet::owner).orElse(null));
+        board.ear.end(event.number("end"), "own_end",
+                board.sentAt(event.number("start")).map(Packet::owner).orElse(null));
     }
 
     /** A board may hear somebody else from now on. */
@@ -269,7 +296,8 @@ final class RadioCell {
     /**
      * A board of ours answers. Twelve bits of a nonce may be those of several messages: then any of them may be meant.
      */
-    private List<Message> acknowledge(double start, Station board, Payload payload, String answer) throws RefusedException {
+    private List<Message> acknowledge(double start, Station board, Payload payload, String answer)
+            throws RefusedException {
         List<Message> meant = answers.getOrDefault(payload.hex(),
                 messages.values().stream().filter(message -> isAnswered(message, board, payload, answer)).toList());
         List<Message> able = new ArrayList<>();
@@ -281,7 +309,7 @@ final class RadioCell {
         if (able.isEmpty()) {
             if (!meant.isEmpty() && !answer.isEmpty()) {
                 Message last = meant.get(meant.size() - 1);
-                throw last.refusal(answer, board.id(), last.receiver(board));
+                throw last.refusal(answer, board.name(), last.receiver(board));
             }
             throw new RefusedException(board.name()
                     + " acknowledges; expected that a message for it is on its way with this nonce");
@@ -311,6 +339,7 @@ final class RadioCell {
         if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
+        checkArrival(event, packet);
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
             throw new RefusedException(board.name()
                     + " hears a packet again or from itself; expected that each comes once to each other board");
@@ -324,6 +353,20 @@ final class RadioCell {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
             }
+        }
+    }
+
+    /** What reaches a board takes as long as it was sent, but for a trailer. */
+    private static void checkArrival(Event event, Packet packet) throws RefusedException {
+        if (!event.fields().has("end")) {
+            return;
+        }
+        double end = event.number("end");
+        double bit = (packet.end() - packet.start()) / packet.bits();
+        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * (packet.payload().hex().length() / 2) - 2);
+        if (end < Math.min(least, packet.end()) - DISORDER || end > packet.end() + DISORDER) {
+            throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
+                    + " its sender has ended it");
         }
     }
 
@@ -445,7 +488,8 @@ final class RadioCell {
     }
 
     /** What was taken for the same message under a new nonce was the next one to the same device. */
-    private static void split(double seconds, Station board, Transmission ended, String outcome) throws RefusedException {
+    private static void split(double seconds, Station board, Transmission ended, String outcome)
+            throws RefusedException {
         ended.before.sender(seconds, outcome);
         Transmission next = board.takeUp(ended.destination)
                 .orElseThrow(() -> new RefusedException(board.name() + " reports " + outcome

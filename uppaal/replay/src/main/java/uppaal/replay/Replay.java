@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.PriorityQueue;
+import java.util.Set;
 
 /**
  * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed between boards and
@@ -26,7 +27,9 @@ public final class Replay {
     private static final double DISORDER = 0.05;
 
     /** What a line tells of: all of it, or that a carrier begins or ends at its board, or that its packet ends. */
-    private enum Part { CARRIER, EVENT, END, SILENCE }
+    private enum Part {
+        CARRIER, EVENT, END, SILENCE
+    }
 
     private record Step(double seconds, Event event, Part part) {}
 
@@ -60,6 +63,11 @@ public final class Replay {
      */
     public Replay(Path keys) {
         bytes = new Bytes(new Keys(keys));
+    }
+
+    /** Boards may hear more than the trace tells, and less: no event is demanded of them, and none refused for its time. */
+    void doubtReception() {
+        disturbances.add(0, Double.POSITIVE_INFINITY);
     }
 
     /**
@@ -112,6 +120,16 @@ public final class Replay {
                 : "refused at " + refusal);
     }
 
+    /** Edges of the model's automata that the trace may have taken, as {@link #edges} names them. */
+    public synchronized Set<String> covered() {
+        return Set.copyOf(cell.covered());
+    }
+
+    /** All edges of the model's automata that a trace can take. */
+    public static Set<String> edges() {
+        return Scenes.edges();
+    }
+
     private void enter(Event event) {
         switch (event.name()) {
             case "rf-tx" -> {
@@ -139,7 +157,7 @@ public final class Replay {
             }
             case "scenario" -> {
                 if (isUncertain(event)) {
-                    disturbances.add(0, Double.POSITIVE_INFINITY);
+                    doubtReception();
                 }
             }
             case "fault", "command" -> disturbances.add(event.seconds(),

@@ -119,7 +119,8 @@ final class Scenes {
             Map<String, Integer> numbers = new HashMap<>();
             for (Edge edge : template.edges()) {
                 String number = edge.path() + ", " + numbers.merge(edge.path(), 1, Integer::sum);
-                if (TEMPLATES.containsValue(template.name()) && !edge.guard().contains("FAIR &&") && !edge.guard().contains("prompt")) {
+                if (TEMPLATES.containsValue(template.name()) && !edge.guard().contains("FAIR &&")
+                        && !edge.guard().contains("prompt")) {
                     edges.add(template.name() + ": " + number);
                 }
             }

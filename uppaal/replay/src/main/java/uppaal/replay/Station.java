@@ -42,11 +42,6 @@ final class Station {
         this.ear = ear;
     }
 
-    /** Its id; its name where that is not known. */
-    String id() {
-        return id.isEmpty() ? name : id;
-    }
-
     /** Its transmissions that have not been told to have ended. */
     Stream<Transmission> open() {
         return numbered.values().stream().filter(transmission -> transmission.outcome.isEmpty());

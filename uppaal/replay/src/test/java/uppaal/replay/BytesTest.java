@@ -173,15 +173,17 @@ class BytesTest {
     void pieces_ofTheNextFrame_haveTheNextId() {
         byte[] next = sealed("//SU", SECOND, LONG);
         for (String id : List.of("A", "B", "C", "/")) {
-            Talk talk = asked("SUPP", LONG).asks("//SU", LONG).sends("police", BEGIN).unheard("police",
-                    piece(id + "A", next, 0));
+            Talk talk = asked("SUPP", LONG).asks("//SU", LONG).sends("police", BEGIN)
+                    .unheard("police", piece("AJ", LONG_FRAME, 1))
+                    .unheard("police", piece(id + "A", next, 0));
             if (id.equals("B")) {
                 assertAccepted(talk, "2 messages opened, 0 proofs");
             } else {
                 assertRefusedEvenWithoutKeys(talk, id.equals("A") ? "" : "police cuts a frame into pieces with id ");
             }
         }
-        Talk last = asked("SUPP", LONG).asks("//SU", LONG).sends("police", piece("/A", LONG_FRAME, 0));
+        Talk last = asked("SUPP", LONG).asks("//SU", LONG).sends("police", piece("/A", LONG_FRAME, 0))
+                .unheard("police", piece("/J", LONG_FRAME, 1));
         assertAccepted(last.unheard("police", piece("AA", next, 0)), "2 messages opened, 0 proofs");
     }
 

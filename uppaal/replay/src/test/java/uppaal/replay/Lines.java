@@ -15,6 +15,10 @@ import java.util.function.Predicate;
 
 /** A trace that a test spoils. Lines count from 1, as refusals name them. */
 final class Lines {
+    private static final int RATE = 2000;
+
+    /** Whether its times are a test's, which does not keep to those of boards. */
+    boolean madeUp;
     final List<JsonObject> all = new ArrayList<>();
 
     /** One of src/test/resources/traces. */
@@ -42,6 +46,10 @@ final class Lines {
                 line.addProperty(key, (String) value);
             }
         });
+        if (event.equals("rf-tx")) {
+            line.addProperty("bits",
+                    Math.round(RATE * (line.get("end").getAsDouble() - line.get("start").getAsDouble())));
+        }
         all.add(line);
         return this;
     }
@@ -81,6 +89,7 @@ final class Lines {
     /** Takes lines away. */
     Lines without(Predicate<Integer> unwanted) {
         Lines rest = new Lines();
+        rest.madeUp = madeUp;
         where(unwanted.negate()).forEach(line -> rest.all.add(get(line)));
         return rest;
     }
@@ -104,6 +113,9 @@ final class Lines {
     }
 
     private Replay replay(Replay replay) {
+        if (madeUp) {
+            replay.doubtReception();
+        }
         all.forEach(line -> replay.line(line.toString()));
         replay.finish();
         return replay;

@@ -61,6 +61,7 @@ class ReplayTest {
     @Test
     void replay_packetWhoseTrailerEndsAfterItWasHandedOver_isAcceptedHoweverEarlyTheTraceEnds() {
         Lines lines = Lines.of("highway");
+        lines.madeUp = true;
         int handed = handedToHospital(lines);
         int sent = lines.where(line -> lines.is(line, "support", "rf-tx")
                 && lines.text(line, "kind").equals("unicast") && line < handed).get(0);
@@ -102,8 +103,7 @@ class ReplayTest {
         int handed = handedToHospital(lines);
         lines.get(handed).addProperty("board", "ambulance");
         assertRefused(lines, handed,
-                "ambulance hands it to its host (SUPP to SUHO, nonce 072d60000000); expected one of: SUHO "
-                        + "answers that it is stale; SUHO hands it to its host; ");
+                "ambulance hands it to its host (SUPP to SUHO, nonce 072d60000000); expected nothing of it there");
     }
 
     @Test
@@ -121,8 +121,7 @@ class ReplayTest {
         String acknowledgement = lines.text(acknowledgedByHospital(lines), "payload");
         Lines spoilt = lines.without(line -> lines.text(line, "payload").equals(acknowledgement));
         assertRefused(spoilt, spoilt.next(0, "support", "host-outcome"),
-                "SUPP reports it delivered (SUPP to SUHO, nonce 072d60000000); expected one of: SUHO "
-                        + "acknowledges it as delivered; ");
+                "SUPP reports it delivered (SUPP to SUHO, nonce 072d60000000); expected one of: SUPP sends it");
     }
 
     @Test
@@ -157,6 +156,7 @@ class ReplayTest {
     @Test
     void replay_repeatAcknowledgedThrice_isRefusedThere() {
         Lines lines = Lines.of("highway");
+        lines.madeUp = true;
         int acknowledged = acknowledgedByHospital(lines);
         Lines repeated = lines.without(line -> line > acknowledged);
         int sent = lines.next(0, "support", "rf-tx");
@@ -283,7 +283,7 @@ class ReplayTest {
             switch (attempts) {
                 case 7 -> assertRefused(lines, lines.all.size(),
                         "SUPO reports it undelivered (SUPO to SUPP, nonce 000001000000); expected one of: "
-                                + "SUPO sends a piece of it; SUPO sends it");
+                                + "SUPO sends it");
                 case 8 -> assertTrue(lines.replay().refusal().isEmpty());
                 default -> assertRefused(lines, lines.all.size() - 1, "SUPO sends it (SUPO to SUPP, ");
             }
@@ -334,12 +334,13 @@ class ReplayTest {
         send(lines, 2, "police", unicast("SUPP", 0), "unicast");
         send(lines, 3, "police", unicast("//SU", 1), "multicast");
         Lines early = new Lines();
+        early.madeUp = true;
         early.all.addAll(lines.all);
         String broadcast = "2f2f2f2f5355504f414978";
         send(early, 4, "police", broadcast, "broadcast");
         assertRefused(early, early.all.size(), "SUPO goes on to another message (SUPO to //SU, ");
-        send(lines, 4, "police", unicast("SUPP", 0), "unicast");
-        send(lines, 5, "police", unicast("//SU", 1), "multicast");
+        send(lines, 4, "police", unicast("//SU", 1), "multicast");
+        send(lines, 5, "police", unicast("SUPP", 0), "unicast");
         send(lines, 6, "police", broadcast, "broadcast");
         outcome(lines, 7, 1, "sent");
         outcome(lines, 7, 2, "sent");
@@ -354,10 +355,10 @@ class ReplayTest {
                 String digit = message == 0 ? "41" : "42";
                 String whole = unicast(message == 0 ? "SUPP" : "SUHO", message);
                 String header = whole.substring(0, 16) + "4967" + whole.substring(20);
-                send(lines, 2 + message, "police", piece(digit, "41", "4959", header + "77".repeat(41)), "piece");
+                send(lines, 2 + 2 * message, "police", piece(digit, "41", "4959", header + "77".repeat(41)), "piece");
+                send(lines, 3 + 2 * message, "police",
+                        piece(message == 0 ? "41" : id, "4a", "4259", "0" + message + "77".repeat(10)), "piece");
             }
-            send(lines, 4, "police", piece("41", "4a", "4259", "00" + "77".repeat(10)), "piece");
-            send(lines, 5, "police", piece(id, "4a", "4259", "01" + "77".repeat(10)), "piece");
             if (id.equals("42")) {
                 assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
             } else {
@@ -386,6 +387,7 @@ class ReplayTest {
             take(lines, 4.4, 0);
             send(lines, 5, "support", "2b4b4141535550504241" + "00".repeat(8), "acknowledgement");
             Lines unheard = new Lines();
+            unheard.madeUp = true;
             unheard.all.addAll(lines.all);
             outcome(unheard, 5.3005, 0, "delivered");
             assertRefused(unheard, unheard.all.size(), "SUPO reports it delivered");
@@ -625,7 +627,9 @@ class ReplayTest {
     }
 
     private static Lines greeted(String board, String id) {
-        return new Lines().add(0, board, "reset", Map.of("why", "power")).add(0.5, board, "host-id", Map.of("id", id));
+        Lines lines = new Lines();
+        lines.madeUp = true;
+        return lines.add(0, board, "reset", Map.of("why", "power")).add(0.5, board, "host-id", Map.of("id", id));
     }
 
     private static Lines twoBoards() {

@@ -18,6 +18,10 @@ final class Talk {
     private static final int PIECE = 67;
 
     final Lines lines = new Lines();
+
+    {
+        lines.madeUp = true;
+    }
     private int now;
     private int asked;
 
