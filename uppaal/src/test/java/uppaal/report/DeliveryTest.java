@@ -79,11 +79,11 @@ class DeliveryTest {
     }
 
     @Test
-    void bound_less_isExceeded() {
+    void bound_oneSlotLess_isExceeded() {
         Scene scene =
                 Scene.OF_DELIVERY.stream().filter(candidate -> candidate.name().equals("bound")).findFirst()
                         .orElseThrow();
-        Network network = NetworkBuilder.build(scene.with("DEADLINE", "1442").document(MODELS));
+        Network network = NetworkBuilder.build(scene.with("DEADLINE", "1423").document(MODELS));
         assertFalse(Exploration.of(network, Check.properties(network, scene.queries(MODELS))).holds(0));
     }
 

@@ -15,7 +15,8 @@ import java.util.function.Predicate;
 
 /** A trace that a test spoils. Lines count from 1, as refusals name them. */
 final class Lines {
-    private static final int RATE = 2000;
+    private static final int FRAMING_BITS = 84;
+    private static final int BITS_A_DIGIT = 6;
 
     /** Whether its times are a test's, which does not keep to those of boards. */
     boolean madeUp;
@@ -47,8 +48,7 @@ final class Lines {
             }
         });
         if (event.equals("rf-tx")) {
-            line.addProperty("bits",
-                    Math.round(RATE * (line.get("end").getAsDouble() - line.get("start").getAsDouble())));
+            line.addProperty("bits", FRAMING_BITS + BITS_A_DIGIT * line.get("payload").getAsString().length());
         }
         all.add(line);
         return this;

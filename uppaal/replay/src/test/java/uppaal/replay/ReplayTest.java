@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * ({@code test/system}'s {@code PartnersTest}); all without the events that the model does not speak of.
  */
 class ReplayTest {
+    private static final int RATE = 2000;
     private static final String UNICAST = "535550505355504f4341000001000000";
 
     private static void assertRefused(Lines lines, int at, String words) {
@@ -67,6 +68,8 @@ class ReplayTest {
                 && lines.text(line, "kind").equals("unicast") && line < handed).get(0);
         JsonObject packet = lines.get(sent);
         packet.addProperty("trailer", "parity");
+        double later = lines.get(handed).get("t").getAsDouble() - packet.get("end").getAsDouble();
+        packet.addProperty("bits", packet.get("bits").getAsInt() + Math.round(RATE * later));
         packet.add("t", lines.get(handed).get("t"));
         packet.add("end", lines.get(handed).get("t"));
         lines.all.add(handed, packet);
