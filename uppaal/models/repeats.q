@@ -26,7 +26,5 @@ A[] (Answer1.OnAir imply given[1] > 0) && (Answer2.OnAir imply given[2] > 0)
 A[] (Police1.Ready || Police1.Contending || Police1.Deferred) imply Police1.left == 0
 /* E14 holds: a repeat of what the host has is acknowledged again. */
 E<> Answer1.OnAir && Police1.attempt == 2 && given[1] == 1
-/* E15 holds: acknowledgements go before what is new. */
-A[] Police1.OnAir && !collided && Answer1.Due imply started <= FRESH_SLOTS
 /* E16 holds: all attempts can be used. */
 E<> Police1.GivenUp && Police2.GivenUp

@@ -171,7 +171,8 @@ final class RadioCell {
     void tell(Event event) throws RefusedException {
         Station board = board(event.board());
         for (Transmission transmission : board.open().toList()) {
-            End sender = transmission.message == null ? null : transmission.message.sender();
+            boolean told = event.name().equals("host-outcome") && transmission.number == event.number("number");
+            End sender = told || transmission.message == null ? null : transmission.message.sender();
             if (sender != null && sender.ended() < event.seconds() - LATE) {
                 throw new RefusedException(board.name() + " tells its host something, and not how a message has ended ("
                         + transmission.message + ")");

@@ -258,7 +258,10 @@ public final class Replay {
             }
             case "host-taking" -> cell.take(event, "taking");
             case "host-taken" -> cell.take(event, "confirmed");
-            case "host-outcome" -> cell.outcome(event);
+            case "host-outcome" -> {
+                cell.tell(event);
+                cell.outcome(event);
+            }
             default -> throw new IllegalStateException(event.name());
         }
     }

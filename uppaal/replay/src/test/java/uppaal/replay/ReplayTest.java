@@ -345,8 +345,8 @@ class ReplayTest {
         send(lines, 4, "police", unicast("//SU", 1), "multicast");
         send(lines, 5, "police", unicast("SUPP", 0), "unicast");
         send(lines, 6, "police", broadcast, "broadcast");
-        outcome(lines, 7, 1, "sent");
-        outcome(lines, 7, 2, "sent");
+        outcome(lines, 6.5, 1, "sent");
+        outcome(lines, 6.5, 2, "sent");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 

@@ -1,0 +1,151 @@
+package uppaal.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonObject;
+import java.util.Comparator;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Genuine traces whose times are changed: what boards do earlier or later than the model allows is refused. */
+class TimesTest {
+    private static final double SLOT = 0.008;
+
+    private static void shift(Lines lines, int line, double seconds) {
+        JsonObject event = lines.get(line);
+        for (String field : List.of("t", "start", "end", "asked")) {
+            if (event.has(field)) {
+                event.addProperty(field, event.get(field).getAsDouble() + seconds);
+            }
+        }
+    }
+
+    /** A packet with all that its hearers say of it. */
+    private static void shiftPacket(Lines lines, int sent, double seconds) {
+        double start = lines.get(sent).get("start").getAsDouble();
+        lines.where(line -> lines.get(line).has("start")
+                && Math.abs(lines.get(line).get("start").getAsDouble() - start) < SLOT / 4)
+                .forEach(line -> shift(lines, line, seconds));
+    }
+
+    private static void shiftAll(Lines lines, int from, double seconds) {
+        double time = lines.get(from).get("start").getAsDouble();
+        lines.where(line -> lines.get(line).get("t").getAsDouble() >= time)
+                .forEach(line -> shift(lines, line, seconds));
+    }
+
+    private static String refusal(Lines lines) {
+        lines.all.sort(Comparator.comparingDouble(line -> line.get("t").getAsDouble()));
+        return lines.replay().refusal().orElse("accepted");
+    }
+
+    private static int packet(Lines lines, String board, String kind, int nth) {
+        return lines.where(line -> lines.is(line, board, "rf-tx") && lines.text(line, "kind").equals(kind)).get(nth);
+    }
+
+    private static double gap(Lines lines, int packet, int later) {
+        return lines.get(later).get("start").getAsDouble() - lines.get(packet).get("end").getAsDouble();
+    }
+
+    /** The first attempt of a message that is sent again, in the trace of a board whose partner is absent. */
+    private static int repeated(Lines lines) {
+        return lines.where(line -> lines.is(line, "police", "rf-tx") && lines.text(line, "kind").equals("unicast")
+                && lines.where(later -> later > line && lines.is(later, "police", "rf-tx")
+                        && lines.text(later, "payload").equals(lines.text(line, "payload"))).size() > 5)
+                .get(0);
+    }
+
+    @Test
+    void times_acknowledgementIntoAPacket_isRefused() {
+        Lines lines = Lines.of("highway");
+        int acknowledged = packet(lines, "hospital", "acknowledgement", 0);
+        int sent = lines.where(line -> lines.is(line, "rf-tx") && line > acknowledged).get(0);
+        double into = lines.get(sent).get("start").getAsDouble() + 5 * SLOT
+                - lines.get(acknowledged).get("start").getAsDouble();
+        shiftPacket(lines, acknowledged, into);
+        assertTrue(refusal(lines).contains("SUHO"), refusal(lines));
+    }
+
+    @Test
+    void times_attemptAfterTooFewQuietSlots_isRefused() {
+        Lines lines = Lines.of("highway");
+        List<Integer> packets = lines.where(line -> lines.is(line, "rf-tx"));
+        int tried = 0;
+        for (int i = 1; i < packets.size(); i++) {
+            Lines changed = Lines.of("highway");
+            int sent = packets.get(i);
+            if (!changed.text(sent, "kind").equals("acknowledgement")
+                    && gap(changed, packets.get(i - 1), sent) < 30 * SLOT) {
+                tried++;
+                shiftPacket(changed, sent, 5 * SLOT - gap(changed, packets.get(i - 1), sent));
+                assertTrue(refusal(changed).startsWith("event"), "packet " + i);
+            }
+        }
+        assertTrue(tried > 2);
+    }
+
+    @Test
+    void times_repeatBeforeItsPatienceIsOver_isRefused() {
+        for (boolean early : List.of(false, true)) {
+            Lines lines = Lines.of("partners");
+            int first = repeated(lines);
+            int again = lines.where(line -> line > first && lines.is(line, "police", "rf-tx")).get(0);
+            shiftAll(lines, again, (early ? 17 : 20) * SLOT - gap(lines, first, again));
+            assertEquals(!early, refusal(lines).equals("accepted"), refusal(lines));
+        }
+    }
+
+    @Test
+    void times_arrivalThatEndsBeforeItsPacket_isRefused() {
+        Lines lines = Lines.of("highway");
+        int heard = lines.next(0, "hospital", "rf-rx");
+        shift(lines, heard, 0);
+        lines.get(heard).addProperty("end", lines.get(heard).get("end").getAsDouble() - 3 * SLOT);
+        assertTrue(refusal(lines).contains("hears a packet end before its sender has ended it"), refusal(lines));
+    }
+
+    @Test
+    void times_airtimeThatDoesNotFitTheBytes_isRefused() {
+        Lines lines = Lines.of("highway");
+        int sent = lines.next(0, "support", "rf-tx");
+        lines.get(sent).addProperty("bits", lines.get(sent).get("bits").getAsInt() - 1);
+        assertTrue(refusal(lines).contains(" for these bytes"), refusal(lines));
+    }
+
+    @Test
+    void times_outcomeBeforeThePacketsEnd_isRefused() {
+        Lines lines = Lines.of("highway");
+        int told = lines.next(0, "support", "host-outcome");
+        int sent = lines.where(line -> line < told && lines.is(line, "support", "rf-tx")).get(0);
+        shift(lines, told, lines.get(sent).get("start").getAsDouble() + SLOT - lines.get(told).get("t").getAsDouble());
+        assertTrue(refusal(lines).contains("support, host-outcome"), refusal(lines));
+    }
+
+    @Test
+    void times_repeatThatNeverComes_isRefused() {
+        Lines lines = Lines.of("partners");
+        int first = repeated(lines);
+        String payload = lines.text(first, "payload");
+        List<Integer> all = lines.where(line -> lines.text(line, "payload").equals(payload));
+        Lines cut = lines.without(line -> line > first && all.contains(line));
+        assertTrue(refusal(cut).startsWith("event"), refusal(cut));
+    }
+
+    @Test
+    void times_acknowledgementThatNeverComes_isRefused() {
+        Lines lines = Lines.of("highway");
+        int acknowledged = packet(lines, "hospital", "acknowledgement", 0);
+        String payload = lines.text(acknowledged, "payload");
+        Lines cut = lines.without(line -> lines.text(line, "payload").equals(payload));
+        assertTrue(refusal(cut).startsWith("event"), refusal(cut));
+    }
+
+    @Test
+    void times_outcomeThatIsNeverTold_isRefusedOnceTheBoardTellsSomethingElse() {
+        Lines lines = Lines.of("partners");
+        int told = lines.next(0, "police", "host-outcome");
+        Lines cut = lines.without(line -> line == told);
+        assertTrue(refusal(cut).contains("not how a message has ended"), refusal(cut));
+    }
+}
