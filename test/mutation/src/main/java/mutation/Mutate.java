@@ -19,7 +19,7 @@ import picocli.CommandLine.Option;
         description = "Shows what the models' properties and the replay notice.")
 public final class Mutate implements Callable<Integer> {
 
-    private static final List<Part> ALL = List.of(new Models());
+    private static final List<Part> ALL = List.of(new Models(), new Traces());
 
     @Option(names = "--only", split = ",", paramLabel = "NAME", description = "models, traces, firmware")
     private List<String> only = ALL.stream().map(Part::name).toList();
@@ -28,7 +28,7 @@ public final class Mutate implements Callable<Integer> {
     private long seed = 1;
 
     @Option(names = "--mutants", paramLabel = "N",
-            description = "of each model, of each change of traces and of the firmware so many (default 250, 100 and 60)")
+            description = "of each model, of each change of a trace, and of the firmware so many (250, 100, 60)")
     private Integer mutants;
 
     private Mutate() {}

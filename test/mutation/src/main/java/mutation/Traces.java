@@ -1,0 +1,123 @@
+package mutation;
+
+import campaign.Report;
+import campaign.Table;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import uppaal.replay.Replay;
+
+/** How many small changes of genuine traces the replay refuses. */
+final class Traces implements Part {
+
+    private static final double GOAL = 0.98;
+    private static final int USUAL = 100;
+
+    private record Judged(TraceMutant mutant, String file, boolean refused) {}
+
+    @Override
+    public String name() {
+        return "traces";
+    }
+
+    @Override
+    public String section() {
+        return "mutants of traces";
+    }
+
+    @Override
+    public void run(Options options, Report report) throws Exception {
+        long wronglyRefused = 0;
+        Map<String, List<Judged>> byOperator = new LinkedHashMap<>();
+        List<Path> files = files(options.root());
+        for (Path file : files) {
+            List<String> lines = Files.readAllLines(file);
+            if (refused(lines)) {
+                wronglyRefused++;
+                report.progress("%s is refused as it is", file.getFileName());
+                continue;
+            }
+            Map<String, List<TraceMutant>> mutants = TraceMutants.of(lines, options.seed()).stream()
+                    .collect(Collectors.groupingBy(TraceMutant::operator, LinkedHashMap::new, Collectors.toList()));
+            mutants.forEach((operator, all) -> byOperator.computeIfAbsent(operator, any -> new ArrayList<>())
+                    .addAll(options.draw(all, USUAL).parallelStream()
+                            .map(mutant -> new Judged(mutant, file.getFileName().toString(),
+                                    refused(mutant.lines().get())))
+                            .toList()));
+            report.progress("%s done", file.getFileName());
+        }
+        describe(byOperator, files.size(), options, report);
+        report.never("genuine traces refused", wronglyRefused);
+    }
+
+    /** Genuine traces, of runs whose boards had keys that everybody may know. */
+    static List<Path> files(Path root) throws IOException {
+        try (Stream<Path> files = Files.list(root.resolve("uppaal/replay/src/test/resources/traces"))) {
+            return files.filter(file -> file.toString().endsWith(".jsonl")).sorted().toList();
+        }
+    }
+
+    /** Whether the replay says no; a line that is none of a trace is refused too. */
+    static boolean refused(List<String> lines) {
+        Replay replay = new Replay();
+        try {
+            lines.forEach(replay::line);
+            replay.finish();
+        } catch (IllegalArgumentException wrong) {
+            return true;
+        }
+        return replay.refusal().isPresent();
+    }
+
+    private static void describe(Map<String, List<Judged>> byOperator, int files, Options options, Report report) {
+        report.text("""
+            Each mutant is one of %d genuine traces (`uppaal/replay/src/test/resources/traces`) with one change. *Refused*:
+            the replay says that no board does this. *Genuine*: the change is one that boards may well do, or that no trace
+            can show; the reasons are below. Of each change and trace the seed has drawn at most %d mutants.
+            """.formatted(files, options.mutants(USUAL)));
+        Table table = new Table("change", "mutants", "refused", "genuine", "of the others");
+        List<Judged> all = byOperator.values().stream().flatMap(List::stream).toList();
+        byOperator.forEach((operator, judged) -> row(table, operator, judged, options.survivors()));
+        row(table, "all", all, options.survivors());
+        report.table(table);
+        reasons(all, options.survivors(), report);
+        long refused = all.stream().filter(Judged::refused).count();
+        long unexplained = unexplained(all, options.survivors()).size();
+        report.aim(Table.text("at least %.0f %% of those that are not genuine refused", 100 * GOAL),
+                refused >= GOAL * (refused + unexplained));
+        report.never("survivors without a reason", unexplained);
+    }
+
+    private static List<Judged> unexplained(List<Judged> judged, Survivors known) {
+        return judged.stream().filter(each -> !each.refused && known.reason(each.mutant.toString()).isEmpty()).toList();
+    }
+
+    private static void row(Table table, String name, List<Judged> judged, Survivors known) {
+        long refused = judged.stream().filter(Judged::refused).count();
+        long unexplained = unexplained(judged, known).size();
+        table.row(name, judged.size(), refused, judged.size() - refused - unexplained,
+                Table.percent(refused, refused + unexplained));
+    }
+
+    /** What was accepted, by change and event, with where it can be seen. */
+    private static void reasons(List<Judged> all, Survivors known, Report report) {
+        Map<String, List<Judged>> alike = new TreeMap<>(all.stream().filter(each -> !each.refused)
+                .collect(Collectors.groupingBy(each -> each.mutant.toString())));
+        if (alike.isEmpty()) {
+            return;
+        }
+        report.text("Accepted:\n\n| change and event | times | for one | genuine, since |\n| --- | ---: | --- | --- |\n"
+                + alike.entrySet().stream()
+                        .map(each -> "| " + each.getKey().replace("|", "\\|") + " | " + each.getValue().size() + " | "
+                                + each.getValue().get(0).file + ", line " + each.getValue().get(0).mutant.line() + " | "
+                                + known.reason(each.getKey()).orElse("") + " |")
+                        .collect(Collectors.joining("\n")));
+    }
+}
