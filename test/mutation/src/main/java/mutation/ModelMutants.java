@@ -20,6 +20,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.transform.Transformer;
 import javax.xml.transform.TransformerException;
 import javax.xml.transform.TransformerFactory;
 import javax.xml.transform.dom.DOMSource;
@@ -39,6 +40,7 @@ final class ModelMutants {
     private static final Pattern PARAMETER = Pattern.compile("const +int(?:\\[[^\\]]*\\])? +(\\w+)");
 
     private final Document document;
+    private final Transformer writer;
     private final List<List<String>> channels;
     private final Set<String> globalConstants;
     private final List<ModelMutant> mutants = new ArrayList<>();
@@ -46,6 +48,7 @@ final class ModelMutants {
 
     private ModelMutants(String xml) {
         document = parse(xml);
+        writer = writer();
         String declarations = text(document.getDocumentElement(), "declaration");
         channels = List.of(names(declarations, "broadcast +chan"), names(declarations, "chan"));
         globalConstants = Set.copyOf(names(declarations, "const +int(?:\\[[^\\]]*\\])?"));
@@ -201,10 +204,18 @@ final class ModelMutants {
         }
     }
 
+    private static Transformer writer() {
+        try {
+            return TransformerFactory.newInstance().newTransformer();
+        } catch (TransformerException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
     private String write() {
         try {
             StringWriter text = new StringWriter();
-            TransformerFactory.newInstance().newTransformer().transform(new DOMSource(document),
+            writer.transform(new DOMSource(document),
                     new StreamResult(text));
             return text.toString();
         } catch (TransformerException impossible) {

@@ -33,12 +33,14 @@ final class TraceMutants {
 
     private final List<String> lines;
     private final Trace genuine;
+    private final List<Trace.Packet> packets;
     private final Random random;
     private final List<TraceMutant> mutants = new ArrayList<>();
 
     private TraceMutants(List<String> lines, long seed) {
         this.lines = lines;
         genuine = new Trace(lines);
+        packets = genuine.packets();
         random = new Random(seed);
     }
 
@@ -49,7 +51,7 @@ final class TraceMutants {
             all.order(i);
             all.fields(i);
         }
-        for (int i = 0; i < all.genuine.packets().size(); i++) {
+        for (int i = 0; i < all.packets.size(); i++) {
             all.times(i);
             all.bytes(i);
         }
@@ -139,7 +141,6 @@ final class TraceMutants {
     }
 
     private void times(int number) {
-        List<Trace.Packet> packets = genuine.packets();
         Trace.Packet packet = packets.get(number);
         enter("packet dropped", number, (trace, it) -> trace.events().removeAll(it.all()));
         enter("packet repeated at once", number, (trace, it) -> {
@@ -182,7 +183,7 @@ final class TraceMutants {
     }
 
     private void bytes(int number) {
-        Trace.Packet packet = genuine.packets().get(number);
+        Trace.Packet packet = packets.get(number);
         for (Region region : Region.of(text(packet.sent(), "kind"), packet.payload())) {
             String flipped = region.flipped(packet.payload(), random);
             String zeroed = region.zeroed(packet.payload());
@@ -196,7 +197,7 @@ final class TraceMutants {
                         (trace, it) -> payload(trace.packets(), it.payload(), zeroed, same -> true));
             }
         }
-        Region.nonce(text(packet.sent(), "kind"), packet.payload()).ifPresent(nonce -> genuine.packets().stream()
+        Region.nonce(text(packet.sent(), "kind"), packet.payload()).ifPresent(nonce -> packets.stream()
                 .filter(before -> before.start() < packet.start() && before.board().equals(packet.board())
                         && !before.payload().equals(packet.payload()))
                 .filter(before -> Region.nonce(text(before.sent(), "kind"), before.payload()).isPresent())
@@ -256,7 +257,7 @@ final class TraceMutants {
 
     /** The first time that what was handed over was sent. */
     private Optional<Trace.Packet> heardBefore(JsonObject handed) {
-        List<Trace.Packet> heard = genuine.packets().stream().filter(packet -> packet.end() < number(handed, "t")
+        List<Trace.Packet> heard = packets.stream().filter(packet -> packet.end() < number(handed, "t")
                 && packet.isHeardBy(text(handed, "board"))
                 && text(packet.sent(), "origin").equals(text(handed, "origin"))).toList();
         return heard.stream().filter(packet -> packet.payload().equals(heard.get(heard.size() - 1).payload()))
@@ -293,7 +294,7 @@ final class TraceMutants {
     }
 
     private void enter(String operator, int packet, BiConsumer<Trace, Trace.Packet> change) {
-        JsonObject sent = genuine.packets().get(packet).sent();
+        JsonObject sent = packets.get(packet).sent();
         enter(operator, genuine.events().indexOf(sent), "",
                 (trace, it) -> change.accept(trace, trace.packets().get(packet)));
     }

@@ -2,10 +2,12 @@ package mutation;
 
 import campaign.Report;
 import campaign.Table;
+import harness.Emulator;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,25 +38,45 @@ final class Traces implements Part {
     public void run(Options options, Report report) throws Exception {
         long wronglyRefused = 0;
         Map<String, List<Judged>> byOperator = new LinkedHashMap<>();
-        List<Path> files = files(options.root());
-        for (Path file : files) {
-            List<String> lines = Files.readAllLines(file);
-            if (refused(lines)) {
+        Map<String, List<String>> traces = traces(options);
+        for (Map.Entry<String, List<String>> trace : traces.entrySet()) {
+            if (refused(trace.getValue())) {
                 wronglyRefused++;
-                report.progress("%s is refused as it is", file.getFileName());
+                report.progress("%s is refused as it is", trace.getKey());
                 continue;
             }
-            Map<String, List<TraceMutant>> mutants = TraceMutants.of(lines, options.seed()).stream()
+            Map<String, List<TraceMutant>> mutants = TraceMutants.of(trace.getValue(), options.seed()).stream()
                     .collect(Collectors.groupingBy(TraceMutant::operator, LinkedHashMap::new, Collectors.toList()));
             mutants.forEach((operator, all) -> byOperator.computeIfAbsent(operator, any -> new ArrayList<>())
                     .addAll(options.draw(all, USUAL).parallelStream()
-                            .map(mutant -> new Judged(mutant, file.getFileName().toString(),
-                                    refused(mutant.lines().get())))
+                            .map(mutant -> new Judged(mutant, trace.getKey(), refused(mutant.lines().get())))
                             .toList()));
-            report.progress("%s done", file.getFileName());
+            report.progress("%s done", trace.getKey());
         }
-        describe(byOperator, files.size(), options, report);
+        describe(byOperator, traces.size(), options, report);
         report.never("genuine traces refused", wronglyRefused);
+    }
+
+    /** Traces of some time ago, which are the same each time, and one of what the firmware does now. */
+    private static Map<String, List<String>> traces(Options options) throws IOException, InterruptedException {
+        Map<String, List<String>> traces = new LinkedHashMap<>();
+        for (Path file : files(options.root())) {
+            traces.put(file.getFileName().toString(), Files.readAllLines(file));
+        }
+        List<String> today = Collections.synchronizedList(new ArrayList<>());
+        Path folder = Files.createTempDirectory("javino-mutate");
+        try {
+            Conversation.Result result =
+                    Conversation.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
+            if (result.end() == Conversation.End.FAILED) {
+                throw new IllegalStateException("without a mistake: " + result.why());
+            }
+        } finally {
+            FirmwareBuild.delete(folder);
+        }
+        Files.write(options.root().resolve("test/mutation/build/today.jsonl"), today);
+        traces.put("today's firmware", today);
+        return traces;
     }
 
     /** Genuine traces, of runs whose boards had keys that everybody may know. */
@@ -78,9 +100,10 @@ final class Traces implements Part {
 
     private static void describe(Map<String, List<Judged>> byOperator, int files, Options options, Report report) {
         report.text("""
-            Each mutant is one of %d genuine traces (`uppaal/replay/src/test/resources/traces`) with one change. *Refused*:
-            the replay says that no board does this. *Genuine*: the change is one that boards may well do, or that no trace
-            can show; the reasons are below. Of each change and trace the seed has drawn at most %d mutants.
+            Each mutant is one of %d genuine traces with one change. They are those in
+            `uppaal/replay/src/test/resources/traces`, and one of today's firmware, from the run that mistakes are put
+            into below. *Refused*: the replay says that no board does this. *Genuine*: boards may well do this, or no
+            trace can show it; the reasons are below. Of each change and trace the seed has drawn at most %d mutants.
             """.formatted(files, options.mutants(USUAL)));
         Table table = new Table("change", "mutants", "refused", "genuine", "of the others");
         List<Judged> all = byOperator.values().stream().flatMap(List::stream).toList();

@@ -14,14 +14,16 @@ import org.junit.jupiter.api.Test;
 
 class TraceMutantsTest {
 
+    private static final String UNICAST = "42303031423030304256000001000000aabb0001020304050607";
     private static final String ACK = "2b4b41414230303142410001020304050607";
     /** A unicast of board a, its arrival, and the acknowledgement of board b. */
     private static final List<String> LINES = List.of(
             "{'t':0.100000,'board':'a','event':'host-transmit','number':0,'destination':'B001','asked':0.090000}",
-            "{'t':0.400000,'board':'a','event':'rf-tx','payload':'42303031423030304256000001000000aabb0001020304050607',"
-                    + "'destination':'B001','origin':'B000','kind':'unicast','bits':600,'start':0.120000,'end':0.400000}",
+            "{'t':0.400000,'board':'a','event':'rf-tx','payload':'" + UNICAST + "',"
+                    + "'destination':'B001','origin':'B000','kind':'unicast','bits':600,"
+                    + "'start':0.120000,'end':0.400000}",
             "{'t':0.400110,'board':'b','event':'rf-rx','from':'a',"
-                    + "'payload':'42303031423030304256000001000000aabb0001020304050607','destination':'B001',"
+                    + "'payload':'" + UNICAST + "','destination':'B001',"
                     + "'origin':'B000','kind':'unicast','bits':600,'start':0.120110,'end':0.400110}",
             "{'t':0.402000,'board':'b','event':'host-handed','number':0,'destination':'B001','origin':'B000'}",
             "{'t':0.600000,'board':'b','event':'rf-tx','payload':'" + ACK + "','destination':'+KAA','origin':'B001',"
