@@ -28,7 +28,7 @@ public final class Mutate implements Callable<Integer> {
     private long seed = 1;
 
     @Option(names = "--mutants", paramLabel = "N",
-            description = "of each model, of each change of a trace, and of the firmware so many (250, 100, 60)")
+            description = "of each model, of each change of a trace, and of the firmware so many (250, 40, 60)")
     private Integer mutants;
 
     private Mutate() {}

@@ -20,7 +20,7 @@ import uppaal.replay.Replay;
 final class Traces implements Part {
 
     private static final double GOAL = 0.98;
-    private static final int USUAL = 100;
+    private static final int USUAL = 40;
 
     private record Judged(TraceMutant mutant, String file, boolean refused) {}
 
