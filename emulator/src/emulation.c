@@ -216,6 +216,11 @@ int emulation_open(emulation *e, const scenario *config, uint64_t seed, trace *o
   return open_all(e, config, seed, out, NULL);
 }
 
+void emulation_keep(emulation *e, record *kept, FILE *keys) {
+  e->kept = kept;
+  for (size_t i = 0; i < e->node_count; i++) e->nodes[i].line.keys = keys;
+}
+
 int emulation_open_played(emulation *e, const scenario *config, uint64_t seed, trace *out, uint8_t *const *eeproms) {
   return open_all(e, config, seed, out, eeproms);
 }

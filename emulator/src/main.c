@@ -10,6 +10,7 @@
 #include "emulation_command.h"
 #include "options.h"
 #include "pacing.h"
+#include "paths.h"
 #include "record.h"
 #include "replay.h"
 #include "scenario.h"
@@ -53,6 +54,7 @@ typedef struct {
   pacing clock;
   control socket;
   record kept;
+  FILE *keys;  // NULL: they are not written
 } session;
 
 static int perform(void *context, const char *line, size_t length, char *error, size_t error_size) {
@@ -90,6 +92,7 @@ static int run(session *s, const options *o, const trace *out) {
     control_exchange(&s->socket);
     if (out->failed) return complain(EXIT_RUN, "the trace cannot be written any more");
     if (record_failed(&s->kept)) return complain(EXIT_RUN, "the record cannot be written any more");
+    if (s->keys && ferror(s->keys)) return complain(EXIT_RUN, "the keys cannot be written any more");
     report_debt(&s->clock, &debt_reported);
     if (ahead) wait_for_others(s);
   }
@@ -111,19 +114,24 @@ static int emulate(const scenario *config, const options *o, trace *out) {
   if (control_open(&s.socket, o->control_path, (control_listener){&s, perform}, error, sizeof error) != 0)
     return complain(EXIT_USAGE, error);
   s.kept = (record){0};
+  s.keys = NULL;
   if (emulation_open(&s.e, config, o->seed, out) != 0) {
     status = complain(EXIT_USAGE, s.e.error);
   } else if (record_open(&s.kept, o->record_path) != 0) {
     // Only now: a start that was refused leaves the last run's record as it is.
     snprintf(error, sizeof error, "--record %s: %s", o->record_path, strerror(errno));
     status = complain(EXIT_USAGE, error);
+  } else if (o->keys_path && !(s.keys = open_private(o->keys_path, true))) {
+    snprintf(error, sizeof error, "--keys %s: %s", o->keys_path, strerror(errno));
+    status = complain(EXIT_USAGE, error);
   } else {
-    s.e.kept = &s.kept;
+    emulation_keep(&s.e, &s.kept, s.keys);
     record_start(&s.kept, &s.e, o->seed);
     status = run(&s, o, out);
   }
   control_close(&s.socket);
   if (record_close(&s.kept) != 0) status = complain(EXIT_RUN, "the record could not be written");
+  if (s.keys) fclose(s.keys);
   return end(&s.e, status);
 }
 

@@ -17,12 +17,13 @@ const char OPTIONS_USAGE[] =
     "  --trace FILE|-       write the trace there, - for standard output\n"
     "  --directory DIR      ports and EEPROM files are relative to it (default: here)\n"
     "  --control PATH       take commands from a Unix domain socket there\n"
+    "  --keys FILE          add each key that a host gives a board, as to a keyring\n"
     "  --record FILE        keep what comes from outside, so that the run can be made again; it holds keys\n"
     "  --replay FILE        make a recorded run again, without hosts\n"
     "  --set radio.key=N    override a radio number of the scenario; may be repeated\n";
 
-static const char *const NAMES[] = {"--duration", "--speed",  "--seed",   "--trace", "--directory", "--set",
-                                    "--control",  "--record", "--replay", "--help",  NULL};
+static const char *const NAMES[] = {"--duration", "--speed", "--seed",   "--trace",  "--directory", "--set",
+                                    "--control",  "--keys",  "--record", "--replay", "--help",      NULL};
 
 typedef struct {
   char *error;
@@ -73,6 +74,8 @@ static int parse_option(options *o, const char *name, const char *value, const c
     o->trace_path = value;
   else if (strcmp(name, "--control") == 0)
     o->control_path = value;
+  else if (strcmp(name, "--keys") == 0)
+    o->keys_path = value;
   else if (strcmp(name, "--record") == 0)
     o->record_path = value;
   else if (strcmp(name, "--replay") == 0)

@@ -15,6 +15,7 @@ typedef struct {
   const char *trace_path;                 // NULL: none; "-": standard output
   const char *record_path, *replay_path;  // NULL: none
   const char *run_option;                 // one that a recorded run has already; NULL: none
+  const char *keys_path;                  // NULL: none
   const char *control_path;               // of a socket; NULL: none
   double duration_s;                      // 0: without end
   double speed;                           // 0: as fast as possible

@@ -2,9 +2,11 @@
 #include "paths.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 int make_folders_for(const char *path) {
   char *copy = strdup(path);
@@ -16,4 +18,13 @@ int make_folders_for(const char *path) {
   }
   free(copy);
   return result;
+}
+
+FILE *open_private(const char *path, bool add) {
+  int descriptor = open(path, O_WRONLY | O_CREAT | O_CLOEXEC | (add ? O_APPEND : O_TRUNC), S_IRUSR | S_IWUSR);
+  if (descriptor < 0) return NULL;
+  // It may have been there, readable by others.
+  FILE *file = fchmod(descriptor, S_IRUSR | S_IWUSR) == 0 ? fdopen(descriptor, add ? "a" : "w") : NULL;
+  if (!file) close(descriptor);
+  return file;
 }

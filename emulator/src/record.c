@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "record.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "emulation.h"
+#include "paths.h"
 #include "scenario_radio.h"
 
 int record_open(record *r, const char *path) {
   *r = (record){0};
   if (!path) return 0;
-  int descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (descriptor < 0) return -1;
-  // It may have been there, readable by others.
-  if (fchmod(descriptor, S_IRUSR | S_IWUSR) == 0) r->file = fdopen(descriptor, "w");
-  if (!r->file) close(descriptor);
+  r->file = open_private(path, false);
   return r->file ? 0 : -1;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "serial_sniffer.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "line_code.h"
@@ -9,8 +10,11 @@
 #define SEQUENCE_LENGTH 1
 #define CRC_LENGTH 2
 #define ADDRESS_LENGTH 4
+#define KEY_LENGTH 16
 #define HEADER_LENGTH 10
 #define RECORD_HEADER_LENGTH 3
+// Of the reply to hello: where the epoch stands, behind version and RF id.
+#define EPOCH_AT 5
 // Of a message record: where what follows the number stands.
 #define DESTINATION_AT 1
 #define ORIGIN_AT 5
@@ -22,7 +26,6 @@
 #define FLAG_READING 0x04
 #define STATUS_NOT_GREETED 1
 #define SERIAL_ADDRESS "++++"
-#define BROADCAST_ADDRESS "////"
 
 // A frame and what stands before and after it in its packet.
 typedef struct {
@@ -37,6 +40,7 @@ void serial_sniffer_init(serial_sniffer *s, trace *out, const char *board) {
   memset(s, 0, sizeof *s);
   s->out = out;
   s->board = board;
+  memcpy(s->id, SERIAL_ADDRESS, sizeof s->id);
   s->taken = -1;
 }
 
@@ -87,10 +91,30 @@ static void write_number(serial_sniffer *s, cycles_t at, const char *event, int 
   trace_end(s->out);
 }
 
-static void write_id(serial_sniffer *s, const uint8_t *address, cycles_t at) {
+// Who the board is now, if it has an id.
+static void write_id(serial_sniffer *s, cycles_t at) {
+  if (memcmp(s->id, SERIAL_ADDRESS, ADDRESS_LENGTH) == 0) return;
   begin(s, at, "host-id");
-  trace_utf8(s->out, "id", address, ADDRESS_LENGTH);
+  trace_utf8(s->out, "id", s->id, ADDRESS_LENGTH);
+  trace_hex(s->out, "epoch", s->epoch, SERIAL_EPOCH_LENGTH);
   trace_end(s->out);
+}
+
+// Whether it is an address, and of whom a board can have a key.
+static bool is_sharer(const uint8_t *address) {
+  for (int i = 0; i < ADDRESS_LENGTH; i++)
+    if (!isalnum(address[i]) && address[i] != '/' && address[i] != '+') return false;
+  return address[0] != '+';
+}
+
+// Before the board has performed it: after a loss of power it may have the key though it did not say so.
+static void write_key(serial_sniffer *s, const uint8_t *address, const uint8_t *key) {
+  if (!s->keys || !is_sharer(address) || !is_sharer(s->id)) return;
+  if (address[0] != '/') fprintf(s->keys, "%.4s ", (const char *)s->id);
+  fprintf(s->keys, "%.4s = ", (const char *)address);
+  for (int i = 0; i < KEY_LENGTH; i++) fprintf(s->keys, "%02x", key[i]);
+  fputc('\n', s->keys);
+  fflush(s->keys);
 }
 
 static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t at) {
@@ -105,7 +129,15 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   s->request =
       (serial_request){.sequence = packet->sequence, .crc = packet->crc, .command = command, .taken = -1, .at = at};
   s->waiting = true;
-  if (!for_board) memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
+  if (!for_board) {
+    memcpy(s->request.address, packet->destination, ADDRESS_LENGTH);
+    s->request.content_length = packet->length < SERIAL_MAX_MESSAGE ? packet->length : SERIAL_MAX_MESSAGE;
+    memcpy(s->request.content, packet->message, s->request.content_length);
+  }
+  if (command == 'E' && packet->length == 1 + SERIAL_EPOCH_LENGTH)
+    memcpy(s->request.epoch, packet->message + 1, SERIAL_EPOCH_LENGTH);
+  if ((command == 'K' || command == 'N') && packet->length == 1 + ADDRESS_LENGTH + KEY_LENGTH)
+    write_key(s, packet->message + 1, packet->message + 1 + ADDRESS_LENGTH);
   if (command == 'I' && packet->length == 1 + ADDRESS_LENGTH)
     memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
   if (command == 'P' && packet->length == 8) {
@@ -117,6 +149,14 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   }
 }
 
+// What one agent says to another, also where it is sealed on the air: boards give it to their hosts, and hosts to them, like this.
+static void write_content(serial_sniffer *s, const uint8_t *content, size_t length) {
+  if (utf8_valid(content, length))
+    trace_utf8(s->out, "content", content, length);
+  else
+    trace_hex(s->out, "hex", content, length);
+}
+
 static void write_message(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at) {
   if (length < CONTENT_AT) return;
   begin(s, at, "host-handed");
@@ -124,10 +164,7 @@ static void write_message(serial_sniffer *s, const uint8_t *value, size_t length
   trace_utf8(s->out, "destination", value + DESTINATION_AT, ADDRESS_LENGTH);
   trace_utf8(s->out, "origin", value + ORIGIN_AT, ADDRESS_LENGTH);
   trace_hex(s->out, "id", value + ID_AT, ID_LENGTH);
-  // What was sealed stays so in the trace.
-  if (memcmp(value + DESTINATION_AT, BROADCAST_ADDRESS, ADDRESS_LENGTH) == 0 &&
-      utf8_valid(value + CONTENT_AT, length - CONTENT_AT))
-    trace_utf8(s->out, "content", value + CONTENT_AT, length - CONTENT_AT);
+  write_content(s, value + CONTENT_AT, length - CONTENT_AT);
   trace_end(s->out);
 }
 
@@ -177,6 +214,7 @@ static void write_transmission(serial_sniffer *s, const serial_request *request,
   trace_count(s->out, "number", (uint64_t)number);
   trace_utf8(s->out, "destination", request->address, ADDRESS_LENGTH);
   trace_time(s->out, "asked", request->at);
+  write_content(s, request->content, request->content_length);
   trace_end(s->out);
 }
 
@@ -186,9 +224,20 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
   switch (request->command) {
     case 'H':
       s->greeted = true;
-      if (length > ADDRESS_LENGTH && memcmp(body + 1, SERIAL_ADDRESS, ADDRESS_LENGTH) != 0) write_id(s, body + 1, at);
+      if (length < EPOCH_AT + SERIAL_EPOCH_LENGTH) break;
+      memcpy(s->id, body + 1, ADDRESS_LENGTH);
+      memcpy(s->epoch, body + EPOCH_AT, SERIAL_EPOCH_LENGTH);
+      write_id(s, at);
       break;
-    case 'I': write_id(s, request->address, at); break;
+    case 'I':
+      memcpy(s->id, request->address, ADDRESS_LENGTH);
+      write_id(s, at);
+      break;
+    case 'E':
+      if (memcmp(request->epoch, s->epoch, SERIAL_EPOCH_LENGTH) <= 0) break;
+      memcpy(s->epoch, request->epoch, SERIAL_EPOCH_LENGTH);
+      write_id(s, at);
+      break;
     case 'P':
       if (request->taken >= 0) {
         s->taken = request->taken;

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host,
 // how transmissions ended and what the board perceives: host-id, host-transmit, host-handed, host-taking, host-taken,
-// host-outcome and percepts events.
+// host-outcome and percepts events. Keys that the host gives go to a file of their own.
 #ifndef JAVINO_SERIAL_SNIFFER_H
 #define JAVINO_SERIAL_SNIFFER_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "clock.h"
 #include "trace.h"
 
 // The longest packet on the line, without its closing 0x00.
 #define SERIAL_MAX_PACKET 527
+// The longest message of a frame.
+#define SERIAL_MAX_MESSAGE 511
+#define SERIAL_EPOCH_LENGTH 3
 
 // The bytes of a packet, as they come.
 typedef struct {
@@ -24,15 +28,21 @@ typedef struct {
 typedef struct {
   uint8_t sequence;
   uint16_t crc;
-  char command;        // 0: a frame to be transmitted
-  int taken;           // of a poll that says something new, or -1
-  uint8_t address[4];  // that becomes the RF id, or that is to be sent to
+  char command;                        // 0: a frame to be transmitted
+  int taken;                           // of a poll that says something new, or -1
+  uint8_t address[4];                  // that becomes the RF id, or that is to be sent to
+  uint8_t epoch[SERIAL_EPOCH_LENGTH];  // that the boot epoch is to be raised to
   cycles_t at;
+  uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent
+  size_t content_length;
 } serial_request;
 
 typedef struct {
   trace *out;
+  FILE *keys;  // NULL: they are not written
   const char *board;
+  uint8_t id[4];  // the RF id, `++++` as long as it was not told
+  uint8_t epoch[SERIAL_EPOCH_LENGTH];
   serial_line from_host, from_board;
   serial_request request;  // the last one
   bool waiting;            // it has no reply yet

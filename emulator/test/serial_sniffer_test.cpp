@@ -104,7 +104,22 @@ TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given) {
   auto ids = line.events("host-id");
   ASSERT_EQ(ids.size(), 2u);
   EXPECT_EQ(ids[0].text("id"), "ROMA");
+  EXPECT_EQ(ids[0].text("epoch"), "000001");
   EXPECT_EQ(ids[1].text("id"), "SUPO");
+  EXPECT_EQ(ids[1].text("epoch"), "000001");
+}
+
+TEST(SerialSniffer, tells_the_epoch_that_a_board_is_raised_to_and_no_lower_one) {
+  Line line;
+  line.greet();
+  for (uint8_t epoch : {2, 1}) {
+    line.host(epoch, TO_BOARD, {'E', 0, 0, epoch});
+    line.board(epoch, {0});
+  }
+  auto ids = line.events("host-id");
+  ASSERT_EQ(ids.size(), 2u);
+  EXPECT_EQ(ids[1].text("id"), "ROMA");
+  EXPECT_EQ(ids[1].text("epoch"), "000002");
 }
 
 TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked) {
@@ -116,29 +131,49 @@ TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked) {
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(sent[0].number("number"), 7);
   EXPECT_EQ(sent[0].text("destination"), "//SU");
+  EXPECT_EQ(sent[0].text("content"), "tell;help");
   EXPECT_LT(json_real_value(json_object_get(sent[0].fields, "asked")), sent[0].t);
 }
 
-TEST(SerialSniffer, tells_messages_and_outcomes_but_no_content_that_was_sealed) {
+TEST(SerialSniffer, tells_messages_with_their_contents_and_outcomes) {
   Line line;
   line.greet();
   line.host(2, TO_BOARD, {'P', 1, 0, 0, 0, 0, 0});
   line.board(2, poll_reply({{'T', 0, 2, 7, 2},
                             {'P', 0, 1, 'x'},
                             message(3, "ROMASUPO", {0, 1, 2}, "tell;a"),
-                            message(4, "////SUPO", {0, 0, 0}, "tell;b")}));
+                            message(4, "////SUPO", {0, 0, 0}, "tell;\xff")}));
   auto handed = line.events("host-handed");
   ASSERT_EQ(handed.size(), 2u);
   EXPECT_EQ(handed[0].number("number"), 3);
   EXPECT_EQ(handed[0].text("destination"), "ROMA");
   EXPECT_EQ(handed[0].text("origin"), "SUPO");
   EXPECT_EQ(handed[0].text("id"), "000102");
-  EXPECT_EQ(json_object_get(handed[0].fields, "content"), nullptr);
-  EXPECT_EQ(handed[1].text("content"), "tell;b");
+  EXPECT_EQ(handed[0].text("content"), "tell;a");
+  EXPECT_EQ(handed[1].text("hex"), "74656c6c3bff");
   auto ended = line.events("host-outcome");
   ASSERT_EQ(ended.size(), 1u);
   EXPECT_EQ(ended[0].number("number"), 7);
   EXPECT_EQ(ended[0].text("outcome"), "undelivered");
+}
+
+TEST(SerialSniffer, writes_the_keys_that_are_given_to_a_board_apart) {
+  Line line;
+  char *text = nullptr;
+  size_t length = 0;
+  line.sniffer.keys = open_memstream(&text, &length);
+  const Bytes key = bytes("a key for tests!");
+  line.host(1, TO_BOARD, joined({bytes("KSUPO"), key}));  // the board has no id yet
+  line.greet();
+  line.host(2, TO_BOARD, joined({bytes("KSUPO"), key}));
+  line.host(3, TO_BOARD, joined({bytes("N//SU"), key}));
+  line.host(4, TO_BOARD, joined({bytes("KSU\nO"), key}));
+  line.host(5, TO_BOARD, joined({bytes("KSUPO"), bytes("too short")}));
+  line.host(6, "KSUPROMA", joined({bytes("KSUPO"), key}));
+  fclose(line.sniffer.keys);
+  EXPECT_EQ(std::string(text, length),
+            "ROMA SUPO = 61206b657920666f7220746573747321\n//SU = 61206b657920666f7220746573747321\n");
+  free(text);
 }
 
 TEST(SerialSniffer, tells_once_what_is_taken_and_that_it_is_confirmed) {

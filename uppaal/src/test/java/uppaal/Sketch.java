@@ -32,7 +32,7 @@ public final class Sketch {
 
     /**
      * Adds a template. Its locations are those that its edges name, the first one first;
-     * a name that ends in {@code !} is committed, and what stands in braces behind one, without spaces, is its
+     * a name that ends in {@code !} is committed, one in {@code ~} urgent, and what stands in braces behind one, without spaces, is its
      * invariant.
      *
      * @param edges {@code a -> b; guard G; sync S; set A}, the last three optional
@@ -65,11 +65,12 @@ public final class Sketch {
     }
 
     private static String location(String written, Map<String, Location> locations) {
-        boolean committed = written.endsWith("!");
+        Location.Haste haste = written.endsWith("!") ? Location.Haste.COMMITTED
+                : written.endsWith("~") ? Location.Haste.URGENT : Location.Haste.NONE;
         boolean invariant = written.endsWith("}");
-        String name = written.split("[!{]")[0];
+        String name = written.split("[!~{]")[0];
         String inside = invariant ? written.substring(name.length() + 1, written.length() - 1) : "";
-        locations.putIfAbsent(name, new Location(name, committed, inside));
+        locations.putIfAbsent(name, new Location(name, haste, inside));
         return name;
     }
 

@@ -93,6 +93,25 @@ public final class TinyNetworks {
                         12, 3, "E<> P.d", true),
                 new Tiny("no time passes at a committed location",
                         Sketch.of("clock x;").template("P", "a! -> b; guard x >= 1"), 1, 1, "E<> P.b", false),
+                new Tiny("no time passes at an urgent location, but others may move",
+                        Sketch.of("clock x;").template("P", "a~ -> b; guard x >= 1")
+                                .template("Q", "a -> b"),
+                        2, 1, "A[] !P.b", true),
+                new Tiny("no time passes while an urgent channel can be used",
+                        Sketch.of("clock x; urgent chan c; bool on;").template("P", "a -> b; guard on; sync c!")
+                                .template("Q", "a -> b; sync c?").template("S", "a -> b; guard x == 1; set on = true",
+                                        "b -> d; guard x == 2"),
+                        10, 3, "A[] S.d imply P.b", true),
+                new Tiny("each element of an array is a variable, a clock or a channel of its own",
+                        Sketch.of("const int N = 2; int[0,3] n[N] = {1, N}; clock x[N]; chan c[N];")
+                                .template("P",
+                                        "a{x[1]<=1} -> b; guard x[0] >= 1; sync c[N-1]!; set n[0]++, n[1] = n[0]")
+                                .template("Q", "a -> b; sync c[0]?").template("S", "a -> b; sync c[1]?"),
+                        4, 1, "A[] (S.b imply n[0] == 2 && n[1] == 2) && Q.a", true),
+                new Tiny("one of two values is chosen",
+                        Sketch.of("int[0,3] n; clock x;").template("P", "a -> b; set n = n == 0 ? 2 : n - 1",
+                                "b -> d; guard x >= (n == 2 ? 1 : 2)"),
+                        11, 1, "E<> P.d", true),
                 new Tiny("an invariant may ask a variable, which a step of another may not make false",
                         Sketch.of("clock x; int[0,3] n = 2;").template("P", "a{x<=n} -> b; guard x >= 2")
                                 .template("Q", "a -> b; set n = 1"),

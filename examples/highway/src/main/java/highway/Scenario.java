@@ -40,13 +40,15 @@ final class Scenario implements AutoCloseable {
     /** All events, for a second look: {@code gradle checkTrace -Ptrace=FILE}, {@code javino watch --trace FILE}. */
     private static final Path TRACE = Path.of("build", "trace.jsonl");
 
+    private static final Path KEYRING = Path.of("build", "keyring");
+
     private static final Path PICTURE = Path.of("build", "highway.svg");
 
     private final Options options;
     private final Timeline timeline;
     private final Chart chart = new Chart();
     private final Trace trace = new Trace();
-    private final Replay model = new Replay();
+    private final Replay model = new Replay(KEYRING);
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours = Behaviour.all();
     private final List<Device> ready = new ArrayList<>();
@@ -187,12 +189,11 @@ final class Scenario implements AutoCloseable {
     /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
     void provision() throws IOException, InterruptedException, BrokenOffException {
         note("fresh keys, provisioned over serial");
-        Path keyring = Path.of("build", "keyring");
-        Files.deleteIfExists(keyring);
-        runToEnd("keygen", Map.of("", options.keygenCommand(keyring)));
+        Files.deleteIfExists(KEYRING);
+        runToEnd("keygen", Map.of("", options.keygenCommand(KEYRING)));
         runToEnd("provision", Arrays.stream(Device.values())
                 .collect(Collectors.toMap(device -> device.title() + ": ",
-                        device -> options.provisionCommand(device, keyring))));
+                        device -> options.provisionCommand(device, KEYRING))));
     }
 
     /** Starts the agents; the bus last, when all others have said that they are ready. */

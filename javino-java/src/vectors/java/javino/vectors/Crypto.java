@@ -10,15 +10,19 @@ import java.util.Arrays;
 import javax.crypto.Cipher;
 import javax.crypto.spec.SecretKeySpec;
 
-/** The modes of SPEC 5 by the letter of the standards, on nothing but the JDK's AES on single blocks. */
-final class Crypto {
+/**
+ * The modes of SPEC 5 by the letter of the standards, on nothing but the JDK's AES on single blocks. For whoever checks
+ * boards too: it shares nothing with library and firmware.
+ */
+public final class Crypto {
 
     private static final int BLOCK = 16;
 
     private Crypto() {
     }
 
-    static byte[] aes(byte[] key, byte[] block) {
+    /** One block. */
+    public static byte[] aes(byte[] key, byte[] block) {
         try {
             Cipher cipher = Cipher.getInstance("AES/ECB/NoPadding");
             cipher.init(Cipher.ENCRYPT_MODE, new SecretKeySpec(key, "AES"));
@@ -29,7 +33,7 @@ final class Crypto {
     }
 
     /** NIST SP 800-38A section 6.3, s = 128, with a short last segment. */
-    static byte[] cfb(byte[] key, byte[] iv, byte[] plain) {
+    public static byte[] cfb(byte[] key, byte[] iv, byte[] plain) {
         byte[] cipher = new byte[plain.length];
         byte[] input = iv;
         for (int at = 0; at < plain.length; at += BLOCK) {
@@ -43,7 +47,7 @@ final class Crypto {
     }
 
     /** NIST SP 800-38B section 6.2, on numbers of 128 bits. */
-    static byte[] cmac(byte[] key, byte[] message) {
+    public static byte[] cmac(byte[] key, byte[] message) {
         BigInteger k1 = twice(number(aes(key, new byte[BLOCK])));
         int blocks = Math.max(1, (message.length + BLOCK - 1) / BLOCK);
         boolean whole = message.length == blocks * BLOCK;
@@ -63,7 +67,7 @@ final class Crypto {
     }
 
     /** SPEC 5.2. */
-    static byte[] kdf(byte[] key, String label) {
+    public static byte[] kdf(byte[] key, String label) {
         return cmac(key, join(bytes(1), text(label), bytes(0), bytes(0, 0x80)));
     }
 

@@ -23,7 +23,7 @@ import uppaal.replay.Replay;
 
 /**
  * A running {@code javino-emulator} with a scenario of its own, in a folder of its own. Its trace is replayed in the
- * model as it comes: {@link #close} fails where the model refuses it.
+ * model as it comes, with the keys that hosts give the boards: {@link #close} fails where the model refuses it.
  */
 public final class Emulator implements AutoCloseable {
 
@@ -49,13 +49,14 @@ public final class Emulator implements AutoCloseable {
     private final List<String> complaints = new ArrayList<>();
     /** Written by the thread that reads the trace; read when that has ended. */
     private final Deque<String> latest = new ArrayDeque<>();
-    private final Replay model = new Replay();
+    private final Replay model;
     private Thread reader;
     private boolean keeping = true;
 
     private Emulator(Path folder, Process process, Consumer<TraceEvent> listener) {
         this.folder = folder;
         this.process = process;
+        model = new Replay(keys(folder));
         this.listener = listener;
     }
 
@@ -134,7 +135,7 @@ public final class Emulator implements AutoCloseable {
             Files.writeString(file, new Gson().toJson(scenario));
             Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
                     file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed",
-                    "" + seed)
+                    "" + seed, "--keys", keys(folder).toString())
                     .start();
             RUNNING.add(process);
             Emulator emulator = new Emulator(folder, process, listener);
@@ -144,6 +145,11 @@ public final class Emulator implements AutoCloseable {
             emulator.keep(keeping);
             return emulator;
         }
+    }
+
+    /** The keys that hosts have given the boards, in this run and in those before it in this folder. */
+    private static Path keys(Path folder) {
+        return folder.resolve("given-keys");
     }
 
     /** Where gradle has put the program of a sketch for a Mega. */

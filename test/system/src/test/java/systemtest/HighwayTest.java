@@ -56,7 +56,10 @@ class HighwayTest {
 
         void assertAllObserved() {
             assertTrue(lastButOne().matches(ALL), this::toString);
-            assertTrue(last().matches("model: trace accepted \\(\\d+ events\\)"), this::toString);
+            assertTrue(
+                    last().matches(
+                            "model: trace accepted \\(\\d+ events, [1-9]\\d* messages opened, [1-9]\\d* proofs\\)"),
+                    this::toString);
             assertEquals(0, status);
         }
 
@@ -124,7 +127,8 @@ class HighwayTest {
         Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=20");
 
         assertTrue(run.lastButOne().matches("highway: (\\d+) of (?!\\1 )\\d+ behaviours observed"), run::toString);
-        assertTrue(run.last().matches("model: trace accepted \\(\\d+ events\\)"), run::toString);
+        assertTrue(run.last().matches("model: trace accepted \\(\\d+ events, \\d+ messages opened, \\d+ proofs\\)"),
+                run::toString);
         assertEquals(1, run.status);
         assertTrue(run.says("the agent did not say"), run::toString);
         run.assertNothingLeft();

@@ -1,13 +1,10 @@
 package uppaal.check;
 
-import java.nio.IntBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import uppaal.ModelException;
 import uppaal.network.JointMove;
 import uppaal.network.Network;
@@ -21,19 +18,27 @@ public final class Exploration {
     private final List<Property> properties;
     private final Successors successors;
     /** In the order of finding. */
-    private final List<int[]> states = new ArrayList<>();
+    private final States states;
     /** The number of the state that each was first reached from. */
-    private final List<Integer> parents = new ArrayList<>();
-    private final Set<IntBuffer> known = new HashSet<>();
+    private int[] parents = new int[1 << 10];
     private final int[] settled;
+    /** One for each property that speaks of whole runs, at its index; else nothing. */
+    private final Endless[] endless;
+    /** Kept only for these properties. */
+    private final Optional<Graph> graph;
     private int deadlocks;
+    private int steps;
 
     private Exploration(Network network, List<Property> properties) {
         this.network = network;
         this.properties = List.copyOf(properties);
         this.successors = new Successors(network);
+        this.states = new States(network.slots());
         this.settled = new int[properties.size()];
         Arrays.fill(settled, NOWHERE);
+        this.graph = properties.stream().anyMatch(Property::ofRuns) ? Optional.of(new Graph()) : Optional.empty();
+        this.endless = properties.stream().map(property -> property.ofRuns() ? new Endless(graph.orElseThrow()) : null)
+                .toArray(Endless[]::new);
     }
 
     /**
@@ -43,7 +48,17 @@ public final class Exploration {
      */
     public static Exploration of(Network network, List<Property> properties) {
         Exploration exploration = new Exploration(network, properties);
-        exploration.run();
+        exploration.run(false);
+        return exploration;
+    }
+
+    /**
+     * Explores until one of the properties is settled by a state, for the evidence alone: numbers of states and
+     * deadlocks, and verdicts of the others, say nothing.
+     */
+    public static Exploration untilSettled(Network network, List<Property> properties) {
+        Exploration exploration = new Exploration(network, properties);
+        exploration.run(true);
         return exploration;
     }
 
@@ -59,76 +74,100 @@ public final class Exploration {
 
     /** Whether the property of this index holds. */
     public boolean holds(int property) {
+        if (endless[property] != null) {
+            return endless[property].found().isEmpty();
+        }
         boolean found = settled[property] != NOWHERE;
         return found == (properties.get(property).quantifier() == Property.Quantifier.POSSIBLY);
     }
 
-    /** A shortest way to a state that refutes {@code A[]} or shows {@code E<>}; empty when there is none. */
+    /**
+     * A shortest way to a state that refutes {@code A[]} or shows {@code E<>}, or a run that refutes {@code A<>} or
+     * {@code -->} (see {@link Endless}); empty when there is none.
+     */
     public Optional<Trace> evidence(int property) {
-        return settled[property] == NOWHERE ? Optional.empty() : Optional.of(traceTo(settled[property]));
+        if (endless[property] != null) {
+            return endless[property].found().map(run -> trace(run.states(),
+                    run.again() == NOWHERE ? Trace.Ending.STAYS : Trace.Ending.AGAIN, run.again()));
+        }
+        return settled[property] == NOWHERE ? Optional.empty()
+                : Optional.of(trace(List.of(settled[property]), Trace.Ending.REACHED, NOWHERE));
     }
 
-    /**
-     * Explores until one of the properties is settled by a state, for the evidence alone: numbers of states and
-     * deadlocks, and verdicts of the others, say nothing.
-     */
-    public static Exploration untilSettled(Network network, List<Property> properties) {
-        Exploration exploration = new Exploration(network, properties);
-        exploration.add(network.initial(), NOWHERE);
-        for (int number = 0; number < exploration.states() && !exploration.anySettled(); number++) {
-            exploration.visit(number);
+    private void run(boolean untilSettled) {
+        try {
+            add(network.initial(), NOWHERE);
+            int[] state = new int[network.slots().size() + 1];
+            for (int number = 0; number < states() && !(untilSettled && anySettled()); number++) {
+                states.read(number, state);
+                visit(number, state);
+            }
+        } catch (ArithmeticException overflow) {
+            throw new ModelException(network.file(), "a value does not fit 32 bits");
         }
-        return exploration;
     }
 
     private boolean anySettled() {
         return Arrays.stream(settled).anyMatch(state -> state != NOWHERE);
     }
 
-    private void run() {
-        add(network.initial(), NOWHERE);
-        for (int number = 0; number < states(); number++) {
-            visit(number);
+    private int add(int[] state, int parent) {
+        int known = states.size();
+        int number = states.add(state);
+        if (number == known) {
+            if (number == parents.length) {
+                parents = Arrays.copyOf(parents, parents.length * 2);
+            }
+            parents[number] = parent;
         }
+        return number;
     }
 
-    private void add(int[] state, int parent) {
-        if (known.add(IntBuffer.wrap(state))) {
-            states.add(state);
-            parents.add(parent);
-        }
-    }
-
-    private void visit(int number) {
-        int[] state = states.get(number);
-        List<JointMove> moves = possible(state);
-        for (JointMove move : moves) {
-            add(move.target(), number);
-        }
-        deadlocks += moves.isEmpty() ? 1 : 0;
-        int[] observed = network.observed(state, moves.isEmpty());
+    /** @param state as queries see it: with {@code deadlock}, which is found out here */
+    private void visit(int number, int[] state) {
+        state[network.deadlockSlot()] = 0;
+        steps = 0;
+        boolean stays = successors.each(state, (parts, target) -> {
+            int reached = add(target, number);
+            graph.ifPresent(kept -> kept.lead(reached));
+            steps++;
+        });
+        boolean deadlocked = steps == 0;
+        deadlocks += deadlocked ? 1 : 0;
+        graph.ifPresent(kept -> kept.next(deadlocked || stays));
+        state[network.deadlockSlot()] = deadlocked ? 1 : 0;
         for (int i = 0; i < settled.length; i++) {
-            if (settled[i] == NOWHERE && properties.get(i).settledBy(observed)) {
+            Property property = properties.get(i);
+            if (endless[i] != null) {
+                endless[i].visit(number, property.begins(number == 0, state), property.formula().holds(state));
+            } else if (settled[i] == NOWHERE && property.settledBy(state)) {
                 settled[i] = number;
             }
         }
     }
 
-    private List<JointMove> possible(int[] state) {
-        try {
-            return successors.of(state);
-        } catch (ArithmeticException overflow) {
-            throw new ModelException(network.file(), "a value does not fit 32 bits");
+    /** The way to the first of some states, and then through these. */
+    private Trace trace(List<Integer> run, Trace.Ending ending, int again) {
+        ArrayDeque<Integer> numbers = new ArrayDeque<>();
+        for (int at = parents[run.get(0)]; at != NOWHERE; at = parents[at]) {
+            numbers.addFirst(at);
         }
+        int before = numbers.size();
+        numbers.addAll(run);
+        List<JointMove> moves = new ArrayList<>();
+        int[] state = state(numbers.removeFirst());
+        for (int number : numbers) {
+            int[] target = state(number);
+            moves.add(successors.of(state).stream().filter(move -> Arrays.equals(move.target(), target)).findFirst()
+                    .orElseThrow());
+            state = target;
+        }
+        return new Trace(network, List.copyOf(moves), state, ending, before + again);
     }
 
-    private Trace traceTo(int number) {
-        ArrayDeque<JointMove> moves = new ArrayDeque<>();
-        for (int at = number; parents.get(at) != NOWHERE; at = parents.get(at)) {
-            int[] target = states.get(at);
-            moves.addFirst(successors.of(states.get(parents.get(at))).stream()
-                    .filter(move -> Arrays.equals(move.target(), target)).findFirst().orElseThrow());
-        }
-        return new Trace(network, List.copyOf(moves), states.get(number));
+    private int[] state(int number) {
+        int[] state = new int[network.slots().size()];
+        states.read(number, state);
+        return state;
     }
 }

@@ -7,20 +7,36 @@ import uppaal.language.Expressions;
 import uppaal.language.Names;
 import uppaal.language.Operator;
 import uppaal.language.Term;
+import uppaal.network.Network;
 
 /**
- * {@code A[] formula} or {@code E<> formula}.
+ * {@code A[] formula}, {@code E<> formula}, {@code A<> formula} or {@code premise --> formula}.
  *
+ * @param premise what comes before, with {@code -->}; else always true
  * @param formula what is asked of each state; it is evaluated on an observed state (with {@code deadlock})
  * @param text the property as UPPAAL writes it
  */
-public record Property(Quantifier quantifier, Term formula, String text) {
+public record Property(Quantifier quantifier, Term premise, Term formula, String text) {
 
-    private static final String ALWAYS = "A[]";
-    private static final String POSSIBLY = "E<>";
+    private static final String LEADS_TO = "-->";
 
     /** Over which states the formula is to be true. */
-    public enum Quantifier { ALWAYS, POSSIBLY }
+    public enum Quantifier {
+        /** In all. */
+        ALWAYS("A[]"),
+        /** In at least one. */
+        POSSIBLY("E<>"),
+        /** In one of each run. */
+        EVENTUALLY("A<>"),
+        /** In one of each run from any state that has the premise. */
+        AFTERWARDS(LEADS_TO);
+
+        private final String symbol;
+
+        Quantifier(String symbol) {
+            this.symbol = symbol;
+        }
+    }
 
     /**
      * Parses a property.
@@ -29,13 +45,22 @@ public record Property(Quantifier quantifier, Term formula, String text) {
      */
     public static Property parse(String text, Names names, String where) {
         String body = text.strip();
-        if (body.startsWith(ALWAYS)) {
-            return always(formula(body.substring(ALWAYS.length()), names, where), body);
+        int arrow = body.indexOf(LEADS_TO);
+        if (arrow >= 0) {
+            return new Property(Quantifier.AFTERWARDS, ofRun(body.substring(0, arrow), names, where),
+                    ofRun(body.substring(arrow + LEADS_TO.length()), names, where), body);
         }
-        if (body.startsWith(POSSIBLY)) {
-            return possibly(formula(body.substring(POSSIBLY.length()), names, where), body);
+        if (body.startsWith(Quantifier.ALWAYS.symbol)) {
+            return always(formula(body.substring(Quantifier.ALWAYS.symbol.length()), names, where), body);
         }
-        throw ModelException.outside(where, "a query that begins neither with A[] nor with E<>");
+        if (body.startsWith(Quantifier.POSSIBLY.symbol)) {
+            return possibly(formula(body.substring(Quantifier.POSSIBLY.symbol.length()), names, where), body);
+        }
+        if (body.startsWith(Quantifier.EVENTUALLY.symbol)) {
+            Term formula = ofRun(body.substring(Quantifier.EVENTUALLY.symbol.length()), names, where);
+            return new Property(Quantifier.EVENTUALLY, Term.TRUE, formula, body);
+        }
+        throw ModelException.outside(where, "a query that neither begins with A[], E<> or A<> nor has -->");
     }
 
     /** A clock that nobody will look at is not counted: its time must be asked for in the network, by a location. */
@@ -47,14 +72,44 @@ public record Property(Quantifier quantifier, Term formula, String text) {
         return term;
     }
 
+    private static Term ofRun(String text, Names names, String where) {
+        return formula(text, new WithoutDeadlock(names, where), where);
+    }
+
+    /** Names without {@code deadlock}, for which UPPAAL does not ask there either. */
+    private record WithoutDeadlock(Names names, String where) implements Names {
+        @Override
+        public Optional<Term> term(String name) {
+            if (name.equals(Network.DEADLOCK)) {
+                throw ModelException.outside(where, "'deadlock' with A<> or -->");
+            }
+            return names.term(name);
+        }
+
+        @Override
+        public Optional<Term> member(String automaton, String name) {
+            return names.member(automaton, name);
+        }
+    }
+
     /** {@code A[] formula} */
     public static Property always(Term formula, String text) {
-        return new Property(Quantifier.ALWAYS, formula, text);
+        return new Property(Quantifier.ALWAYS, Term.TRUE, formula, text);
     }
 
     /** {@code E<> formula} */
     public static Property possibly(Term formula, String text) {
-        return new Property(Quantifier.POSSIBLY, formula, text);
+        return new Property(Quantifier.POSSIBLY, Term.TRUE, formula, text);
+    }
+
+    /** Whether it speaks of whole runs, so that no single state settles it. */
+    public boolean ofRuns() {
+        return quantifier == Quantifier.EVENTUALLY || quantifier == Quantifier.AFTERWARDS;
+    }
+
+    /** Whether a run of which it speaks begins in a state. */
+    boolean begins(boolean first, int[] observed) {
+        return quantifier == Quantifier.AFTERWARDS ? premise.holds(observed) : first;
     }
 
     /** Whether this one state settles it: refutes {@code A[]} or shows {@code E<>}. */

@@ -12,8 +12,19 @@ import uppaal.network.Slot;
  *
  * @param moves the steps
  * @param last the state that they lead to
+ * @param again where it goes on there as before: the index of the step that comes next
  */
-public record Trace(Network network, List<JointMove> moves, int[] last) {
+public record Trace(Network network, List<JointMove> moves, int[] last, Ending ending, int again) {
+    /** What comes after the last state. */
+    public enum Ending {
+        /** It is what was looked for. */
+        REACHED,
+        /** Nothing more need happen. */
+        STAYS,
+        /** A step of before, and all after it, for ever. */
+        AGAIN
+    }
+
     /**
      * One line a step, behind the time at which it happens, then the last state: all that is not as it was at first.
      */
@@ -29,7 +40,16 @@ public record Trace(Network network, List<JointMove> moves, int[] last) {
             }
         }
         lines.add("  => " + String.join(", ", changed()));
+        switch (ending) {
+            case STAYS -> lines.add("  and so it may stay for ever");
+            case AGAIN -> lines.add("  and so again for ever, from step " + number(again) + " on");
+            default -> {}
+        }
         return lines;
+    }
+
+    private long number(int move) {
+        return moves.stream().limit(move).filter(one -> !one.passesTime()).count() + 1;
     }
 
     private List<String> changed() {

@@ -66,6 +66,8 @@ final class Aftermath {
             return new Term.Not(before(not.operand()));
         } else if (term instanceof Term.Negative negative) {
             return new Term.Negative(before(negative.operand()));
+        } else if (term instanceof Term.Choice choice) {
+            return new Term.Choice(before(choice.condition()), before(choice.yes()), before(choice.no()));
         } else if (term instanceof Term.Binary binary) {
             return new Term.Binary(binary.operator(), before(binary.left()), before(binary.right()));
         }

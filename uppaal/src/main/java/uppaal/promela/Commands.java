@@ -75,7 +75,7 @@ final class Commands {
                 after.assign(i, new Term.Binary(Operator.PLUS, new Term.Clock(i), new Term.Constant(1)));
             }
         }
-        StringJoiner guard = new StringJoiner(" && ").add(running.toString()).add("!committed");
+        StringJoiner guard = new StringJoiner(" && ").add(running.toString()).add("!urgent");
         after.invariants().forEach(invariant -> guard.add(terms.expression(invariant)));
         return new Command(guard.toString(), effect.toString());
     }

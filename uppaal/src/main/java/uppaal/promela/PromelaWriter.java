@@ -2,7 +2,9 @@ package uppaal.promela;
 
 import java.util.List;
 import java.util.StringJoiner;
+import java.util.function.Predicate;
 import uppaal.check.Property;
+import uppaal.document.Location;
 import uppaal.network.Automaton;
 import uppaal.network.Network;
 import uppaal.network.Slot;
@@ -60,7 +62,8 @@ public final class PromelaWriter {
     }
 
     private void guards() {
-        text.append("\n#define committed ").append(committed()).append('\n');
+        text.append("\n#define committed ").append(any(Location::committed)).append('\n');
+        text.append("#define urgent ").append(any(Location::urgent)).append('\n');
         StringJoiner deadlock = new StringJoiner(" && ", "(", ")").setEmptyValue("true");
         for (int i = 0; i < commands.size(); i++) {
             text.append("#define guard").append(i).append(" (").append(commands.get(i).guard()).append(")\n");
@@ -69,11 +72,11 @@ public final class PromelaWriter {
         text.append("#define ").append(Network.DEADLOCK).append(' ').append(deadlock).append('\n');
     }
 
-    private String committed() {
+    private String any(Predicate<Location> kind) {
         StringJoiner any = new StringJoiner(" || ", "(", ")").setEmptyValue("false");
         for (Automaton automaton : network.automata()) {
             for (int i = 0; i < automaton.locations().size(); i++) {
-                if (automaton.locations().get(i).committed()) {
+                if (kind.test(automaton.locations().get(i))) {
                     any.add(terms.at(automaton, i));
                 }
             }

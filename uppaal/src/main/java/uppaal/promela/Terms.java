@@ -15,7 +15,7 @@ final class Terms {
 
     /** The variable that holds a slot; its number keeps it apart from all others and from Promela's keywords. */
     String variable(int slot) {
-        return "v" + slot + "_" + network.slots().get(slot).name().replace('.', '_');
+        return "v" + slot + "_" + network.slots().get(slot).name().replaceAll("[.\\[\\]]", "_");
     }
 
     String at(Automaton automaton, int location) {
@@ -33,6 +33,9 @@ final class Terms {
             return "(" + variable(at.slot()) + " == " + at.location() + ")";
         } else if (term instanceof Term.Not not) {
             return "(!" + expression(not.operand()) + ")";
+        } else if (term instanceof Term.Choice choice) {
+            return "(" + expression(choice.condition()) + " -> " + expression(choice.yes()) + " : "
+                    + expression(choice.no()) + ")";
         } else if (term instanceof Term.Negative negative) {
             return "(-" + expression(negative.operand()) + ")";
         }

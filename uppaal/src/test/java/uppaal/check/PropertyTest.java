@@ -26,9 +26,11 @@ class PropertyTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-            "A<> P.b; a query that begins neither with A[] nor with E<> is outside the subset that this checker reads",
-            "P.a --> P.b; a query that begins neither with A[] nor with E<> is outside the subset that this checker "
+            "E[] P.b; a query that neither begins with A[], E<> or A<> nor has --> is outside the subset that this checker "
                     + "reads",
+            "A<> deadlock; 'deadlock' with A<> or --> is outside the subset that this checker reads",
+            "P.a --> not deadlock; 'deadlock' with A<> or --> is outside the subset that this checker reads",
+            "P.a --> P.b --> P.a; expected the end, not '--'", "--> P.b; expected a name, not the end",
             "A[] P.c; 'P.c' has no value here", "A[] Q.a; 'Q.a' has no value here", "A[] y; 'y' has no value here",
             "A[] P.a P.b; expected the end, not 'P'", "E<>; expected a name, not the end"})
     void parse_wrong_saysWhat(String text, String message) {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import uppaal.RandomNetworks;
 import uppaal.Sketch;
 import uppaal.TinyNetworks;
 import uppaal.check.Exploration;

@@ -103,9 +103,20 @@ public final class DocumentReader {
         String given = Xml.text(element, "name").strip();
         String name = given.isEmpty() ? element.getAttribute("id") : given;
         String where = template + ", location " + name;
-        Xml.allow(element, where, "name", "label", "committed");
+        Xml.allow(element, where, "name", "label", "committed", "urgent");
         Xml.allowLabels(element, where, "invariant", "comments");
-        return new Location(name, Xml.child(element, "committed").isPresent(), Xml.label(element, "invariant"));
+        return new Location(name, haste(element, where), Xml.label(element, "invariant"));
+    }
+
+    private static Location.Haste haste(Element location, String where) {
+        boolean committed = Xml.child(location, "committed").isPresent();
+        if (Xml.child(location, "urgent").isEmpty()) {
+            return committed ? Location.Haste.COMMITTED : Location.Haste.NONE;
+        }
+        if (committed) {
+            throw new ModelException(where, "it is both urgent and committed");
+        }
+        return Location.Haste.URGENT;
     }
 
     private static Edge edge(Element element, Map<String, Location> byId, String template) {

@@ -56,6 +56,8 @@ public final class Clocks {
     public static boolean isIn(Term term) {
         if (term instanceof Term.Binary binary) {
             return isIn(binary.left()) || isIn(binary.right());
+        } else if (term instanceof Term.Choice choice) {
+            return isIn(choice.condition()) || isIn(choice.yes()) || isIn(choice.no());
         } else if (term instanceof Term.Not not) {
             return isIn(not.operand());
         }

@@ -1,11 +1,15 @@
 package uppaal.language;
 
+import java.util.List;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import uppaal.ModelException;
 
 /**
  * Parses declarations: {@code const int}, {@code const bool}, {@code int}, {@code int[low,high]}, {@code bool},
- * {@code clock}, and among the global ones {@code chan} and {@code broadcast chan}.
+ * {@code clock}, and among the global ones {@code chan}, {@code broadcast} or {@code urgent} or both; of each also arrays of one dimension.
  */
 public final class Declarations {
     private static final int INT_LOW = -32768;
@@ -84,26 +88,66 @@ public final class Declarations {
     private void one() {
         if (tokens.accept("const")) {
             Range range = range();
-            list(name -> {
-                tokens.expect("=");
-                constant(name, range, value());
-            });
+            initialised(true, (name, value) -> constant(name, range, value));
         } else if (tokens.accept("clock")) {
             list(name -> scope.declare(name, new Symbol.Clock(memory.allocateClock(name)), tokens.where()));
-        } else if (global && (tokens.peek().is("broadcast") || tokens.peek().is("chan"))) {
+        } else if (global && Stream.of("urgent", "broadcast", "chan").anyMatch(tokens.peek()::is)) {
+            boolean urgent = tokens.accept("urgent");
             boolean broadcast = tokens.accept("broadcast");
             tokens.expect("chan");
-            list(name -> scope.declare(name, new Symbol.Channel(name, broadcast), tokens.where()));
+            list(name -> scope.declare(name, new Symbol.Channel(name, broadcast, urgent), tokens.where()));
         } else {
             Range range = range();
-            list(name -> variable(name, range));
+            initialised(false, (name, value) -> variable(name, range, value));
         }
     }
 
+    /** @param declare is called for a name, or for each element of an array */
     private void list(Consumer<String> declare) {
         do {
-            declare.accept(tokens.name());
+            names().forEach(declare);
         } while (tokens.accept(","));
+    }
+
+    /** @param needed whether a first value must be given; else it is 0 */
+    private void initialised(boolean needed, BiConsumer<String, Integer> declare) {
+        do {
+            List<String> names = names();
+            boolean array = names.get(0).endsWith("]");
+            boolean given = needed ? expected("=") : tokens.accept("=");
+            if (given && array) {
+                tokens.expect("{");
+            }
+            for (String name : names) {
+                declare.accept(name, given ? value() : 0);
+                if (given && !name.equals(names.get(names.size() - 1))) {
+                    tokens.expect(",");
+                }
+            }
+            if (given && array) {
+                tokens.expect("}");
+            }
+        } while (tokens.accept(","));
+    }
+
+    private boolean expected(String text) {
+        tokens.expect(text);
+        return true;
+    }
+
+    /** A name, or those of all elements of an array. */
+    private List<String> names() {
+        String name = tokens.name();
+        if (!tokens.accept("[")) {
+            return List.of(name);
+        }
+        int size = value();
+        tokens.expect("]");
+        if (size < 1) {
+            throw new ModelException(tokens.where(), "'" + name + "' has " + size + " elements");
+        }
+        scope.declare(name, new Symbol.Array(size), tokens.where());
+        return IntStream.range(0, size).mapToObj(i -> name + "[" + i + "]").toList();
     }
 
     private Range range() {
@@ -135,8 +179,7 @@ public final class Declarations {
         scope.declare(name, new Symbol.Number(value), tokens.where());
     }
 
-    private void variable(String name, Range range) {
-        int initial = tokens.accept("=") ? value() : 0;
+    private void variable(String name, Range range, int initial) {
         check(name, range, initial);
         scope.declare(name, new Symbol.Variable(memory.allocate(name, range.low, range.high, initial)), tokens.where());
     }

@@ -4,8 +4,8 @@ import java.util.Optional;
 import uppaal.ModelException;
 
 /**
- * Parses expressions: {@code imply || or && and == != < <= > >= + - * ! not}, parentheses, numbers, {@code true},
- * {@code false} and names. UPPAAL gives {@code imply} and {@code ||} the same level, readers do not;
+ * Parses expressions: {@code ?: imply || or && and == != < <= > >= + - * ! not}, parentheses, numbers, {@code true},
+ * {@code false}, names and elements of arrays. UPPAAL gives {@code imply} and {@code ||} the same level, readers do not;
  * so an expression that chains {@code imply} with either, without parentheses, is refused.
  */
 public final class Expressions {
@@ -31,7 +31,17 @@ public final class Expressions {
 
     /** An expression. */
     Term expression() {
-        return level(0);
+        Term condition = level(0);
+        if (!tokens.accept("?")) {
+            return condition;
+        }
+        Term yes = expression();
+        tokens.expect(":");
+        Term no = expression();
+        if (condition instanceof Term.Constant constant) {
+            return constant.number() == 0 ? no : yes;
+        }
+        return new Term.Choice(condition, yes, no);
     }
 
     /** An expression whose value is known before the network runs. */
@@ -111,11 +121,24 @@ public final class Expressions {
             return names.term(tokens.next().text())
                     .orElseThrow(() -> new ModelException(tokens.where(), "'deadlock' has a meaning in queries only"));
         }
-        String name = tokens.name();
+        String name = reference();
         boolean member = tokens.accept(".");
-        String full = member ? name + "." + tokens.name() : name;
+        String full = member ? name + "." + reference() : name;
         Optional<Term> term = member ? names.member(name, full.substring(name.length() + 1)) : names.term(name);
         return term.orElseThrow(() -> new ModelException(tokens.where(), "'" + full + "' has no value here"));
+    }
+
+    /** A name, or an element of an array as {@code name[2]}: its index is known before the network runs. */
+    String reference() {
+        String name = tokens.name();
+        if (!tokens.accept("[")) {
+            return name;
+        }
+        if (!(expression() instanceof Term.Constant index)) {
+            throw ModelException.outside(tokens.where(), "'" + name + "[...]' with an index that is not constant");
+        }
+        tokens.expect("]");
+        return name + "[" + index.number() + "]";
     }
 
     private Term binary(Operator operator, Term left, Term right) {

@@ -59,7 +59,7 @@ public final class Labels {
             return Optional.empty();
         }
         Tokens tokens = new Tokens(text, where);
-        String name = tokens.name();
+        String name = new Expressions(tokens, scope).reference();
         boolean sends = tokens.accept("!");
         if (!sends) {
             tokens.expect("?");
@@ -86,7 +86,7 @@ public final class Labels {
     }
 
     private static Assignment assignment(Tokens tokens, Scope scope) {
-        String name = tokens.name();
+        String name = new Expressions(tokens, scope).reference();
         if (scope.find(name).orElse(null) instanceof Symbol.Clock clock) {
             return reset(tokens, clock);
         }

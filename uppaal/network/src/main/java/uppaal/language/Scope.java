@@ -31,10 +31,10 @@ public final class Scope implements Names {
         }
     }
 
-    /** What a name stands for here. */
+    /** What a name, or an element {@code name[0]} of an array, stands for here. */
     public Optional<Symbol> find(String name) {
-        Symbol symbol = symbols.get(name);
-        return symbol != null || around == null ? Optional.ofNullable(symbol) : around.find(name);
+        boolean here = symbols.containsKey(name.split("\\[")[0]);
+        return here || around == null ? Optional.ofNullable(symbols.get(name)) : around.find(name);
     }
 
     @Override

@@ -14,11 +14,20 @@ public sealed interface Symbol {
     record Clock(int slot) implements Symbol {
     }
 
+    /** An array: its elements are declared too, as {@code name[0]} and so on. */
+    record Array(int size) implements Symbol {
+    }
+
     /**
      * A channel. Two channels are the same when they have the same name, since channels are global.
      *
      * @param broadcast whether all that listen hear it, rather than exactly one
+     * @param urgent whether no time passes while it can be used
      */
-    record Channel(String name, boolean broadcast) implements Symbol {
+    record Channel(String name, boolean broadcast, boolean urgent) implements Symbol {
+        /** One that is not urgent. */
+        public Channel(String name, boolean broadcast) {
+            this(name, broadcast, false);
+        }
     }
 }

@@ -61,6 +61,14 @@ public sealed interface Term {
         }
     }
 
+    /** {@code condition ? yes : no}; only one of the two is evaluated. */
+    record Choice(Term condition, Term yes, Term no) implements Term {
+        @Override
+        public int value(int[] state) {
+            return condition.holds(state) ? yes.value(state) : no.value(state);
+        }
+    }
+
     /** {@code left operator right}; both sides are always evaluated, since no term has an effect. */
     record Binary(Operator operator, Term left, Term right) implements Term {
         @Override

@@ -59,9 +59,9 @@ public final class Automaton {
         return locations;
     }
 
-    /** The transitions that leave the location where it is in a state. */
-    public List<Transition> outgoing(int[] state) {
-        return outgoing.get(state[slot]);
+    /** The transitions that leave the location of this index. */
+    public List<Transition> outgoing(int location) {
+        return outgoing.get(location);
     }
 
     /** All its transitions. */
@@ -72,6 +72,11 @@ public final class Automaton {
     /** Whether it is at a committed location in a state. */
     public boolean committed(int[] state) {
         return locations.get(state[slot]).committed();
+    }
+
+    /** Whether it is at a location, urgent or committed, where no time passes. */
+    public boolean urgent(int[] state) {
+        return locations.get(state[slot]).urgent();
     }
 
     /** Whether the clock of this slot is one of its own. */
@@ -88,11 +93,6 @@ public final class Automaton {
     /** What must be true as long as it is at the location of this index. */
     public Term invariant(int location) {
         return invariants.get(location);
-    }
-
-    /** Whether the invariant of the location where it is in a state is true there. */
-    public boolean keepsInvariant(int[] state) {
-        return invariants.get(state[slot]).holds(state);
     }
 
     /** What the names in its template stand for. */

@@ -48,6 +48,9 @@ final class ClockRanges {
         } else if (term instanceof Term.Binary binary && binary.operator() == Operator.PLUS) {
             return Math.addExact(greatest(binary.left()), greatest(binary.right()));
         }
+        if (term instanceof Term.Choice choice) {
+            return Math.max(greatest(choice.yes()), greatest(choice.no()));
+        }
         throw ModelException.outside(file, "a clock that is compared with other than a sum of numbers and variables");
     }
 }

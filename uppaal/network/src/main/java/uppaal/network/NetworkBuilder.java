@@ -2,6 +2,7 @@ package uppaal.network;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -10,6 +11,7 @@ import uppaal.document.Document;
 import uppaal.document.Edge;
 import uppaal.document.Location;
 import uppaal.document.Template;
+import uppaal.language.Clocks;
 import uppaal.language.Declarations;
 import uppaal.language.Labels;
 import uppaal.language.Scope;
@@ -78,9 +80,14 @@ public final class NetworkBuilder {
     }
 
     private static Transition transition(Edge edge, List<String> locations, Scope scope, String where) {
-        return new Transition(index(edge.source(), locations, where), index(edge.target(), locations, where),
-                Labels.guard(edge.guard(), scope, where + ", guard"),
-                Labels.synchronisation(edge.synchronisation(), scope, where + ", synchronisation"),
+        Term guard = Labels.guard(edge.guard(), scope, where + ", guard");
+        Optional<Labels.Synchronisation> synchronisation =
+                Labels.synchronisation(edge.synchronisation(), scope, where + ", synchronisation");
+        if (synchronisation.filter(channel -> channel.channel().urgent()).isPresent() && Clocks.isIn(guard)) {
+            throw ModelException.outside(where, "a clock in a guard on an urgent channel");
+        }
+        return new Transition(index(edge.source(), locations, where), index(edge.target(), locations, where), guard,
+                synchronisation,
                 Labels.assignments(edge.assignment(), scope, where + ", assignment"));
     }
 

@@ -3,9 +3,12 @@ package uppaal.network;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
 import uppaal.ModelException;
 import uppaal.language.Labels.Assignment;
 import uppaal.language.Symbol;
+import uppaal.language.Term;
 import uppaal.network.JointMove.Part;
 
 /**
@@ -16,8 +19,8 @@ import uppaal.network.JointMove.Part;
  * <li>on a broadcast channel the sender never waits, and everyone who can hear it does;</li>
  * <li>the sender's assignments come first, then the receivers' in the order of the system line;</li>
  * <li>no step leads to where an invariant is false, and time passes only as long as all invariants stay true;</li>
- * <li>while an automaton is at a committed location, only steps that leave a committed location are possible,
- * and no time passes.</li>
+ * <li>while an automaton is at a committed location, only steps that leave a committed location are possible;</li>
+ * <li>while one is at a committed or an urgent location, or a step on an urgent channel is possible, no time passes.</li>
  * </ul>
  * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with,
  * waiting changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.
@@ -26,63 +29,33 @@ public final class Successors {
     private static final int ANY = -1;
 
     private final Network network;
+    private final List<Automaton> automata;
     private final List<Running> clocks = new ArrayList<>();
+    /** By automaton and location: what it can begin there. */
+    private final Start[][][] starts;
+    /** By automaton and location. */
+    private final Term[][] invariants;
+    private final Slot[] slots;
 
     /** The steps of one network. */
     public Successors(Network network) {
         this.network = network;
-        for (int i = 0; i < network.slots().size(); i++) {
-            if (network.slots().get(i).clock()) {
+        this.automata = network.automata();
+        this.slots = network.slots().toArray(Slot[]::new);
+        this.starts = automata.stream().map(this::starts).toArray(Start[][][]::new);
+        this.invariants = automata.stream().map(automaton -> IntStream.range(0, automaton.locations().size())
+                .mapToObj(automaton::invariant).toArray(Term[]::new)).toArray(Term[][]::new);
+        for (int i = 0; i < slots.length; i++) {
+            if (slots[i].clock()) {
                 clocks.add(running(i));
             }
         }
     }
 
     private Running running(int clock) {
-        int high = network.slots().get(clock).high();
+        int high = slots[clock].high();
         return network.owner(clock).map(owner -> new Running(clock, high, owner.slot(), owner.active(clock)))
                 .orElse(new Running(clock, high, ANY, List.of()));
-    }
-
-    /**
-     * Every step that is possible in a state, in the order of the system line and of the file.
-     *
-     * @throws ModelException when a step would take a variable out of its range
-     */
-    public List<JointMove> of(int[] state) {
-        List<JointMove> moves = new ArrayList<>();
-        boolean hurry = network.automata().stream().anyMatch(automaton -> automaton.committed(state));
-        for (Automaton automaton : network.automata()) {
-            for (Transition transition : automaton.outgoing(state)) {
-                if ((transition.internal() || transition.sends()) && transition.guard().holds(state)) {
-                    for (List<Part> parts : together(new Part(automaton, transition), state)) {
-                        if (!hurry || parts.stream().anyMatch(part -> part.automaton().committed(state))) {
-                            add(moves, parts, perform(parts, state));
-                        }
-                    }
-                }
-            }
-        }
-        if (!clocks.isEmpty() && !hurry) {
-            wait(state, moves);
-        }
-        return moves;
-    }
-
-    private void add(List<JointMove> moves, List<Part> parts, int[] target) {
-        if (network.automata().stream().allMatch(automaton -> automaton.keepsInvariant(target))) {
-            moves.add(new JointMove(parts, target));
-        }
-    }
-
-    private void wait(int[] state, List<JointMove> moves) {
-        int[] later = state.clone();
-        for (Running clock : clocks) {
-            later[clock.slot] += clock.runs(state) ? 1 : 0;
-        }
-        if (!Arrays.equals(later, state)) {
-            add(moves, List.of(), later);
-        }
     }
 
     /** A clock, and where its automaton must be for it to run: anywhere for a global one. */
@@ -92,61 +65,194 @@ public final class Successors {
         }
     }
 
+    /**
+     * What an automaton begins alone or as a sender.
+     *
+     * @param alone its own part
+     * @param others none where it moves alone
+     */
+    private record Start(List<Part> alone, boolean broadcast, List<Listener> others) {
+        Part part() {
+            return alone.get(0);
+        }
+    }
+
+    /** Another automaton, and by its location in which ways it may receive. */
+    private record Listener(int slot, Part[][] ways) {
+        Part[] at(int[] state) {
+            return ways[state[slot]];
+        }
+    }
+
+    private Start[][] starts(Automaton automaton) {
+        return byLocation(automaton).stream().map(leaving -> leaving.stream()
+                .filter(transition -> transition.internal() || transition.sends())
+                .map(transition -> start(automaton, transition)).toArray(Start[]::new)).toArray(Start[][]::new);
+    }
+
+    private Start start(Automaton automaton, Transition transition) {
+        List<Part> alone = List.of(new Part(automaton, transition));
+        if (transition.internal()) {
+            return new Start(alone, false, List.of());
+        }
+        Symbol.Channel channel = transition.synchronisation().orElseThrow().channel();
+        return new Start(alone, channel.broadcast(), automata.stream().filter(other -> other != automaton)
+                .map(other -> new Listener(other.slot(), ways(other, channel))).toList());
+    }
+
+    private static Part[][] ways(Automaton automaton, Symbol.Channel channel) {
+        return byLocation(automaton).stream().map(leaving -> leaving.stream()
+                .filter(transition -> transition.receives(channel)).map(transition -> new Part(automaton, transition))
+                .toArray(Part[]::new)).toArray(Part[][]::new);
+    }
+
+    private static List<List<Transition>> byLocation(Automaton automaton) {
+        return IntStream.range(0, automaton.locations().size()).mapToObj(automaton::outgoing).toList();
+    }
+
+    /**
+     * Every step that is possible in a state, in the order of the system line and of the file.
+     *
+     * @throws ModelException when a step would take a variable out of its range
+     */
+    public List<JointMove> of(int[] state) {
+        List<JointMove> moves = new ArrayList<>();
+        each(state, (parts, target) -> moves.add(new JointMove(parts, target)));
+        return moves;
+    }
+
+    /**
+     * As {@link #of(int[])}, for who counts steps in millions.
+     *
+     * @return whether the network may stay in the state for ever: time passes there, and changes nothing
+     */
+    public boolean each(int[] state, BiConsumer<List<Part>, int[]> found) {
+        boolean[] urgent = {urgent(state)};
+        moves(state, (parts, target) -> {
+            urgent[0] |= parts.get(0).transition().urgent();
+            found.accept(parts, target);
+        });
+        if (urgent[0]) {
+            return false;
+        }
+        int[] later = later(state);
+        if (Arrays.equals(later, state)) {
+            return true;
+        }
+        if (keepsInvariants(later)) {
+            found.accept(List.of(), later);
+        }
+        return false;
+    }
+
+    /** All steps but that of time. */
+    private void moves(int[] state, BiConsumer<List<Part>, int[]> found) {
+        boolean hurry = committed(state);
+        for (int i = 0; i < starts.length; i++) {
+            for (Start start : starts[i][state[automata.get(i).slot()]]) {
+                if (start.part().transition().guard().holds(state)) {
+                    together(start, state, hurry, found);
+                }
+            }
+        }
+    }
+
+    private boolean committed(int[] state) {
+        for (Automaton automaton : automata) {
+            if (automaton.committed(state)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean urgent(int[] state) {
+        for (Automaton automaton : automata) {
+            if (automaton.urgent(state)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean keepsInvariants(int[] state) {
+        for (int i = 0; i < invariants.length; i++) {
+            if (!invariants[i][state[automata.get(i).slot()]].holds(state)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private int[] later(int[] state) {
+        int[] later = state.clone();
+        for (Running clock : clocks) {
+            later[clock.slot] += clock.runs(state) ? 1 : 0;
+        }
+        return later;
+    }
+
     /** All ways in which others can join the automaton that begins a step. */
-    private List<List<Part>> together(Part first, int[] state) {
-        if (first.transition().internal()) {
-            return List.of(List.of(first));
-        }
-        Symbol.Channel channel = first.transition().synchronisation().orElseThrow().channel();
-        List<List<Part>> listening = new ArrayList<>();
-        for (Automaton automaton : network.automata()) {
-            if (automaton != first.automaton()) {
-                listening.add(listening(automaton, channel, state));
+    private void together(Start start, int[] state, boolean hurry, BiConsumer<List<Part>, int[]> found) {
+        if (start.part().transition().internal()) {
+            perform(start.alone, state, hurry, found);
+        } else if (start.broadcast) {
+            everyone(start.alone, start.others, 0, state, hurry, found);
+        } else {
+            for (Listener other : start.others) {
+                for (Part part : other.at(state)) {
+                    if (part.transition().guard().holds(state)) {
+                        perform(List.of(start.part(), part), state, hurry, found);
+                    }
+                }
             }
         }
-        return channel.broadcast() ? everyone(first, listening) : oneOf(first, listening);
     }
 
-    private static List<Part> listening(Automaton automaton, Symbol.Channel channel, int[] state) {
-        return automaton.outgoing(state).stream()
-                .filter(transition -> transition.receives(channel) && transition.guard().holds(state))
-                .map(transition -> new Part(automaton, transition)).toList();
-    }
-
-    private static List<List<Part>> oneOf(Part sender, List<List<Part>> listening) {
-        return listening.stream().flatMap(List::stream).map(receiver -> List.of(sender, receiver)).toList();
-    }
-
-    /** Each automaton that can hear takes part; where it can in several ways, each way is a step of its own. */
-    private static List<List<Part>> everyone(Part sender, List<List<Part>> listening) {
-        List<List<Part>> ways = List.of(List.of(sender));
-        for (List<Part> choices : listening) {
-            if (!choices.isEmpty()) {
-                ways = ways.stream().flatMap(way -> choices.stream().map(choice -> joined(way, choice))).toList();
+    /**
+     * Each automaton that can hear takes part; where it can in several ways, each way is a step of its own.
+     *
+     * @param heard those that take part already
+     * @param next the first of the others that has not been asked
+     */
+    private void everyone(List<Part> heard, List<Listener> others, int next, int[] state, boolean hurry,
+            BiConsumer<List<Part>, int[]> found) {
+        if (next == others.size()) {
+            perform(heard, state, hurry, found);
+            return;
+        }
+        boolean deaf = true;
+        for (Part part : others.get(next).at(state)) {
+            if (part.transition().guard().holds(state)) {
+                deaf = false;
+                List<Part> longer = new ArrayList<>(heard);
+                longer.add(part);
+                everyone(longer, others, next + 1, state, hurry, found);
             }
         }
-        return ways;
+        if (deaf) {
+            everyone(heard, others, next + 1, state, hurry, found);
+        }
     }
 
-    private static List<Part> joined(List<Part> way, Part choice) {
-        List<Part> longer = new ArrayList<>(way);
-        longer.add(choice);
-        return longer;
-    }
-
-    private int[] perform(List<Part> parts, int[] state) {
-        int[] next = state.clone();
+    private void perform(List<Part> parts, int[] state, boolean hurry, BiConsumer<List<Part>, int[]> found) {
+        if (hurry && parts.stream().noneMatch(part -> part.automaton().committed(state))) {
+            return;
+        }
+        int[] target = state.clone();
         for (Part part : parts) {
-            next[part.automaton().slot()] = part.transition().target();
+            target[part.automaton().slot()] = part.transition().target();
             for (Assignment assignment : part.transition().assignments()) {
-                assign(assignment, next, part);
+                assign(assignment, target, part);
             }
         }
-        return next;
+        if (keepsInvariants(target)) {
+            found.accept(parts, target);
+        }
     }
 
     private void assign(Assignment assignment, int[] state, Part part) {
-        Slot slot = network.slots().get(assignment.slot());
+        Slot slot = slots[assignment.slot()];
         int value = assignment.value().value(state);
         if (!slot.holds(value)) {
             throw new ModelException(network.file(), part + " would make '" + slot.name() + "' " + value

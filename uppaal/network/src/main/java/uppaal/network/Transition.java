@@ -32,6 +32,11 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
         return synchronisation.isPresent() && synchronisation.get().sends();
     }
 
+    /** Whether no time passes while it can be taken. */
+    boolean urgent() {
+        return synchronisation.isPresent() && synchronisation.get().channel().urgent();
+    }
+
     /** Whether it has {@code channel?}. */
     public boolean receives(Symbol.Channel channel) {
         return synchronisation.isPresent() && !synchronisation.get().sends()

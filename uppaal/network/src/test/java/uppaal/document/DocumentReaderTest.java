@@ -37,7 +37,7 @@ class DocumentReaderTest {
         Document document = read("<nta><declaration>int x;</declaration><template><name x='1'> T </name>"
                 + "<parameter>const int n</parameter><declaration>int y;</declaration>"
                 + "<location id='a' x='0' y='0'><name>First</name><label kind='comments'>c</label></location>"
-                + "<location id='b'><committed/></location><init ref='b'/>"
+                + "<location id='b'><committed/></location><location id='c'><urgent/></location><init ref='b'/>"
                 + "<transition><source ref='a'/><target ref='b'/><label kind='guard'> x &lt; 1 </label>"
                 + "<label kind='synchronisation'>c!</label><label kind='assignment'>x++</label><nail x='1' "
                 + "y='2'/></transition>"
@@ -51,12 +51,14 @@ class DocumentReaderTest {
         assertEquals("b", template.initial());
         assertEquals(new Location("First", false, ""), template.locations().get(0));
         assertEquals(new Location("b", true, ""), template.locations().get(1));
+        assertEquals(new Location("c", Location.Haste.URGENT, ""), template.locations().get(2));
+        assertTrue(template.locations().get(2).urgent() && template.locations().get(1).urgent());
+        assertFalse(template.locations().get(2).committed() || template.locations().get(0).urgent());
         assertEquals(new Edge("First", "b", "x < 1", "c!", "x++"), template.edges().get(0));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            "<location id='a'><urgent/></location>         | location a: <urgent>",
             "<location id='a'><label kind='exponentialrate'>1</label></location> | location a: a label of kind "
                     + "'exponentialrate'",
             "<location id='a'/><branchpoint id='p'/>       | <branchpoint>"})
@@ -78,6 +80,7 @@ class DocumentReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
+            "<location id='a'><urgent/><committed/></location>            | location a: it is both urgent and committed",
             "<location id='a'/>                                           | it has no initial location",
             "<location id='a'/><init ref='x'/>                            | <init> points to 'x', which is no "
                     + "location of this template",
@@ -88,7 +91,7 @@ class DocumentReaderTest {
             "<location id='a'><name>b</name></location><location id='b'/><init ref='a'/> | the name 'b' is given "
                     + "twice"})
     void read_brokenTemplate_saysWhat(String body, String message) {
-        assertEquals("m.xml, template T: " + message,
+        assertEquals("m.xml, template T" + (message.startsWith("location ") ? ", " : ": ") + message,
                 assertThrows(ModelException.class, () -> template(body)).getMessage());
     }
 

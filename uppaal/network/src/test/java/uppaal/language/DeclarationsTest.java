@@ -36,7 +36,8 @@ class DeclarationsTest {
     @Test
     void global_eachKind_isDeclared() {
         declare("const int N = 2 + 1, SQUARE = N * N; const bool YES = true;"
-                + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;");
+                + "int[0,N] a = N, b; int[-2,-1] c = -1; bool d = !YES; int e; chan f, g; broadcast chan h; clock x;"
+                + "urgent chan u; urgent broadcast chan v;");
 
         assertEquals(List.of("a[0,3]=3", "b[0,3]=0", "c[-2,-1]=-1", "d[0,1]=0", "e[-32768,32767]=0", "clock x"),
                 allocated);
@@ -45,18 +46,49 @@ class DeclarationsTest {
         assertEquals(Optional.of(new Symbol.Variable(2)), scope.find("c"));
         assertEquals(Optional.of(new Symbol.Channel("g", false)), scope.find("g"));
         assertEquals(Optional.of(new Symbol.Channel("h", true)), scope.find("h"));
+        assertEquals(Optional.of(new Symbol.Channel("u", false, true)), scope.find("u"));
+        assertEquals(Optional.of(new Symbol.Channel("v", true, true)), scope.find("v"));
+    }
+
+    @Test
+    void global_arrays_haveTheirElementsDeclared() {
+        declare("const int N = 2, SQUARES[N] = {1, 4}; int[0,N] a[N], b = 1; bool c[1] = {true}; clock x[2];"
+                + "broadcast chan h[N];");
+
+        assertEquals(List.of("a[0][0,2]=0", "a[1][0,2]=0", "b[0,2]=1", "c[0][0,1]=1", "clock x[0]", "clock x[1]"),
+                allocated);
+        assertEquals(Optional.of(new Symbol.Number(4)), scope.find("SQUARES[1]"));
+        assertEquals(Optional.of(new Symbol.Variable(1)), scope.find("a[1]"));
+        assertEquals(Optional.of(new Symbol.Channel("h[1]", true)), scope.find("h[1]"));
+        assertEquals(Optional.empty(), scope.find("h[2]"));
+        assertEquals(Optional.empty(), scope.term("a"));
+    }
+
+    @Test
+    void find_arrayBehindALocalName_isHidden() {
+        declare("int a[2];");
+        Scope inner = scope.inner();
+        assertEquals(Optional.of(new Symbol.Variable(1)), inner.find("a[1]"));
+        Declarations.local("int a;", inner, memory, "here");
+        assertEquals(Optional.empty(), inner.find("a[1]"));
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
             "clock x = 1;           | expected ';', not '='",
-            "urgent chan a;         | 'urgent' here, where a declaration is read, is outside the subset that this "
-                    + "checker reads",
+            "urgent a;              | expected 'chan', not 'a'",
             "typedef int[0,1] t;    | 'typedef' here, where a declaration is read, is outside the subset that this "
                     + "checker reads",
             "void f() { }           | 'void' here, where a declaration is read, is outside the subset that this "
                     + "checker reads",
-            "int a[3];              | expected ';', not '['",
+            "int a[3] = {1, 2};     | expected ',', not '}'",
+            "int a[2] = 1;          | expected '{', not '1'",
+            "int a[0];              | 'a' has 0 elements",
+            "int a[2][2];           | expected ';', not '['",
+            "int a[2], a[1];        | 'a' is declared twice",
+            "int n; int a[n];       | a constant is needed where a variable is used",
+            "const int a[1];        | expected '=', not ';'",
+            "int[0,1] a[2] = {0, 2}; | 'a[1]' is 2, outside its range [0,1]",
             "int a = b;             | 'b' has no value here",
             "int b; int a = b;      | a constant is needed where a variable is used",
             "int[0,1] a = 2;        | 'a' is 2, outside its range [0,1]",

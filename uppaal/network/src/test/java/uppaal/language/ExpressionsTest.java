@@ -16,7 +16,7 @@ class ExpressionsTest {
     /** x is slot 0, y slot 1; nothing else has a value. */
     private static final Names NAMES = name -> switch (name) {
         case "x" -> Optional.of(new Term.Variable(0));
-        case "y" -> Optional.of(new Term.Variable(1));
+        case "y", "a[2]" -> Optional.of(new Term.Variable(1));
         default -> Optional.empty();
     };
     private static final int[] STATE = {7, 0};
@@ -28,6 +28,8 @@ class ExpressionsTest {
             "1 || 0 && 0; 1", "(1 || 0) && 0; 0", "0 or 1; 1", "x > 6; 1", "x >= 8; 0", "x < 7; 0", "x <= 7; 1",
             "x != 7; 0",
             "1 < 2 == 1; 1", "0 imply 0; 1", "1 imply y; 0", "x == 7 imply y == 0; 1", "true; 1", "false; 0",
+            "x ? 1 : 2; 1", "y ? 1 : x ? 2 : 3; 2", "y || x ? x + 1 : 0; 8", "1 ? 2 : 3; 2", "y == 0 ? -x : x; -7",
+            "a[2]; 0", "a[1 + 1] + 1; 1",
             "x /* seven */ + 1 // eight; 8", "(((x))); 7"})
     void value_expression_isAsUppaalHasIt(String text, int expected) {
         assertEquals(expected, Expressions.parse(text, NAMES, "here").value(STATE));
@@ -36,7 +38,11 @@ class ExpressionsTest {
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
             "x / 2; here: expected the end, not '/'",
-            "x ? 1 : 2; here: expected the end, not '?'",
+            "x ? 1; here: expected ':', not the end",
+            "x[y]; here: 'x[...]' with an index that is not constant is outside the subset that this checker reads",
+            "x[0]; here: 'x[0]' has no value here",
+            "a[1; here: expected ']', not the end",
+            "P.a[3]; here: 'P.a[3]' has no value here",
             "forall (i : int[0,1]) x; here: 'forall' here, where a name is read, is outside the subset that this "
                     + "checker reads",
             "x' == 0; here: expected the end, not '''",
@@ -91,7 +97,8 @@ class ExpressionsTest {
         if (depth == 0 || random.nextInt(5) == 0) {
             return random.nextBoolean() ? new Term.Variable(random.nextInt(2)) : new Term.Constant(random.nextInt(4));
         }
-        return switch (random.nextInt(8)) {
+        return switch (random.nextInt(9)) {
+            case 2 -> new Term.Choice(tree(random, depth - 1), tree(random, depth - 1), tree(random, depth - 1));
             case 0 -> new Term.Not(tree(random, depth - 1));
             case 1 -> new Term.Negative(tree(random, depth - 1));
             default -> new Term.Binary(Operator.values()[random.nextInt(Operator.values().length)],
@@ -108,6 +115,9 @@ class ExpressionsTest {
             return "!(" + written(not.operand()) + ")";
         } else if (term instanceof Term.Negative negative) {
             return "-(" + written(negative.operand()) + ")";
+        } else if (term instanceof Term.Choice choice) {
+            return "((" + written(choice.condition()) + ") ? " + written(choice.yes()) + " : " + written(choice.no())
+                    + ")";
         }
         Term.Binary binary = (Term.Binary) term;
         return "(" + written(binary.left()) + " " + binary.operator().symbol() + " " + written(binary.right()) + ")";

@@ -36,6 +36,16 @@ class LabelsTest {
                 Labels.synchronisation("send ?", scope, "here").orElseThrow());
     }
 
+    @Test
+    void labels_elementsOfArrays_areTheirOwn() {
+        Declarations.global("chan line[4];", scope, null, "here");
+        assertEquals(new Symbol.Channel("line[3]", false),
+                Labels.synchronisation("line[N]?", scope, "here").orElseThrow().channel());
+        scope.declare("a[3]", new Symbol.Variable(7), "here");
+        scope.declare("a", new Symbol.Array(4), "here");
+        assertEquals(7, Labels.assignments("a[N] = a[N] + 1", scope, "here").get(0).slot());
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = ';',
             value = {"x = N; 3", "x := x * 2; 10", "x++; 6", "x--; 4", "x = 1, x++; 2", "x++, x = x + x; 12"})
@@ -58,7 +68,10 @@ class LabelsTest {
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
             "send; expected '?', not the end", "x!; 'x' is no channel", "lost?; 'lost' is no channel",
-            "send[1]!; expected '?', not '['", "send!!; expected the end, not '!'"})
+            "send[1]!; 'send[1]' is no channel",
+            "line[x]!; 'line[...]' with an index that is not constant is outside the "
+                    + "subset that this checker reads",
+            "line!; 'line' is no channel", "send!!; expected the end, not '!'"})
     void synchronisation_wrong_saysWhat(String text, String message) {
         assertEquals("here: " + message,
                 assertThrows(ModelException.class, () -> Labels.synchronisation(text, scope, "here")).getMessage());

@@ -15,18 +15,23 @@ public final class Main {
     /**
      * Ends with 0 where it does, with 1 where it does not, with 2 where the file is no trace.
      *
-     * @param arguments the file
+     * @param arguments the file, and one with the run's keys if those are known
      */
     public static void main(String[] arguments) {
-        if (arguments.length != 1 || arguments[0].isEmpty()) {
-            System.err.println("usage: gradle checkTrace -Ptrace=FILE (a trace of javino-emulator)");
+        if (arguments.length == 0 || arguments.length > 2 || arguments[0].isEmpty()) {
+            System.err.println("usage: gradle checkTrace -Ptrace=FILE [-Pkeys=FILE] (a trace of javino-emulator)");
             System.exit(2);
         }
-        System.exit(run(Path.of(arguments[0])));
+        System.exit(run(Path.of(arguments[0]), arguments.length == 2 ? Path.of(arguments[1]) : null));
     }
 
-    static int run(Path file) {
-        Replay replay = new Replay();
+    /** @param keys of the run; null where they are not known */
+    static int run(Path file, Path keys) {
+        if (keys != null && !Files.isReadable(keys)) {
+            System.err.println("model: " + keys + ": there are no keys that you may read");
+            return 2;
+        }
+        Replay replay = keys == null ? new Replay() : new Replay(keys);
         try (BufferedReader lines = Files.newBufferedReader(file)) {
             lines.lines().forEach(replay::line);
             replay.finish();

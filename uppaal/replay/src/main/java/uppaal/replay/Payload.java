@@ -15,10 +15,12 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     private static final int HEADER = 10;
+    private static final int SIZE_AT = 8;
     private static final int NONCE = 6;
     /** Nonce and tag: no sealed message is shorter. */
     private static final int SEAL = 14;
-    private static final int PART = 67;
+    /** The longest piece. */
+    static final int PART = 67;
     private static final int ASKS = 8;
     private static final int BITS = 8;
 
@@ -43,7 +45,8 @@ record Payload(String hex, String kind, String destination, String origin, byte[
         return new String(bytes, at, 4, StandardCharsets.US_ASCII);
     }
 
-    private static int digit(String address, int at) {
+    /** The value of a digit of an address. */
+    static int digit(String address, int at) {
         return DIGITS.indexOf(address.charAt(at));
     }
 
@@ -92,6 +95,29 @@ record Payload(String hex, String kind, String destination, String origin, byte[
         }
         int bits = DIGITS.indexOf(message[8]) * DIGITS.length() + DIGITS.indexOf(message[9]);
         return (HEADER + bits / BITS + PART - 1) / PART;
+    }
+
+    /** The frame, or of a first piece as much of the frame as it holds. */
+    byte[] frame() {
+        return isPiece() ? message : HexFormat.of().parseHex(hex);
+    }
+
+    /** How long the frame is whose header stands here; 0 where none does. */
+    static int lengthIn(byte[] frame) {
+        for (int at = 0; at < HEADER; at++) {
+            if (frame.length < HEADER || DIGITS.indexOf(frame[at]) < 0) {
+                return 0;
+            }
+        }
+        int bits = DIGITS.indexOf(frame[SIZE_AT]) * DIGITS.length() + DIGITS.indexOf(frame[SIZE_AT + 1]);
+        return bits % BITS == 0 ? HEADER + bits / BITS : 0;
+    }
+
+    /** The header of a frame whose message has so many bytes. */
+    static byte[] header(String destination, String origin, int length) {
+        int bits = BITS * length;
+        return (destination + origin + DIGITS.charAt(bits / DIGITS.length()) + DIGITS.charAt(bits % DIGITS.length()))
+                .getBytes(StandardCharsets.US_ASCII);
     }
 
     /** Of a unicast or multicast: its nonce in hexadecimal digits; empty where there is no room for nonce and tag. */

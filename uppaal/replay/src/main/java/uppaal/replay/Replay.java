@@ -1,6 +1,7 @@
 package uppaal.replay;
 
 import com.google.gson.JsonParseException;
+import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -27,11 +28,26 @@ public final class Replay {
     private final PriorityQueue<Step> steps =
             new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index()));
     private final RadioCell cell = new RadioCell();
+    private final Bytes bytes;
     private int lines;
     private int events;
     private double now;
     private String refusal;
     private boolean ended;
+
+    /** Where the run's keys are not known: what is sealed is not opened. */
+    public Replay() {
+        bytes = new Bytes(null);
+    }
+
+    /**
+     * Opens also what is sealed.
+     *
+     * @param keys a keyring, or what the emulator's {@code --keys} writes; it may come to be while the trace does
+     */
+    public Replay(Path keys) {
+        bytes = new Bytes(new Keys(keys));
+    }
 
     /**
      * Takes the next line.
@@ -79,7 +95,8 @@ public final class Replay {
 
     /** In one line, what came of it. */
     public synchronized String verdict() {
-        return "model: trace " + (refusal == null ? "accepted (" + events + " events)" : "refused at " + refusal);
+        return "model: trace " + (refusal == null ? "accepted (" + events + " events" + bytes.checked() + ")"
+                : "refused at " + refusal);
     }
 
     private void enter(Event event) {
@@ -128,12 +145,30 @@ public final class Replay {
 
     private void perform(Event event) throws RefusedException {
         switch (event.name()) {
-            case "rf-tx" -> cell.begin(event);
-            case "rf-rx", "rf-damaged" -> cell.reach(event);
-            case "reset" -> cell.reset(event);
-            case "host-id" -> cell.named(event);
-            case "host-transmit" -> cell.transmit(event);
-            case "host-handed" -> cell.hand(event);
+            case "rf-tx" -> {
+                bytes.begin(event);
+                cell.begin(event);
+            }
+            case "rf-rx", "rf-damaged" -> {
+                cell.reach(event);
+                bytes.reach(event);
+            }
+            case "reset" -> {
+                cell.reset(event);
+                bytes.reset(event);
+            }
+            case "host-id" -> {
+                cell.named(event);
+                bytes.named(event);
+            }
+            case "host-transmit" -> {
+                cell.transmit(event);
+                bytes.transmit(event);
+            }
+            case "host-handed" -> {
+                cell.hand(event);
+                bytes.hand(event);
+            }
             case "host-taking" -> cell.take(event, "taking");
             case "host-taken" -> cell.take(event, "taken");
             case "host-outcome" -> cell.end(event);

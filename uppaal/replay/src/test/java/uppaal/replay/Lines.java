@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -90,7 +91,19 @@ final class Lines {
     }
 
     Replay replay() {
-        Replay replay = new Replay();
+        return replay(new Replay());
+    }
+
+    /** With the keys of {@code src/test/resources/traces/NAME.keys}. */
+    Replay replayWithKeys(String name) {
+        return replay(new Replay(keys(name)));
+    }
+
+    static Path keys(String name) {
+        return Path.of("src", "test", "resources", "traces", name + ".keys");
+    }
+
+    private Replay replay(Replay replay) {
         all.forEach(line -> replay.line(line.toString()));
         replay.finish();
         return replay;

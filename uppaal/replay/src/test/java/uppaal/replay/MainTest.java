@@ -17,12 +17,12 @@ class MainTest {
     private Path folder;
 
     private int run(String trace) throws IOException {
-        return Main.run(Files.writeString(folder.resolve("trace.jsonl"), trace));
+        return Main.run(Files.writeString(folder.resolve("trace.jsonl"), trace), null);
     }
 
     @Test
     void run_acceptedTrace_endsWithZero() {
-        assertEquals(0, Main.run(TRACES.resolve("highway.jsonl")));
+        assertEquals(0, Main.run(TRACES.resolve("highway.jsonl"), null));
     }
 
     @Test
@@ -42,7 +42,7 @@ class MainTest {
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         System.setErr(new PrintStream(said, true));
         try {
-            assertEquals(2, Main.run(folder.resolve("missing")));
+            assertEquals(2, Main.run(folder.resolve("missing"), null));
         } finally {
             System.setErr(before);
         }

@@ -1,0 +1,85 @@
+package uppaal.replay;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The keys of a run, from a keyring as {@code javino keygen} makes it, or from what the emulator's {@code --keys} has
+ * written: a pair or a group may have several lines. The file may grow while the run goes on, or come to be only then.
+ */
+final class Keys {
+    private static final Pattern LINE = Pattern.compile(
+            "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*([0-9A-Fa-f]{32})(?:\\s*,\\s*next\\s+([0-9A-Fa-f]{32}))?\\s*(?:#.*)?");
+    private static final int NEXT = 4;
+
+    private final Path file;
+    private final Map<String, SharedKey> derived = new HashMap<>();
+    private final Map<String, List<SharedKey>> shared = new HashMap<>();
+    private String read = "";
+
+    Keys(Path file) {
+        this.file = file;
+    }
+
+    /** Those that were given for frames between devices that each had one of these addresses, or to a group. */
+    List<SharedKey> of(Collection<String> origins, Collection<String> destinations) {
+        List<SharedKey> found = new ArrayList<>();
+        for (String destination : destinations) {
+            for (String origin : origins) {
+                List<SharedKey> more = shared.getOrDefault(name(origin, destination), List.of());
+                more.stream().filter(key -> !found.contains(key)).forEach(found::add);
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Reads the file if it has changed.
+     *
+     * @return whether there are other keys now.
+     * @throws UncheckedIOException where the file cannot be read
+     */
+    boolean refresh() {
+        String text;
+        try {
+            text = Files.exists(file) ? Files.readString(file) : "";
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+        if (text.equals(read)) {
+            return false;
+        }
+        read = text;
+        text.lines().map(LINE::matcher).filter(Matcher::matches).forEach(this::add);
+        return true;
+    }
+
+    private void add(Matcher line) {
+        String second = line.group(2) == null ? line.group(1) : line.group(2);
+        List<SharedKey> keys = shared.computeIfAbsent(name(line.group(1), second), name -> new ArrayList<>());
+        for (int group = NEXT - 1; group <= NEXT; group++) {
+            if (line.group(group) != null) {
+                SharedKey key = derived.computeIfAbsent(line.group(group),
+                        hex -> new SharedKey(HexFormat.of().parseHex(hex)));
+                if (!keys.contains(key)) {
+                    keys.add(key);
+                }
+            }
+        }
+    }
+
+    private static String name(String one, String other) {
+        return other.startsWith("//") ? other : String.join(" ", new TreeSet<>(List.of(one, other)));
+    }
+}

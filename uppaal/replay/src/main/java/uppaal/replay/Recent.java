@@ -1,0 +1,15 @@
+package uppaal.replay;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** A map that forgets what was put in first when it is full, so that hours of traffic do not fill the memory. */
+final class Recent<K, V> extends LinkedHashMap<K, V> {
+    private static final long serialVersionUID = 1L;
+    private static final int MOST = 1024;
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
+        return size() > MOST;
+    }
+}

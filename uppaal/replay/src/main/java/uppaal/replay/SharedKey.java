@@ -1,0 +1,98 @@
+package uppaal.replay;
+
+import java.nio.charset.StandardCharsets;
+import java.security.GeneralSecurityException;
+import java.util.Arrays;
+import java.util.Optional;
+import javax.crypto.Cipher;
+import javax.crypto.spec.IvParameterSpec;
+import javax.crypto.spec.SecretKeySpec;
+import javino.vectors.Crypto;
+
+/** A key that devices share: what they seal and prove with it (SPEC 5 and 7.3). */
+final class SharedKey {
+    static final int NONCE = 6;
+    static final int TAG = 8;
+    private static final int HEADER = 10;
+    private static final int ADDRESS = 4;
+    /** What a proof's type differs by where its maker asks for parity. */
+    private static final int ASKS_PARITY = 0x10;
+
+    private final byte[] encryption;
+    private final byte[] authentication;
+
+    /** @param key 16 bytes */
+    SharedKey(byte[] key) {
+        encryption = Crypto.kdf(key, "JavinoEnc");
+        authentication = Crypto.kdf(key, "JavinoMac");
+    }
+
+    /** The frame as it crosses the air. */
+    byte[] seal(String destination, String origin, byte[] nonce, byte[] content) {
+        byte[] header = Payload.header(destination, origin, NONCE + content.length + TAG);
+        byte[] cipher = Crypto.cfb(encryption, iv(destination, origin, nonce), content);
+        byte[] signed = join(header, nonce, cipher);
+        return join(signed, Arrays.copyOf(Crypto.cmac(authentication, signed), TAG));
+    }
+
+    /** The content of a sealed frame; nothing where its tag is wrong. */
+    Optional<byte[]> open(byte[] frame) {
+        int end = frame.length - TAG;
+        if (end < HEADER + NONCE) {
+            return Optional.empty();
+        }
+        byte[] tag = Arrays.copyOf(Crypto.cmac(authentication, Arrays.copyOf(frame, end)), TAG);
+        return Arrays.equals(tag, Arrays.copyOfRange(frame, end, frame.length)) ? Optional.of(decrypt(frame, end))
+                : Optional.empty();
+    }
+
+    private byte[] decrypt(byte[] frame, int end) {
+        String addresses = new String(frame, 0, 2 * ADDRESS, StandardCharsets.US_ASCII);
+        byte[] nonce = Arrays.copyOfRange(frame, HEADER, HEADER + NONCE);
+        byte[] iv = iv(addresses.substring(0, ADDRESS), addresses.substring(ADDRESS), nonce);
+        try {
+            Cipher cipher = Cipher.getInstance("AES/CFB/NoPadding");
+            cipher.init(Cipher.DECRYPT_MODE, new SecretKeySpec(encryption, "AES"), new IvParameterSpec(iv));
+            return cipher.doFinal(frame, HEADER + NONCE, end - HEADER - NONCE);
+        } catch (GeneralSecurityException e) {
+            throw new IllegalStateException("every JDK has AES", e);
+        }
+    }
+
+    private byte[] iv(String destination, String origin, byte[] nonce) {
+        return Crypto.aes(encryption, join(ascii(origin + destination), nonce, new byte[2]));
+    }
+
+    /**
+     * Whether an acknowledgement proves what it says.
+     *
+     * @param type the proof's, of an acknowledger that does not ask for parity
+     * @param message of the acknowledgement; the proof is its end
+     */
+    boolean isProof(int type, byte[] nonce, String sender, String acknowledger, byte[] message) {
+        int end = message.length - TAG;
+        byte[] claim = join(nonce, ascii(sender + acknowledger), Arrays.copyOf(message, end));
+        byte[] proof = Arrays.copyOfRange(message, end, message.length);
+        return Arrays.equals(proof, proof(type, claim)) || Arrays.equals(proof, proof(type | ASKS_PARITY, claim));
+    }
+
+    /** The proof of what is claimed: nonce, sender, acknowledger and what comes before the proof. */
+    byte[] proof(int type, byte[] claim) {
+        return Arrays.copyOf(Crypto.cmac(authentication, join(new byte[] {(byte) type}, claim)), TAG);
+    }
+
+    static byte[] join(byte[]... parts) {
+        int length = Arrays.stream(parts).mapToInt(part -> part.length).sum();
+        byte[] joined = new byte[length];
+        int at = 0;
+        for (byte[] part : parts) {
+            System.arraycopy(part, 0, joined, at, part.length);
+            at += part.length;
+        }
+        return joined;
+    }
+
+    private static byte[] ascii(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+}
