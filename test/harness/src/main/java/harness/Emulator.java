@@ -148,7 +148,7 @@ public final class Emulator implements AutoCloseable {
     }
 
     /** The keys that hosts have given the boards, in this run and in those before it in this folder. */
-    private static Path keys(Path folder) {
+    public static Path keys(Path folder) {
         return folder.resolve("given-keys");
     }
 

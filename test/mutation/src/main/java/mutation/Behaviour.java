@@ -1,6 +1,5 @@
 package mutation;
 
-import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -12,9 +11,11 @@ import uppaal.ModelException;
 import uppaal.check.Exploration;
 import uppaal.check.Property;
 import uppaal.check.Query;
+import uppaal.check.States;
 import uppaal.network.JointMove;
 import uppaal.network.Network;
 import uppaal.network.Successors;
+import uppaal.network.Transition;
 
 /**
  * What a model does: its states and moves, as far as needed to see a wrong verdict.
@@ -48,8 +49,8 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
         private final Map<Property, Query> open = new HashMap<>();
         /** The others. */
         private final List<Query> more = new ArrayList<>();
-        private final List<int[]> states = new ArrayList<>();
-        private final Set<IntBuffer> known = new HashSet<>();
+        private final States states;
+        private final Set<Long> moves = new HashSet<>();
         private String wrong;
         private long print;
 
@@ -57,6 +58,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             this.network = network;
             this.limit = limit;
             successors = new Successors(network);
+            states = new States(network.slots());
             for (Query query : queries) {
                 if (query.text().startsWith("A[]") || query.text().startsWith("E<>")) {
                     open.put(Property.parse(query.text(), network, query.where()), query);
@@ -69,11 +71,11 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
         Behaviour behaviour() {
             int number = 0;
             try {
-                add(network.initial());
+                states.add(network.initial());
+                int[] state = network.initial();
                 for (; number < states.size() && states.size() <= limit && wrong == null; number++) {
-                    visit(states.get(number));
-                    // Its place stays, its memory goes to those that are still to be visited.
-                    states.set(number, null);
+                    states.read(number, state);
+                    visit(state);
                 }
                 boolean whole = number == states.size();
                 if (whole && wrong == null) {
@@ -86,22 +88,15 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             }
         }
 
-        private void add(int[] state) {
-            if (known.add(IntBuffer.wrap(state))) {
-                states.add(state);
-            }
-        }
-
         private void visit(int[] state) {
-            List<JointMove> moves = successors.of(state);
-            Set<Long> distinct = new HashSet<>();
-            for (JointMove move : moves) {
-                add(move.target());
-                distinct.add(hash(state, move));
-            }
+            moves.clear();
+            successors.each(state, (parts, target) -> {
+                states.add(target);
+                moves.add(hash(state, parts, target));
+            });
             // A sum, since states are found in another order where edges stand in another.
             print += mixed(hash(state));
-            for (long move : distinct) {
+            for (long move : moves) {
                 print += mixed(move);
             }
             int[] observed = network.observed(state, moves.isEmpty());
@@ -135,13 +130,15 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             }
         }
 
-        private static long hash(int[] state, JointMove move) {
-            long hash = hash(state) * ODD + hash(move.target());
-            hash = mixed(hash) + move.channel().map(channel -> channel.name().hashCode()).orElse(1);
-            for (JointMove.Part part : move.parts()) {
+        private static long hash(int[] state, List<JointMove.Part> parts, int[] target) {
+            long hash = hash(state) * ODD + hash(target);
+            for (JointMove.Part part : parts) {
+                Transition transition = part.transition();
                 hash = mixed(hash) + part.automaton().slot();
-                hash = mixed(hash) + part.transition().source();
-                hash = mixed(hash) + part.transition().target();
+                hash = mixed(hash) + transition.source();
+                hash = mixed(hash) + transition.target();
+                hash = mixed(hash)
+                        + transition.synchronisation().map(sync -> sync.channel().name().hashCode()).orElse(1);
             }
             return hash;
         }

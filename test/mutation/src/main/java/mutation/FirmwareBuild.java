@@ -91,8 +91,11 @@ final class FirmwareBuild {
         Files.setLastModifiedTime(file, FileTime.from(Instant.now().plusSeconds(2)));
     }
 
-    /** Removes the copy and what was built. */
+    /** Removes a folder with all that is in it, if it is there. */
     static void delete(Path place) throws IOException {
+        if (Files.notExists(place)) {
+            return;
+        }
         try (Stream<Path> files = Files.walk(place)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.deleteIfExists(file);

@@ -22,6 +22,9 @@ final class Traces implements Part {
     private static final double GOAL = 0.98;
     private static final int USUAL = 40;
 
+    /** @param keys of its run */
+    private record Genuine(String name, List<String> lines, Path keys) {}
+
     private record Judged(TraceMutant mutant, String file, boolean refused) {}
 
     @Override
@@ -38,48 +41,46 @@ final class Traces implements Part {
     public void run(Options options, Report report) throws Exception {
         long wronglyRefused = 0;
         Map<String, List<Judged>> byOperator = new LinkedHashMap<>();
-        Map<String, List<String>> traces = traces(options);
-        for (Map.Entry<String, List<String>> trace : traces.entrySet()) {
-            if (refused(trace.getValue())) {
+        List<Genuine> traces = traces(options);
+        for (Genuine trace : traces) {
+            if (refused(trace.lines, trace.keys)) {
                 wronglyRefused++;
-                report.progress("%s is refused as it is", trace.getKey());
+                report.progress("%s is refused as it is", trace.name);
                 continue;
             }
-            Map<String, List<TraceMutant>> mutants = TraceMutants.of(trace.getValue(), options.seed()).stream()
+            Map<String, List<TraceMutant>> mutants = TraceMutants.of(trace.lines, options.seed()).stream()
                     .collect(Collectors.groupingBy(TraceMutant::operator, LinkedHashMap::new, Collectors.toList()));
             mutants.forEach((operator, all) -> byOperator.computeIfAbsent(operator, any -> new ArrayList<>())
                     .addAll(options.draw(all, USUAL).parallelStream()
-                            .map(mutant -> new Judged(mutant, trace.getKey(), refused(mutant.lines().get())))
+                            .map(mutant -> new Judged(mutant, trace.name, refused(mutant.lines().get(), trace.keys)))
                             .toList()));
-            report.progress("%s done", trace.getKey());
+            report.progress("%s done", trace.name);
         }
         describe(byOperator, traces.size(), options, report);
         report.never("genuine traces refused", wronglyRefused);
     }
 
     /** Traces of some time ago, which are the same each time, and one of what the firmware does now. */
-    private static Map<String, List<String>> traces(Options options) throws IOException, InterruptedException {
-        Map<String, List<String>> traces = new LinkedHashMap<>();
+    private static List<Genuine> traces(Options options) throws IOException, InterruptedException {
+        List<Genuine> traces = new ArrayList<>();
         for (Path file : files(options.root())) {
-            traces.put(file.getFileName().toString(), Files.readAllLines(file));
+            String name = file.getFileName().toString();
+            traces.add(new Genuine(name, Files.readAllLines(file),
+                    file.resolveSibling(name.replace(".jsonl", ".keys"))));
         }
+        Path folder = options.root().resolve("test/mutation/build/today");
+        FirmwareBuild.delete(folder);
         List<String> today = Collections.synchronizedList(new ArrayList<>());
-        Path folder = Files.createTempDirectory("javino-mutate");
-        try {
-            Conversation.Result result =
-                    Conversation.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
-            if (result.end() == Conversation.End.FAILED) {
-                throw new IllegalStateException("without a mistake: " + result.why());
-            }
-        } finally {
-            FirmwareBuild.delete(folder);
+        Conversation.Result result = Conversation.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
+        Files.write(folder.resolve("trace.jsonl"), today);
+        if (result.end() == Conversation.End.FAILED) {
+            throw new IllegalStateException("without a mistake: " + result.why());
         }
-        Files.write(options.root().resolve("test/mutation/build/today.jsonl"), today);
-        traces.put("today's firmware", today);
+        traces.add(new Genuine("today's firmware", today, Emulator.keys(folder)));
         return traces;
     }
 
-    /** Genuine traces, of runs whose boards had keys that everybody may know. */
+    /** Genuine traces, each beside the keys of its run, which everybody may know. */
     static List<Path> files(Path root) throws IOException {
         try (Stream<Path> files = Files.list(root.resolve("uppaal/replay/src/test/resources/traces"))) {
             return files.filter(file -> file.toString().endsWith(".jsonl")).sorted().toList();
@@ -87,8 +88,8 @@ final class Traces implements Part {
     }
 
     /** Whether the replay says no; a line that is none of a trace is refused too. */
-    static boolean refused(List<String> lines) {
-        Replay replay = new Replay();
+    private static boolean refused(List<String> lines, Path keys) {
+        Replay replay = new Replay(keys);
         try {
             lines.forEach(replay::line);
             replay.finish();
