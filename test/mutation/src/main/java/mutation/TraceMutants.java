@@ -222,14 +222,26 @@ final class TraceMutants {
         }
     }
 
-    /** A reset of a board that has no past, or an id that is known. */
+    /**
+     * Something that the model does not speak of, a reset of a board that has no past, or an id that is known or under
+     * which nothing is sent.
+     */
     private boolean tellsNothing(int line) {
         JsonObject event = genuine.events().get(line);
-        List<JsonObject> before = genuine.events().subList(0, line).stream()
-                .filter(other -> text(other, "board").equals(text(event, "board"))).toList();
-        return is(event, "reset") && before.stream().noneMatch(other -> text(other, "event").startsWith("rf-"))
-                || is(event, "host-id") && before.stream().anyMatch(
-                        other -> is(other, "host-id") && text(other, "id").equals(text(event, "id")));
+        List<JsonObject> before = of(text(event, "board"), genuine.events().subList(0, line));
+        List<JsonObject> after = of(text(event, "board"), genuine.events().subList(line + 1, lines.size()));
+        return switch (text(event, "event")) {
+            case "reset" -> before.stream().noneMatch(other -> text(other, "event").startsWith("rf-"));
+            case "host-id" -> before.stream()
+                    .anyMatch(other -> is(other, "host-id") && text(other, "id").equals(text(event, "id")))
+                    || after.stream().takeWhile(other -> !is(other, "host-id")).noneMatch(other -> is(other, "rf-tx"));
+            case "rf-tx", "rf-rx", "rf-damaged" -> false;
+            default -> !text(event, "event").startsWith("host-");
+        };
+    }
+
+    private static List<JsonObject> of(String board, List<JsonObject> events) {
+        return events.stream().filter(event -> text(event, "board").equals(board)).toList();
     }
 
     /** What a board itself does, in the order in which it does it. */
