@@ -105,4 +105,21 @@ class ModelMutantsTest {
                 LAMP.replace("const int MOST = 2;", "const int MOST = -1;"));
         assertEquals(Model.Fate.INVALID, MODEL.judge(negative, MODEL.sound()).fate());
     }
+
+    @Test
+    void judge_sameStatesButOtherMoves_survives() {
+        String back = "<transition><source ref=\"id1\"/><target ref=\"id0\"/></transition>";
+        String twoWays = LAMP.replace("on &lt; MOST", "").replace("on++", "").replace("<committed/>", "");
+        Model model = new Model("two.xml", twoWays, List.of(new Model.Scene(xml -> xml,
+                List.of(new Query("T1", true, "", "E<> Lamp.On", "")))));
+        ModelMutant oneWay = new ModelMutant("", "", twoWays.replace(back, ""));
+        assertEquals(Model.Fate.SURVIVED, model.judge(oneWay, model.sound()).fate());
+    }
+
+    @Test
+    void of_lastMutant_hasNothingOfThoseBeforeIt() {
+        String back = "<transition><source ref=\"id1\"/><target ref=\"id0\"/></transition>";
+        assertEquals(ModelMutants.with(LAMP.replace(back, ""), "system", same -> same),
+                mutant("Lamp, On -> Off []: removed").xml());
+    }
 }
