@@ -119,7 +119,8 @@ final class Firmware implements Part {
     /** Whether boards come to the line with the mistake; taken for granted where a trap cannot stand before it. */
     private static boolean isReached(FirmwareMutant mutant, String source, FirmwareBuild build)
             throws IOException, InterruptedException {
-        Optional<Path> program = build.with(mutant.file(), mutant.trapIn(source));
+        Optional<Path> program =
+                mutant.takesTrap() ? build.with(mutant.file(), mutant.trapIn(source)) : Optional.empty();
         if (program.isEmpty()) {
             return true;
         }

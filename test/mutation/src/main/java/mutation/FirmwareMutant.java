@@ -43,6 +43,11 @@ record FirmwareMutant(String file, int line, String right, String what, String w
         return with(source, wrong);
     }
 
+    /** Whether what stands before the line runs just before it: not outside of functions, nor before a branch. */
+    boolean takesTrap() {
+        return right.startsWith(" ") && !right.strip().matches("(\\}|case |default:).*");
+    }
+
     /** A source that crashes where the mistake would be. */
     String trapIn(String source) {
         return with(source, TRAP + right);

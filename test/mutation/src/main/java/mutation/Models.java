@@ -4,6 +4,8 @@ import campaign.Report;
 import campaign.Table;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -108,12 +110,17 @@ final class Models implements Part {
     }
 
     private static void survivors(List<Judged> all, Survivors known, Report report) {
-        String rows = all.stream().filter(each -> each.is(Model.Fate.SURVIVED))
-                .map(each -> "| " + Mutate.cell(each.toString()) + " | "
-                        + known.reason(each.toString()).orElse("") + " |")
-                .sorted().collect(Collectors.joining("\n"));
-        if (!rows.isEmpty()) {
-            report.text("Not noticed:\n\n| mutant | does no harm, since |\n| --- | --- |\n" + rows);
+        Map<String, List<String>> byPlace = new TreeMap<>();
+        all.stream().filter(each -> each.is(Model.Fate.SURVIVED)).forEach(each -> byPlace.computeIfAbsent("| "
+                + Mutate.cell(each.model.name() + ", " + each.mutant.place()) + " | %s | "
+                + known.reason(each.toString()).orElse("") + " |", any -> new ArrayList<>()).add(each.mutant.what()));
+        if (!byPlace.isEmpty()) {
+            report.text("Not noticed:\n\n| place | changes | do no harm, since |\n| --- | --- | --- |\n"
+                    + byPlace.entrySet().stream()
+                            .map(place -> place.getKey().replace("%s",
+                                    place.getValue().stream().sorted().map(Mutate::cell)
+                                            .collect(Collectors.joining("; "))))
+                            .collect(Collectors.joining("\n")));
         }
     }
 }

@@ -74,4 +74,12 @@ class FirmwareMutantTest {
         FirmwareMutant mutant = new FirmwareMutant("a/B.cpp", 2, "two();", "statement removed", "{}");
         assertTrue(mutant.trapIn("one();\ntwo();\n").matches("one\\(\\);\n__asm__.*; two\\(\\);\n"));
     }
+
+    @Test
+    void takesTrap_lineThatBeginsNoStatement_isFalse() {
+        for (String line : List.of("const int SLOTS = 6;", "  } else if (late) {", "    case 1: return 2;")) {
+            assertFalse(new FirmwareMutant("a/B.cpp", 1, line, "", "").takesTrap(), line);
+        }
+        assertTrue(new FirmwareMutant("a/B.cpp", 1, "  if (late) return;", "", "").takesTrap());
+    }
 }
