@@ -25,7 +25,7 @@ libclang-rt-dev          its fuzzer and sanitizers
 git                      a test asks it which files it ignores
 procps                   ends what Gradle has started, at Ctrl-C
 clang-format             holds the style of C and C++
-spin                     checks the model beside our checker
+python3                  the second checker of the models
 chromium                 the tests of the live page
 chromium-driver          drives it
 fonts-dejavu-core        letters for it

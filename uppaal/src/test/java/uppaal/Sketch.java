@@ -32,8 +32,8 @@ public final class Sketch {
 
     /**
      * Adds a template. Its locations are those that its edges name, the first one first;
-     * a name that ends in {@code !} is committed, one in {@code ~} urgent, and what stands in braces behind one, without spaces, is its
-     * invariant.
+     * a name that ends in {@code !} is committed, one in {@code ~} urgent, and what stands in braces behind one,
+     * without spaces, is its invariant.
      *
      * @param edges {@code a -> b; guard G; sync S; set A}, the last three optional
      */
@@ -57,6 +57,37 @@ public final class Sketch {
     public Document document() {
         String system = "system " + String.join(", ", templates.stream().map(Template::name).toList()) + ";";
         return new Document("sketch", declarations, templates, system);
+    }
+
+    /** The document as UPPAAL has it. */
+    public String xml() {
+        StringBuilder xml = new StringBuilder("<nta><declaration>" + escaped(declarations) + "</declaration>");
+        for (Template template : templates) {
+            xml.append("<template><name>").append(template.name()).append("</name>");
+            for (Location location : template.locations()) {
+                xml.append("<location id='").append(location.name()).append("'><name>").append(location.name())
+                        .append("</name>").append(label("invariant", location.invariant()))
+                        .append(location.committed() ? "<committed/>" : location.urgent() ? "<urgent/>" : "")
+                        .append("</location>");
+            }
+            xml.append("<init ref='").append(template.initial()).append("'/>");
+            for (Edge edge : template.edges()) {
+                xml.append("<transition><source ref='").append(edge.source()).append("'/><target ref='")
+                        .append(edge.target()).append("'/>").append(label("guard", edge.guard()))
+                        .append(label("synchronisation", edge.synchronisation()))
+                        .append(label("assignment", edge.assignment())).append("</transition>");
+            }
+            xml.append("</template>");
+        }
+        return xml + "<system>" + document().system() + "</system></nta>";
+    }
+
+    private static String label(String kind, String text) {
+        return text.isEmpty() ? "" : "<label kind='" + kind + "'>" + escaped(text) + "</label>";
+    }
+
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;");
     }
 
     /** The network. */

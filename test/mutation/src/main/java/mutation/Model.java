@@ -6,26 +6,34 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
 import uppaal.ModelException;
 import uppaal.check.Property;
 import uppaal.check.Query;
-import uppaal.check.QueryFile;
+import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
+import uppaal.report.Constants;
+import uppaal.report.Firmware;
+import uppaal.report.Scene;
 
 /**
  * A file with automata, and what is asked of them.
  *
- * @param name   of the file
- * @param xml    its text
- * @param scenes who runs together, with the queries about them; the quickest first
+ * @param name     of the file
+ * @param xml      its text
+ * @param settings who runs together, with the queries about them
+ * @param firmware whose numbers it must have
  */
-record Model(String name, String xml, List<Model.Scene> scenes) {
+record Model(String name, String xml, List<Model.Setting> settings, Firmware firmware) {
+
+    /** What notices a number that is no longer the firmware's. */
+    static final String FIRMWARE = "firmware";
 
     /** What became of a mutant. */
     enum Fate {
@@ -33,7 +41,7 @@ record Model(String name, String xml, List<Model.Scene> scenes) {
         INVALID,
         /** It has the states and moves of the model. */
         EQUIVALENT,
-        /** A verdict has changed, or a variable left its range. */
+        /** A verdict has changed, a variable left its range, or a number is not the firmware's. */
         KILLED,
         /** No property has noticed it. */
         SURVIVED
@@ -52,56 +60,47 @@ record Model(String name, String xml, List<Model.Scene> scenes) {
      * @param change  what is other than in the file
      * @param queries all that is asked
      */
-    record Scene(UnaryOperator<String> change, List<Query> queries) {
+    record Setting(UnaryOperator<String> change, List<Query> queries) {
+
+        /** A scene that `gradle model` checks. */
+        static Setting of(Scene scene, Path models) {
+            return new Setting(xml -> scene.text(xml, models), scene.queries(models));
+        }
 
         /** @throws ModelException where the model is none that our checker reads */
         Network network(String xml) {
-            try {
-                return NetworkBuilder.build(DocumentReader.read("",
-                        new ByteArrayInputStream(change.apply(xml).getBytes(StandardCharsets.UTF_8))));
-            } catch (IOException impossible) {
-                throw new UncheckedIOException(impossible);
-            }
+            return NetworkBuilder.build(document(change.apply(xml)));
         }
     }
 
-    /** All models of a folder. */
-    static List<Model> all(Path models) throws IOException {
-        String quiet = Files.readString(models.resolve("quiet.xml"));
-        Scene stays = new Scene(UnaryOperator.identity(), queries(models, "quiet.q", "stronger.q"));
+    /** All models. */
+    static List<Model> all(Path root) throws IOException {
+        Path models = root.resolve("uppaal/models");
+        Firmware firmware = Firmware.of(root.resolve("javino-firmware/src"));
+        String quiet = Files.readString(models.resolve(Scene.QUIET.model()));
         // What is wrong in the paper's automata may show only once their connection stays online.
-        Scene withoutLoss = new Scene(xml -> xml.replace(template(xml, "Connection"), template(quiet, "Connection")),
-                stays.queries);
-        return List.of(
-                read(models, "paper.xml",
-                        new Scene(UnaryOperator.identity(), queries(models, "paper.q", "stronger.q")), withoutLoss),
-                read(models, "quiet.xml", stays),
-                read(models, "renewal.xml", new Scene(UnaryOperator.identity(), queries(models, "renewal.q"))),
-                read(models, "delivery.xml", scene(models, "multicast", Map.of()),
-                        scene(models, "crossing", Map.of("MESSAGES", 1, "ATTEMPTS", 3)),
-                        scene(models, "bound", Map.of("MESSAGES", 1, "PATIENCE", 3, "DATA_TIME", 4, "ACK_TIME", 3)),
-                        scene(models, "unicast", Map.of())));
+        Setting withoutLoss = new Setting(
+                xml -> xml.replace(template(xml, "Connection"), template(quiet, "Connection")),
+                Scene.QUIET.queries(models));
+        Map<String, List<Setting>> settings = new LinkedHashMap<>();
+        for (Scene scene : Scene.ALL) {
+            settings.computeIfAbsent(scene.model(), any -> new ArrayList<>()).add(Setting.of(scene, models));
+        }
+        settings.get(Scene.PAPER.model()).add(withoutLoss);
+        List<Model> all = new ArrayList<>();
+        for (Map.Entry<String, List<Setting>> model : settings.entrySet()) {
+            all.add(new Model(model.getKey(), Files.readString(models.resolve(model.getKey())), model.getValue(),
+                    firmware));
+        }
+        return all;
     }
 
-    private static Model read(Path models, String name, Scene... scenes) throws IOException {
-        return new Model(name, Files.readString(models.resolve(name)), List.of(scenes));
-    }
-
-    private static List<Query> queries(Path models, String... files) {
-        return Stream.of(files).flatMap(file -> QueryFile.read(models.resolve(file)).stream()).toList();
-    }
-
-    /** Who runs is in a file of the scene's name; some constants are other than in the file. */
-    private static Scene scene(Path models, String name, Map<String, Integer> constants) throws IOException {
-        String system = Files.readString(models.resolve(name + ".system"));
-        return new Scene(xml -> {
-            String scene = ModelMutants.with(xml, "system", any -> system);
-            for (Map.Entry<String, Integer> constant : constants.entrySet()) {
-                scene = ModelMutants.with(scene, "declaration", text -> text.replaceFirst(
-                        "(const int " + constant.getKey() + " = )\\d+", "$1" + constant.getValue()));
-            }
-            return scene;
-        }, queries(models, name + ".q"));
+    private static Document document(String xml) {
+        try {
+            return DocumentReader.read("", new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
     }
 
     /** A template with all that is in it. */
@@ -116,8 +115,8 @@ record Model(String name, String xml, List<Model.Scene> scenes) {
      * @throws IllegalStateException where a verdict is not as expected even so
      */
     List<Behaviour> sound() {
-        return scenes.stream().map(scene -> {
-            Behaviour behaviour = Behaviour.of(scene.network(xml), scene.queries(), Integer.MAX_VALUE);
+        return settings.stream().map(setting -> {
+            Behaviour behaviour = Behaviour.of(setting.network(xml), setting.queries(), Integer.MAX_VALUE);
             behaviour.wrong().ifPresent(query -> {
                 throw new IllegalStateException(name + " without a mistake: " + query + " is not as expected");
             });
@@ -127,19 +126,26 @@ record Model(String name, String xml, List<Model.Scene> scenes) {
 
     /** @param sound what {@link #sound()} gives */
     Verdict judge(ModelMutant mutant, List<Behaviour> sound) {
+        try {
+            if (!Constants.differences(document(mutant.xml()), firmware).isEmpty()) {
+                return new Verdict(Fate.KILLED, FIRMWARE);
+            }
+        } catch (ModelException unreadable) {
+            return new Verdict(Fate.INVALID, unreadable.getMessage());
+        }
         boolean same = true;
-        for (int i = 0; i < scenes.size(); i++) {
+        for (int i = 0; i < settings.size(); i++) {
             Network network;
             try {
-                network = scenes.get(i).network(mutant.xml());
-                for (Query query : scenes.get(i).queries()) {
+                network = settings.get(i).network(mutant.xml());
+                for (Query query : settings.get(i).queries()) {
                     Property.parse(query.text(), network, query.where());
                 }
             } catch (ModelException unreadable) {
                 return new Verdict(Fate.INVALID, unreadable.getMessage());
             }
             // A mutant with many more states is another one anyway.
-            Behaviour behaviour = Behaviour.of(network, scenes.get(i).queries(), 4 * sound.get(i).states() + 1000);
+            Behaviour behaviour = Behaviour.of(network, settings.get(i).queries(), 4 * sound.get(i).states() + 1000);
             if (behaviour.wrong().isPresent()) {
                 return new Verdict(Fate.KILLED, behaviour.wrong().get());
             }

@@ -41,9 +41,10 @@ final class Models implements Part {
     @Override
     public void run(Options options, Report report) throws Exception {
         List<Judged> all = new ArrayList<>();
-        Table table = new Table("file", "mutants", "same states and moves", "others", "noticed", "by a range", "score",
+        Table table = new Table("file", "mutants", "same states and moves", "others", "noticed", "by a range",
+                "by the firmware", "score",
                 "survivors without a reason");
-        for (Model model : Model.all(options.root().resolve("uppaal/models"))) {
+        for (Model model : Model.all(options.root())) {
             List<Judged> judged = judge(model, options, report);
             all.addAll(judged);
             row(table, model.name(), judged, options.survivors());
@@ -53,9 +54,9 @@ final class Models implements Part {
             Each mutant is a model with one change: a part of a guard or an invariant negated or left out, another
             operator, a number greater or less by one, an assignment left out or changed, another channel or the other
             end of it, an edge removed or led to another location, a location no longer committed. It is *noticed* if
-            a query's verdict is not the expected one, or a variable leaves its range (*by a range*). Mutants that our
-            checker does not read are not counted; nor, in the score, are those that have the same states and moves
-            as the model. Of a model with more than %d mutants the seed has drawn so many.
+            a query's verdict is not the expected one, if a variable leaves its range (*by a range*), or if a number
+            is no longer the firmware's (*by the firmware*). Mutants that our checker does not read are not counted;
+            nor, in the score, are those that have the same states and moves as the model. Of a model with more than %d mutants the seed has drawn so many.
             """.formatted(options.mutants(USUAL)));
         report.table(table);
         survivors(all, options.survivors(), report);
@@ -91,8 +92,12 @@ final class Models implements Part {
         long valid = judged.stream().filter(each -> !each.is(Model.Fate.INVALID)).count();
         long same = judged.stream().filter(each -> each.is(Model.Fate.EQUIVALENT)).count();
         table.row(name, valid, same, valid - same, killed(judged),
-                judged.stream().filter(each -> each.verdict.by().equals(Behaviour.RANGE)).count(),
+                noticedBy(judged, Behaviour.RANGE), noticedBy(judged, Model.FIRMWARE),
                 Table.percent(killed(judged), valid - same), unexplained(judged, known));
+    }
+
+    private static long noticedBy(List<Judged> judged, String by) {
+        return judged.stream().filter(each -> each.is(Model.Fate.KILLED) && each.verdict.by().equals(by)).count();
     }
 
     private static long killed(List<Judged> judged) {

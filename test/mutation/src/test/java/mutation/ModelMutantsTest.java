@@ -10,12 +10,14 @@ import java.util.HashSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import uppaal.check.Query;
+import uppaal.report.Firmware;
 
 class ModelMutantsTest {
 
-    private static final Path MODELS = Path.of(System.getProperty("javino.root")).resolve("uppaal/models");
+    private static final Path ROOT = Path.of(System.getProperty("javino.root"));
+    private static final Firmware NO_NUMBERS = new Firmware(List.of());
     private static final String LAMP = """
-            <nta><declaration>const int MOST = 2; // 3 is too many
+            <nta><declaration>const int MOST = 2; // model: 3 are too many
             int[0,MOST] on; chan press, hold;</declaration>
             <template><name>Lamp</name>
             <location id="id0"><name>Off</name></location>
@@ -27,8 +29,9 @@ class ModelMutantsTest {
             </template>
             <system>system Lamp;</system></nta>
             """;
-    private static final Model MODEL = new Model("lamp.xml", LAMP, List.of(new Model.Scene(xml -> xml,
-            List.of(new Query("L1", true, "", "A[] on <= MOST", ""), new Query("L2", true, "", "E<> on == 2", "")))));
+    private static final Model MODEL = new Model("lamp.xml", LAMP, List.of(new Model.Setting(xml -> xml,
+            List.of(new Query("L1", true, "", "A[] on <= MOST", ""), new Query("L2", true, "", "E<> on == 2", "")))),
+            NO_NUMBERS);
 
     private static ModelMutant mutant(String named) {
         return ModelMutants.of(LAMP).stream().filter(mutant -> mutant.toString().equals(named)).findFirst()
@@ -58,7 +61,7 @@ class ModelMutantsTest {
 
     @Test
     void of_everyModel_givesMutantsThatDifferFromItAndFromEachOther() throws IOException {
-        for (Model model : Model.all(MODELS)) {
+        for (Model model : Model.all(ROOT)) {
             List<String> files = ModelMutants.of(model.xml()).stream().map(ModelMutant::xml).toList();
             assertTrue(files.size() > 100, model.name());
             assertEquals(files.size(), new HashSet<>(files).size());
@@ -110,8 +113,8 @@ class ModelMutantsTest {
     void judge_sameStatesButOtherMoves_survives() {
         String back = "<transition><source ref=\"id1\"/><target ref=\"id0\"/></transition>";
         String twoWays = LAMP.replace("on &lt; MOST", "").replace("on++", "").replace("<committed/>", "");
-        Model model = new Model("two.xml", twoWays, List.of(new Model.Scene(xml -> xml,
-                List.of(new Query("T1", true, "", "E<> Lamp.On", "")))));
+        Model model = new Model("two.xml", twoWays, List.of(new Model.Setting(xml -> xml,
+                List.of(new Query("T1", true, "", "E<> Lamp.On", "")))), NO_NUMBERS);
         ModelMutant oneWay = new ModelMutant("", "", twoWays.replace(back, ""));
         assertEquals(Model.Fate.SURVIVED, model.judge(oneWay, model.sound()).fate());
     }
@@ -121,5 +124,14 @@ class ModelMutantsTest {
         String back = "<transition><source ref=\"id1\"/><target ref=\"id0\"/></transition>";
         assertEquals(ModelMutants.with(LAMP.replace(back, ""), "system", same -> same),
                 mutant("Lamp, On -> Off []: removed").xml());
+    }
+
+    @Test
+    void judge_numberThatIsNotTheFirmwares_isKilled() {
+        String named = LAMP.replace("// model: 3 are too many", "// = LAMPS");
+        Model model = new Model("lamp.xml", named, MODEL.settings(),
+                new Firmware(List.of("static const uint8_t LAMPS = 2;")));
+        assertEquals(new Model.Verdict(Model.Fate.KILLED, Model.FIRMWARE),
+                model.judge(ModelMutants.of(named).get(0), model.sound()));
     }
 }

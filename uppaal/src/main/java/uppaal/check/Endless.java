@@ -8,9 +8,10 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Finds a run that begins somewhere and never comes to its goal: it ends where nothing can happen or nothing need, or it
- * goes round for ever. The run that it gives begins as near to the first state as any; from there it takes a shortest way
- * to such an end or round, and a shortest round. Rounds are found as strongly connected components (Tarjan, 1972).
+ * Finds a run that begins somewhere and never comes to its goal: it ends where nothing can happen or nothing need, or
+ * it goes round for ever. The run that it gives begins as near to the first state as any; from there it takes a
+ * shortest way to such an end or round, and a shortest round. Rounds are found as strongly connected components
+ * (Tarjan, 1972).
  */
 final class Endless {
     private static final int NOWHERE = -1;

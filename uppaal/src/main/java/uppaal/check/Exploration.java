@@ -103,7 +103,7 @@ public final class Exploration {
                 visit(number, state);
             }
         } catch (ArithmeticException overflow) {
-            throw new ModelException(network.file(), "a value does not fit 32 bits");
+            throw new ModelException(network.file(), "a value does not fit 32 bits, or is divided by 0");
         }
     }
 

@@ -5,13 +5,16 @@ import java.util.List;
 import uppaal.network.Slot;
 
 /**
- * A set of states, numbered in the order in which they came. Each takes as many bits as its slots' ranges need, in a few
- * {@code long}s of one large array, so that millions fit.
+ * A set of states, numbered in the order in which they came. Each takes as many bits as its slots' ranges need, in a
+ * few {@code long}s of one large array, so that millions fit.
  */
 public final class States {
     private static final int NOWHERE = -1;
 
-    /** For each slot: its least value, the {@code long} that holds it, the place of its lowest bit there, and its bits. */
+    /**
+     * For each slot: its least value, the {@code long} that holds it, the place of its lowest bit there, and its
+     * bits.
+     */
     private final int[] low;
     private final int[] word;
     private final int[] shift;

@@ -3,53 +3,55 @@ package uppaal.report;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
-import java.util.regex.Matcher;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import uppaal.ModelException;
+import uppaal.language.Expressions;
+import uppaal.language.Names;
+import uppaal.language.Term;
 
 /**
- * The numbers that the model takes from the firmware's sources.
+ * The numbers that the firmware's sources have names for: constants, macros and parameters' defaults. A name that has
+ * two values is refused; a value may be computed from others.
  *
- * @param folder {@code javino-firmware/src}
+ * @param sources the files' texts
  */
-record Firmware(Path folder) {
-    private static final int BIT_RATE = 2000;
+public record Firmware(List<String> sources) implements Names {
+    private static final String GIVEN = "(?:\\bu?int\\d+_t %1$s = ([^;,)]+)[;,)]|#define %1$s (\\w+))";
 
-    /**
-     * What the model's constants must be, by name.
-     *
-     * @param unit slots a unit of time
-     */
-    Map<String, Integer> constants(int unit) {
-        int span = number("delivery/Backoff.cpp", "LEAST_WINDOW = (\\d+);");
-        int doublings = number("delivery/Backoff.cpp", "LAST_DOUBLING = (\\d+);");
-        int slotBits = number("radio/AskRadio.cpp", "SLOT_BITS = (\\d+);");
-        int patience = number("delivery/Courier.cpp", "PATIENCE_MILLIS = (\\d+);") * BIT_RATE / (1000 * slotBits);
-        Map<String, Integer> constants = new LinkedHashMap<>();
-        constants.put("ATTEMPTS", number("delivery/Courier.cpp", "MAX_ATTEMPTS = (\\d+);"));
-        constants.put("PATIENCE", patience / unit);
-        constants.put("FIRST_SLOTS", up(number("delivery/Backoff.cpp", "FIRST_SLOTS = (\\d+);"), unit));
-        constants.put("FIRST_SPAN", up(span, unit));
-        constants.put("LAST_SPAN", up(span << doublings, unit));
-        constants.put("SENDS", number("Config.h", "define JAVINO_MULTICAST_SENDS (\\d+)"));
-        return constants;
-    }
-
-    private static int up(int slots, int unit) {
-        return (slots + unit - 1) / unit;
-    }
-
-    private int number(String file, String pattern) {
-        try {
-            Matcher matcher = Pattern.compile(pattern).matcher(Files.readString(folder.resolve(file)));
-            if (matcher.find()) {
-                return Integer.parseInt(matcher.group(1));
-            }
-            throw new ModelException(file, "there is no '" + pattern + "', which the model of delivery needs");
+    /** @param folder {@code javino-firmware/src} */
+    public static Firmware of(Path folder) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return new Firmware(files.filter(file -> file.toString().matches(".*\\.(h|cpp)")).sorted()
+                    .map(Firmware::read).toList());
         } catch (IOException problem) {
-            throw ModelException.unreadable(folder.resolve(file), problem);
+            throw ModelException.unreadable(folder, problem);
         }
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException problem) {
+            throw ModelException.unreadable(file, problem);
+        }
+    }
+
+    @Override
+    public Optional<Term> term(String name) {
+        Pattern given = Pattern.compile(String.format(GIVEN, name));
+        List<String> values = sources.stream().flatMap(source -> given.matcher(source).results())
+                .map(Firmware::value).distinct().toList();
+        if (values.size() > 1) {
+            throw new ModelException("the firmware's " + name, "it is given as " + String.join(" and as ", values));
+        }
+        return values.stream().findFirst().map(value -> Expressions.parse(value, this, "the firmware's " + name));
+    }
+
+    private static String value(MatchResult found) {
+        return found.group(1) == null ? found.group(2) : found.group(1);
     }
 }

@@ -1,9 +1,11 @@
 package uppaal.report;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import uppaal.ModelException;
 import uppaal.document.DocumentReader;
 
@@ -29,7 +31,8 @@ public final class Main {
             Path output = Path.of(arguments[1]);
             List<String> wrong = new ArrayList<>(run(new Suite(Path.of(arguments[0])), output, report));
             wrong.addAll(renew(Path.of(arguments[0]), output, report));
-            wrong.addAll(deliver(Path.of(arguments[0]), new Firmware(Path.of(arguments[2])), report));
+            wrong.addAll(deliver(Path.of(arguments[0]), output, report));
+            wrong.addAll(compare(Path.of(arguments[0]), Firmware.of(Path.of(arguments[2]))));
             wrong.forEach(System.err::println);
             System.exit(wrong.isEmpty() ? 0 : 1);
         } catch (ModelException | IOException problem) {
@@ -39,15 +42,14 @@ public final class Main {
     }
 
     /** Prints what is found of delivery; returns what is not as expected, a line each. */
-    static List<String> deliver(Path models, Firmware firmware, Report report) {
+    static List<String> deliver(Path models, Path folder, Report report) throws IOException {
         List<String> wrong = new ArrayList<>();
-        for (Scene scene : Scene.ALL) {
-            Check check = Check.of(scene.document(models), scene.queries(models));
-            report.scene(scene, check);
+        for (Scene scene : Scene.OF_DELIVERY) {
+            Check check = Check.of(scene, models, folder);
+            report.verdicts(check);
             wrong.addAll(check.disagreements());
         }
-        Scene unicast = Scene.ALL.get(0);
-        wrong.addAll(Scene.differences(unicast.document(models), firmware));
+        Scene unicast = Scene.OF_DELIVERY.get(0);
         for (Flaw flaw : Flaw.ALL) {
             report.flaw(flaw, flaw.counterexample(unicast.document(models), unicast.queries(models)));
         }
@@ -56,25 +58,32 @@ public final class Main {
 
     /** Prints what is found of the renewal of keys; returns what is not as expected, a line each. */
     static List<String> renew(Path models, Path folder, Report report) throws IOException {
-        Path model = models.resolve("renewal.xml");
-        Path queries = models.resolve("renewal.q");
-        Check check = Check.of(model, List.of(queries), folder.resolve("renewal"));
-        report.verdicts("The renewal of a key that three boards share", check);
+        Check check = Check.of(Scene.RENEWAL, models, folder);
+        report.verdicts(check);
         for (Flaw flaw : Flaw.OF_RENEWAL) {
-            report.flaw(flaw, flaw.counterexample(DocumentReader.read(model), check.queries()));
+            report.flaw(flaw, flaw.counterexample(Scene.RENEWAL.document(models), check.queries()));
         }
         return check.disagreements();
     }
 
+    /** Compares the constants of all models with the firmware's; returns what differs, a line each. */
+    static List<String> compare(Path models, Firmware firmware) throws IOException {
+        try (Stream<Path> files = Files.list(models)) {
+            return files.filter(file -> file.toString().endsWith(".xml")).sorted()
+                    .flatMap(file -> Constants.differences(DocumentReader.read(file), firmware).stream()).toList();
+        }
+    }
+
     /** Prints everything of the paper's network; returns what is not as expected, a line each. */
     static List<String> run(Suite suite, Path folder, Report report) throws IOException {
-        Check paper = Check.of(suite.paperModel(), suite.paperFiles(), folder.resolve("paper"));
-        Check quiet = Check.of(suite.quietModel(), suite.quietFiles(), folder.resolve("quiet"));
+        Check paper = Check.of(Scene.PAPER, suite.folder(), folder);
+        Check quiet = Check.of(Scene.QUIET, suite.folder(), folder);
         List<Kill> kills = Faults.ALL.stream().map(fault -> Kill.of(fault, suite)).toList();
-        report.verdicts("The network of the paper", paper);
+        report.verdicts(paper);
         report.counterexamples(paper);
         report.substance(Substance.of(paper.network(), paper.queries()));
-        report.verdicts("The same, with a connection that stays online", quiet);
+        report.readings(Reading.all(suite));
+        report.verdicts(quiet);
         report.kills(kills);
 
         List<String> wrong = new ArrayList<>(paper.disagreements());

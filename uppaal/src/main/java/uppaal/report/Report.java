@@ -13,22 +13,18 @@ final class Report {
         this.out = out;
     }
 
-    /** What each engine says of each query. */
-    void verdicts(String title, Check check) {
-        heading(title);
-        out.printf("%-6s%-10s%-10s%-10s%-10s%s%n", "", "expected", "checker", "SPIN", "verifyta", "says");
+    /** What each engine says of each query of a scene. */
+    void verdicts(Check check) {
+        heading(check.scene().title());
+        out.printf("%-6s%-10s%-10s%-10s%s%n", "", "expected", "checker", "verifyta", "says");
         for (int i = 0; i < check.queries().size(); i++) {
             int index = i;
             Query query = check.queries().get(i);
-            out.printf("%-6s%-10s%-10s%-10s%-10s%s%n", query.name(), Check.word(query.expected()),
+            out.printf("%-6s%-10s%-10s%-10s%s%n", query.name(), Check.word(query.expected()),
                     Check.word(check.own().holds(i)),
-                    check.spin().map(result -> Check.word(result.holds().get(index))).orElse("-"),
                     check.verifyta().map(verdicts -> Check.word(verdicts.get(index))).orElse("-"), query.sentence());
         }
-        out.printf("%-6s%-10s%-10d%s%n", "states", "", check.own().states(),
-                check.spin().map(result -> String.valueOf(result.states())).orElse("-"));
-        check.spin().ifPresentOrElse(found -> {},
-                () -> out.println("SPIN is not on the path (spin and gcc are needed)."));
+        out.printf("%-16s%d states%n", "", check.own().states());
         check.verifyta().ifPresentOrElse(found -> {}, () -> out.println("verifyta is not on the path."));
     }
 
@@ -52,6 +48,15 @@ final class Report {
         }
     }
 
+    /** What comes of other readings of the paper's text. */
+    void readings(List<Reading> readings) {
+        heading("Other readings of the paper's text");
+        out.printf("%-8s%-16s%s%n", "states", "failing", "what is other");
+        for (Reading reading : readings) {
+            out.printf("%-8d%-16s%s%n", reading.states(), names(reading.failing()), reading.sentence());
+        }
+    }
+
     /** Which queries notice which fault. */
     void kills(List<Kill> kills) {
         heading("Deliberate faults, and the properties that notice them");
@@ -63,19 +68,6 @@ final class Report {
         long missed = kills.stream().filter(kill -> kill.paper().isEmpty()).count();
         out.printf("%d faults; %d pass all eight properties of the paper; %d pass all.%n", kills.size(), missed,
                 kills.stream().filter(kill -> !kill.caught()).count());
-    }
-
-    /** What our checker says of a scene of delivery. */
-    void scene(Scene scene, Check check) {
-        heading("Delivery: " + scene.title());
-        out.printf("%-6s%-10s%-10s%s%n", "", "expected", "checker", "says");
-        for (int i = 0; i < check.queries().size(); i++) {
-            Query query = check.queries().get(i);
-            out.printf("%-6s%-10s%-10s%s%n", query.name(), Check.word(query.expected()),
-                    Check.word(check.own().holds(i)),
-                    query.sentence());
-        }
-        out.printf("%-16s%d states%n", "", check.own().states());
     }
 
     /** What one missing check of a board leads to. */

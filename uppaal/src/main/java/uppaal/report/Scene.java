@@ -1,13 +1,16 @@
 package uppaal.report;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import uppaal.ModelException;
 import uppaal.check.Query;
 import uppaal.check.QueryFile;
@@ -15,69 +18,105 @@ import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 
 /**
- * Some of the automata of {@code delivery.xml} together, with a query file of the same name.
+ * A model as it is checked: a file, perhaps with the instances of {@code NAME.system} and with other constants. The
+ * whole is written as one file, so that every tool gets the same.
  *
- * @param name of {@code NAME.system} and {@code NAME.q}
+ * @param model the file that it is made of
  * @param constants that are other than in the file
+ * @param queries the files of its queries, in the order in which they are asked
  */
-record Scene(String name, String title, Map<String, Integer> constants) {
+public record Scene(String name, String title, String model, Map<String, Integer> constants, List<String> queries) {
 
-    /** All of them. Where a frame's time on the air matters, it is that of the shortest message, rounded up. */
-    static final List<Scene> ALL = List.of(
-            new Scene("unicast", "Two unicasts, and an attacker", Map.of()),
-            new Scene("multicast", "Two multicasts, another group, and an attacker", Map.of()),
-            new Scene("crossing", "Two boards that send to each other at the same time (three attempts only)",
+    public static final Scene PAPER =
+            new Scene("paper", "The network of the paper", "paper.xml", Map.of(), List.of("paper.q", "stronger.q"));
+    public static final Scene QUIET = new Scene("quiet", "The same, with a connection that stays online", "quiet.xml",
+            Map.of(), List.of("quiet.q", "stronger.q"));
+    public static final Scene RENEWAL =
+            new Scene("renewal", "The renewal of a key that three boards share", "renewal.xml",
+                    Map.of(), List.of("renewal.q"));
+
+    /** Those of delivery. Where a frame's time on the air matters, it is that of the shortest message, rounded up. */
+    public static final List<Scene> OF_DELIVERY = List.of(
+            ofDelivery("unicast", "Two unicasts, and an attacker", Map.of()),
+            ofDelivery("multicast", "Two multicasts, another group, and an attacker", Map.of()),
+            ofDelivery("crossing", "Two boards that send to each other at the same time (three attempts only)",
                     Map.of("MESSAGES", 1, "ATTEMPTS", 3)),
-            new Scene("bound", "How long a unicast may take",
+            ofDelivery("bound", "How long a unicast may take",
                     Map.of("MESSAGES", 1, "PATIENCE", 3, "DATA_TIME", 4, "ACK_TIME", 3)));
+
+    /** All of them. */
+    public static final List<Scene> ALL =
+            Stream.concat(Stream.of(PAPER, QUIET, RENEWAL), OF_DELIVERY.stream()).toList();
+
+    private static final Pattern SYSTEM = Pattern.compile("<system>.*</system>", Pattern.DOTALL);
+
+    private static Scene ofDelivery(String name, String title, Map<String, Integer> constants) {
+        return new Scene(name, "Delivery: " + title, "delivery.xml", constants, List.of(name + ".q"));
+    }
+
+    /** This scene with another number for a constant. */
+    Scene with(String constant, int number) {
+        return new Scene(name, title, model, Stream.concat(constants.entrySet().stream(), Map.of(constant, number)
+                .entrySet().stream()).collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue,
+                        (before, after) -> after)),
+                queries);
+    }
+
+    /** The whole file. */
+    String text(Path models) {
+        return text(read(models.resolve(model)), models);
+    }
+
+    /** The whole file, if this is the text of the model. */
+    public String text(String of, Path models) {
+        String text = of;
+        Path system = models.resolve(name + ".system");
+        if (Files.exists(system)) {
+            String instances = read(system).replace("&", "&amp;").replace("<", "&lt;");
+            text = SYSTEM.matcher(text).replaceFirst(Matcher.quoteReplacement("<system>" + instances + "</system>"));
+        }
+        for (Map.Entry<String, Integer> constant : constants.entrySet()) {
+            Matcher declared = Pattern.compile("(const int " + constant.getKey() + " = )\\d+").matcher(text);
+            if (!declared.find()) {
+                throw new ModelException(model, "there is no constant " + constant.getKey());
+            }
+            text = declared.replaceFirst("$1" + constant.getValue());
+        }
+        return text;
+    }
 
     /** The document. */
     Document document(Path models) {
-        Document document = DocumentReader.read(models.resolve("delivery.xml"));
-        Path system = models.resolve(name + ".system");
         try {
-            document = document.withSystem(Files.readString(system));
-        } catch (IOException problem) {
-            throw ModelException.unreadable(system, problem);
+            return DocumentReader.read(name + ".xml",
+                    new ByteArrayInputStream(text(models).getBytes(StandardCharsets.UTF_8)));
+        } catch (IOException impossible) {
+            throw new IllegalStateException("an array of bytes cannot be read", impossible);
         }
-        for (Map.Entry<String, Integer> constant : constants.entrySet()) {
-            document = with(document, constant.getKey(), constant.getValue());
-        }
-        return document;
     }
 
     /** What is asked of it. */
-    List<Query> queries(Path models) {
-        return QueryFile.read(models.resolve(name + ".q"));
+    public List<Query> queries(Path models) {
+        return queries.stream().flatMap(file -> QueryFile.read(models.resolve(file)).stream()).toList();
     }
 
-    /** A document with another number for a constant. */
-    static Document with(Document document, String constant, int number) {
-        return document.withDeclarations(find(document, constant).replaceFirst("$1" + number));
+    /**
+     * Writes {@code NAME.xml} and {@code NAME.q}, for other tools.
+     *
+     * @return the folder's {@code NAME.xml}
+     */
+    Path write(Path models, Path folder) throws IOException {
+        Files.createDirectories(folder);
+        Files.writeString(folder.resolve(name + ".q"),
+                queries.stream().map(file -> read(models.resolve(file))).collect(Collectors.joining("\n")));
+        return Files.writeString(folder.resolve(name + ".xml"), text(models));
     }
 
-    /** What in a document is not as in the firmware; a line each. */
-    static List<String> differences(Document document, Firmware firmware) {
-        List<String> lines = new ArrayList<>();
-        firmware.constants(number(document, "UNIT")).forEach((constant, wanted) -> {
-            int found = number(document, constant);
-            if (found != wanted) {
-                lines.add(document.file() + ": " + constant + " is " + found + ", by the firmware's sources it must be "
-                        + wanted);
-            }
-        });
-        return lines;
-    }
-
-    private static int number(Document document, String constant) {
-        return Integer.parseInt(find(document, constant).group(2));
-    }
-
-    private static Matcher find(Document document, String constant) {
-        Matcher matcher = Pattern.compile("(const int " + constant + " = )(\\d+)").matcher(document.declarations());
-        if (!matcher.find()) {
-            throw new ModelException(document.file() + ", declaration", "there is no constant " + constant);
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException problem) {
+            throw ModelException.unreadable(file, problem);
         }
-        return matcher;
     }
 }

@@ -102,7 +102,7 @@ class ExplorationTest {
     @Test
     void explore_overflow_isSaid() {
         Network network = Sketch.of("int x = 2;").template("P", "a -> b; guard x * 2147483647 > 0").network();
-        assertEquals("sketch: a value does not fit 32 bits",
+        assertEquals("sketch: a value does not fit 32 bits, or is divided by 0",
                 assertThrows(ModelException.class, () -> explore(network)).getMessage());
     }
 

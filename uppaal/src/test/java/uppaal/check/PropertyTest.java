@@ -26,7 +26,8 @@ class PropertyTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-            "E[] P.b; a query that neither begins with A[], E<> or A<> nor has --> is outside the subset that this checker "
+            "E[] P.b; a query that neither begins with A[], E<> or A<> nor has --> is outside the subset that "
+                    + "this checker "
                     + "reads",
             "A<> deadlock; 'deadlock' with A<> or --> is outside the subset that this checker reads",
             "P.a --> not deadlock; 'deadlock' with A<> or --> is outside the subset that this checker reads",

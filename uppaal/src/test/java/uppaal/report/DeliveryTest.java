@@ -2,6 +2,7 @@ package uppaal.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -14,7 +15,9 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import uppaal.ModelException;
 import uppaal.check.Exploration;
+import uppaal.check.QueryFile;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 import uppaal.network.Network;
@@ -22,23 +25,22 @@ import uppaal.network.NetworkBuilder;
 
 class DeliveryTest {
     private static final Path MODELS = Path.of("models");
-    private static final Path FIRMWARE = Path.of("../javino-firmware/src");
 
     @TempDir
     private Path folder;
 
     @Test
-    void deliver_ourModels_areAsExpected() {
+    void deliver_ourModels_areAsExpected() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
-        assertEquals(List.of(), Main.deliver(MODELS, new Firmware(FIRMWARE), new Report(out)));
+        assertEquals(List.of(), Main.deliver(MODELS, folder, new Report(out)));
         for (Flaw flaw : Flaw.ALL) {
             assertTrue(printed.toString(StandardCharsets.UTF_8).contains(flaw.fault().sentence()), flaw.fault().name());
         }
     }
 
     @Test
-    void renew_ourModel_isAsExpectedForAllEngines() throws IOException {
+    void renew_ourModel_isAsExpected() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
         assertEquals(List.of(), Main.renew(MODELS, folder, new Report(out)));
@@ -54,7 +56,7 @@ class DeliveryTest {
     @Test
     void readme_scenesAndFaults_areThoseThatAreFound() throws IOException {
         String readme = Files.readString(Path.of("README.md"));
-        for (Scene scene : Scene.ALL) {
+        for (Scene scene : Scene.OF_DELIVERY) {
             int states = Exploration.of(NetworkBuilder.build(scene.document(MODELS)), List.of()).states();
             assertTrue(
                     readme.lines()
@@ -77,22 +79,28 @@ class DeliveryTest {
     @Test
     void bound_oneUnitLess_isExceeded() {
         Scene scene =
-                Scene.ALL.stream().filter(candidate -> candidate.name().equals("bound")).findFirst().orElseThrow();
-        Network network = NetworkBuilder.build(Scene.with(scene.document(MODELS), "BOUND", 192));
+                Scene.OF_DELIVERY.stream().filter(candidate -> candidate.name().equals("bound")).findFirst()
+                        .orElseThrow();
+        Network network = NetworkBuilder.build(scene.with("BOUND", 192).document(MODELS));
         assertFalse(Exploration.of(network, Check.properties(network, scene.queries(MODELS))).holds(0));
     }
 
     @Test
-    void differences_changedFirmware_areSaid() throws IOException {
-        for (String file : List.of("delivery/Courier.cpp", "delivery/Backoff.cpp", "radio/AskRadio.cpp", "Config.h")) {
-            Files.createDirectories(folder.resolve(file).getParent());
-            Files.writeString(folder.resolve(file), Files.readString(FIRMWARE.resolve(file))
-                    .replace("MAX_ATTEMPTS = 8", "MAX_ATTEMPTS = 9").replace("LAST_DOUBLING = 3", "LAST_DOUBLING = 2"));
+    void write_everyScene_isWholeAndTheSame() throws IOException {
+        for (Scene scene : Scene.OF_DELIVERY) {
+            Path written = scene.write(MODELS, folder);
+            assertEquals(scene.document(MODELS), DocumentReader.read(written));
+            assertEquals(scene.queries(MODELS).size(),
+                    QueryFile.read(folder.resolve(scene.name() + ".q")).size());
         }
-        Document document = Scene.ALL.get(0).document(MODELS);
-        assertEquals(List.of("delivery.xml: ATTEMPTS is 8, by the firmware's sources it must be 9",
-                "delivery.xml: LAST_SPAN is 16, by the firmware's sources it must be 8"),
-                Scene.differences(document, new Firmware(folder)));
-        assertEquals(List.of(), Scene.differences(document, new Firmware(FIRMWARE)));
+        Document bound = DocumentReader.read(folder.resolve("bound.xml"));
+        assertTrue(bound.declarations().contains("PATIENCE = 3;"), bound.declarations());
+        assertEquals(Files.readString(MODELS.resolve("bound.system")), bound.system());
+    }
+
+    @Test
+    void with_unknownConstant_isSaid() {
+        assertEquals("delivery.xml: there is no constant NONE", assertThrows(ModelException.class,
+                () -> Scene.OF_DELIVERY.get(0).with("NONE", 1).document(MODELS)).getMessage());
     }
 }

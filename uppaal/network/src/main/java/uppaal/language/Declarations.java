@@ -9,7 +9,8 @@ import uppaal.ModelException;
 
 /**
  * Parses declarations: {@code const int}, {@code const bool}, {@code int}, {@code int[low,high]}, {@code bool},
- * {@code clock}, and among the global ones {@code chan}, {@code broadcast} or {@code urgent} or both; of each also arrays of one dimension.
+ * {@code clock}, and among the global ones {@code chan}, {@code broadcast} or {@code urgent} or both; of each also
+ * arrays of one dimension.
  */
 public final class Declarations {
     private static final int INT_LOW = -32768;

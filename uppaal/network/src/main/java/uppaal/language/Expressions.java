@@ -4,9 +4,9 @@ import java.util.Optional;
 import uppaal.ModelException;
 
 /**
- * Parses expressions: {@code ?: imply || or && and == != < <= > >= + - * ! not}, parentheses, numbers, {@code true},
- * {@code false}, names and elements of arrays. UPPAAL gives {@code imply} and {@code ||} the same level, readers do not;
- * so an expression that chains {@code imply} with either, without parentheses, is refused.
+ * Parses expressions: {@code ?: imply || or && and == != < <= > >= << + - * / ! not}, parentheses, numbers, {@code
+ * true}, {@code false}, names and elements of arrays. UPPAAL gives {@code imply} and {@code ||} the same level,
+ * readers do not; so an expression that chains {@code imply} with either, without parentheses, is refused.
  */
 public final class Expressions {
     private final Tokens tokens;
@@ -148,7 +148,7 @@ public final class Expressions {
         try {
             return new Term.Constant(operator.apply(first.number(), second.number()));
         } catch (ArithmeticException overflow) {
-            throw new ModelException(tokens.where(), "a constant does not fit 32 bits");
+            throw new ModelException(tokens.where(), "a constant does not fit 32 bits, or is divided by 0");
         }
     }
 }

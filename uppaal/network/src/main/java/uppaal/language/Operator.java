@@ -59,27 +59,42 @@ public enum Operator {
             return truth(left >= right);
         }
     },
-    PLUS("+", 4) {
+    SHIFTED("<<", 4) {
+        @Override
+        public int apply(int left, int right) {
+            if (right < 0 || right >= Integer.SIZE - 1) {
+                throw new ArithmeticException("shifted by " + right);
+            }
+            return Math.multiplyExact(left, 1 << right);
+        }
+    },
+    PLUS("+", 5) {
         @Override
         public int apply(int left, int right) {
             return Math.addExact(left, right);
         }
     },
-    MINUS("-", 4) {
+    MINUS("-", 5) {
         @Override
         public int apply(int left, int right) {
             return Math.subtractExact(left, right);
         }
     },
-    TIMES("*", 5) {
+    TIMES("*", 6) {
         @Override
         public int apply(int left, int right) {
             return Math.multiplyExact(left, right);
         }
+    },
+    OVER("/", 6) {
+        @Override
+        public int apply(int left, int right) {
+            return left / right;
+        }
     };
 
     /** The level that binds most tightly. */
-    static final int TIGHTEST = 5;
+    static final int TIGHTEST = 6;
     private static final Map<String, Operator> WORDS = Map.of("or", OR, "and", AND);
 
     private final String symbol;
@@ -90,7 +105,7 @@ public enum Operator {
         this.level = level;
     }
 
-    /** @throws ArithmeticException when the result does not fit 32 bits */
+    /** @throws ArithmeticException when the result does not fit 32 bits, or there is none */
     public abstract int apply(int left, int right);
 
     /** As UPPAAL writes it. */

@@ -20,7 +20,8 @@ import uppaal.network.JointMove.Part;
  * <li>the sender's assignments come first, then the receivers' in the order of the system line;</li>
  * <li>no step leads to where an invariant is false, and time passes only as long as all invariants stay true;</li>
  * <li>while an automaton is at a committed location, only steps that leave a committed location are possible;</li>
- * <li>while one is at a committed or an urgent location, or a step on an urgent channel is possible, no time passes.</li>
+ * <li>while one is at a committed or an urgent location, or a step on an urgent channel is possible, no time
+ * passes.</li>
  * </ul>
  * Time passes in units, for all clocks at once that matter. Where each is already past all that it is compared with,
  * waiting changes nothing, and is no step: so a state from which nobody will ever move again is found as a deadlock.

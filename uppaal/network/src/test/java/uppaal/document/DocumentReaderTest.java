@@ -80,7 +80,8 @@ class DocumentReaderTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-            "<location id='a'><urgent/><committed/></location>            | location a: it is both urgent and committed",
+            "<location id='a'><urgent/><committed/></location>            | location a: it is both urgent and "
+                    + "committed",
             "<location id='a'/>                                           | it has no initial location",
             "<location id='a'/><init ref='x'/>                            | <init> points to 'x', which is no "
                     + "location of this template",

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -20,10 +21,13 @@ class ExpressionsTest {
         default -> Optional.empty();
     };
     private static final int[] STATE = {7, 0};
+    private static final Operator[] ALWAYS_DEFINED = Arrays.stream(Operator.values())
+            .filter(operator -> operator != Operator.OVER && operator != Operator.SHIFTED).toArray(Operator[]::new);
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-            "1 + 2 * 3; 7", "(1 + 2) * 3; 9", "10 - 3 - 2; 5", "-x + 10; 3", "- - 3; 3",
+            "1 + 2 * 3; 7", "(1 + 2) * 3; 9", "7 / 2 * 2; 6", "1 + x / 2; 4", "1 << 2 + 1; 8", "x << 1 < 15; 1",
+            "10 - 3 - 2; 5", "-x + 10; 3", "- - 3; 3",
             "x == 7 && y == 0; 1", "x == 7 and !(y == 1); 1", "not y; 1", "!y == 1; 1", "not y == 0; 0",
             "1 || 0 && 0; 1", "(1 || 0) && 0; 0", "0 or 1; 1", "x > 6; 1", "x >= 8; 0", "x < 7; 0", "x <= 7; 1",
             "x != 7; 0",
@@ -37,7 +41,9 @@ class ExpressionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-            "x / 2; here: expected the end, not '/'",
+            "x % 2; here: expected the end, not '%'",
+            "1 / 0; here: a constant does not fit 32 bits, or is divided by 0",
+            "1 << 31; here: a constant does not fit 32 bits, or is divided by 0",
             "x ? 1; here: expected ':', not the end",
             "x[y]; here: 'x[...]' with an index that is not constant is outside the subset that this checker reads",
             "x[0]; here: 'x[0]' has no value here",
@@ -55,7 +61,7 @@ class ExpressionsTest {
             "x @ 1; here: the character '@' is outside the subset that this checker reads",
             "x /* open; here: a comment is not closed",
             "99999999999; here: 99999999999 does not fit 32 bits",
-            "2147483647 + 1; here: a constant does not fit 32 bits"})
+            "2147483647 + 1; here: a constant does not fit 32 bits, or is divided by 0"})
     void parse_outsideTheSubset_saysWhereAndWhat(String text, String message) {
         ModelException refused = assertThrows(ModelException.class, () -> Expressions.parse(text, NAMES, "here"));
         assertEquals(message, refused.getMessage());
@@ -101,7 +107,7 @@ class ExpressionsTest {
             case 2 -> new Term.Choice(tree(random, depth - 1), tree(random, depth - 1), tree(random, depth - 1));
             case 0 -> new Term.Not(tree(random, depth - 1));
             case 1 -> new Term.Negative(tree(random, depth - 1));
-            default -> new Term.Binary(Operator.values()[random.nextInt(Operator.values().length)],
+            default -> new Term.Binary(ALWAYS_DEFINED[random.nextInt(ALWAYS_DEFINED.length)],
                     tree(random, depth - 1), tree(random, depth - 1));
         };
     }
