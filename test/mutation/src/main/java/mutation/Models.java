@@ -56,7 +56,8 @@ final class Models implements Part {
             end of it, an edge removed or led to another location, a location no longer committed. It is *noticed* if
             a query's verdict is not the expected one, if a variable leaves its range (*by a range*), or if a number
             is no longer the firmware's (*by the firmware*). Mutants that our checker does not read are not counted;
-            nor, in the score, are those that have the same states and moves as the model. Of a model with more than %d mutants the seed has drawn so many.
+            nor, in the score, are those that have the same states and moves as the model. Of a model with more than
+            %d mutants the seed has drawn so many.
             """.formatted(options.mutants(USUAL)));
         report.table(table);
         survivors(all, options.survivors(), report);
