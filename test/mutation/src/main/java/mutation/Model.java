@@ -7,10 +7,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import uppaal.ModelException;
 import uppaal.check.Property;
 import uppaal.check.Query;
@@ -134,7 +136,10 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
             return new Verdict(Fate.INVALID, unreadable.getMessage());
         }
         boolean same = true;
-        for (int i = 0; i < settings.size(); i++) {
+        // The quickest first: most mutants need no other.
+        List<Integer> order = IntStream.range(0, settings.size()).boxed()
+                .sorted(Comparator.comparingInt(i -> sound.get(i).states())).toList();
+        for (int i : order) {
             Network network;
             try {
                 network = settings.get(i).network(mutant.xml());
