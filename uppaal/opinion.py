@@ -342,7 +342,7 @@ class Exploration:
         text = text.strip()
         if '-->' in text:
             before, goal = (self.truth(part) for part in text.split('-->'))
-            return not any(each in self.lost(goal) for each, begins in enumerate(before) if begins)
+            return self.lost(goal).isdisjoint(each for each, begins in enumerate(before) if begins)
         truth = self.truth(text[3:])
         if text.startswith('A<>'):
             return 0 not in self.lost(truth)

@@ -39,7 +39,7 @@ record Flaw(Fault fault, String query) {
             new Flaw(new Fault("endless patience", "a sender waits for ever for its last acknowledgement",
                     Fault.removed("Sender", "Awaiting -> Idle")), "D5"));
 
-    /** One for each condition of the steps in which a key is renewed. */
+    /** One for each condition of the steps in which a key is renewed or deleted. */
     static final List<Flaw> OF_RENEWAL = List.of(
             new Flaw(guard("seal too early", "a board seals with the next key before all accept it",
                     "Board", "Accepts -> Seals", "accepting == BOARDS && ", ""), "R1"),
@@ -47,7 +47,20 @@ record Flaw(Fault fault, String query) {
                     "Board", "Seals -> Finished", "sealing == BOARDS", ""), "R1"),
             new Flaw(guard("never busy",
                     "a board takes the next key into use though a message sealed with the old one is under way",
-                    "Board", "Accepts -> Seals", " && underWay != OLD", ""), "R1"));
+                    "Board", "Accepts -> Seals", " && underWay[me] != OLD", ""), "R1"),
+            new Flaw(assignment("current key first",
+                    "a board deletes its current key before the next one, which a loss of power then brings into use",
+                    "Accepts -> Leaving", "second[me] = NOTHING", "current[me] = second[me], second[me] = NOTHING"),
+                    "R1"),
+            new Flaw(assignment("gone in word only", "a board says that its keys are deleted, and they are not",
+                    "Leaving -> Gone", "current[me] = NOTHING, ", ""), "R1"),
+            new Flaw(assignment("sent to nobody", "a board that deletes a key goes on with what is sealed with it",
+                    "Leaving -> Gone", "underWay[me] = NOTHING, ", ""), "R2"));
+
+    private static Fault assignment(String name, String sentence, String path, String from, String to) {
+        return new Fault(name, sentence,
+                Fault.edge("Board", path, edge -> edge.withAssignment(edge.assignment().replace(from, to))));
+    }
 
     private static Fault guard(String name, String sentence, String template, String path, String from, String to) {
         return new Fault(name, sentence,

@@ -59,11 +59,16 @@ public final class Main {
     /** Prints what is found of the renewal of keys; returns what is not as expected, a line each. */
     static List<String> renew(Path models, Path folder, Report report) throws IOException {
         Check check = Check.of(Scene.RENEWAL, models, folder);
+        Check ended = Check.of(Scene.ROLLOVER, models, folder);
         report.verdicts(check);
+        report.counterexamples(check);
+        report.verdicts(ended);
         for (Flaw flaw : Flaw.OF_RENEWAL) {
             report.flaw(flaw, flaw.counterexample(Scene.RENEWAL.document(models), check.queries()));
         }
-        return check.disagreements();
+        List<String> wrong = new ArrayList<>(check.disagreements());
+        wrong.addAll(ended.disagreements());
+        return wrong;
     }
 
     /** Compares the constants of all models with the firmware's; returns what differs, a line each. */

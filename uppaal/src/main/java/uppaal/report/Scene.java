@@ -32,8 +32,12 @@ public record Scene(String name, String title, String model, Map<String, Integer
     public static final Scene QUIET = new Scene("quiet", "The same, with a connection that stays online", "quiet.xml",
             Map.of(), List.of("quiet.q", "stronger.q"));
     public static final Scene RENEWAL =
-            new Scene("renewal", "The renewal of a key that three boards share", "renewal.xml",
+            new Scene("renewal", "The renewal and the deletion of a key that three boards share", "renewal.xml",
                     Map.of(), List.of("renewal.q"));
+
+    /** So that the boards come to an end: each takes up one message, of one attempt. */
+    public static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
+            Map.of("MESSAGES", 1, "ATTEMPTS", 1), List.of("rollover.q"));
 
     /** Those of delivery. Where a frame's time on the air matters, it is that of the shortest message, rounded up. */
     public static final List<Scene> OF_DELIVERY = List.of(
@@ -46,7 +50,7 @@ public record Scene(String name, String title, String model, Map<String, Integer
 
     /** All of them. */
     public static final List<Scene> ALL =
-            Stream.concat(Stream.of(PAPER, QUIET, RENEWAL), OF_DELIVERY.stream()).toList();
+            Stream.concat(Stream.of(PAPER, QUIET, RENEWAL, ROLLOVER), OF_DELIVERY.stream()).toList();
 
     private static final Pattern SYSTEM = Pattern.compile("<system>.*</system>", Pattern.DOTALL);
 
