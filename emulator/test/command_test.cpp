@@ -79,6 +79,20 @@ TEST(Command, mistakes_are_one_line_and_status_2) {
   Outcome outcome = run(scratch, {"s.json", "--trace", "none/trace"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err, "javino-emulator: --trace none/trace: No such file or directory\n");
+  outcome = run(scratch, {"s.json", "--keys", "none/keys"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err, "javino-emulator: --keys none/keys: No such file or directory\n");
+}
+
+TEST(Command, keys_are_added_to_a_file_that_only_its_user_can_read) {
+  Scratch scratch;
+  write_scenario(scratch, "blink");
+  scratch.write("keys", "# of an earlier run\n");
+  EXPECT_EQ(run(scratch, {"s.json", "--duration", "0.01", "--keys", "keys"}).status, 0);
+  EXPECT_EQ(read_text(scratch.path("keys")), "# of an earlier run\n");
+  struct stat status;
+  ASSERT_EQ(stat(scratch.path("keys").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0600u);
 }
 
 TEST(Command, a_crashed_program_is_status_1) {

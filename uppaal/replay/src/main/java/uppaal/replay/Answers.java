@@ -12,7 +12,7 @@ final class Answers {
     static final int STALE = 16;
     /** The proof's type for each length of the message. */
     private static final Map<Integer, Integer> TYPES = Map.of(DELIVERED, 6, PIECES, 7, STALE, 8);
-    /** How long pieces may be older than the frame, and one of them lacking, in seconds: a receiver waits 5 s for new ones. */
+    /** How much older than a frame its pieces may be, in seconds: a forged one waits 5 s for new ones. */
     private static final double KEPT = 6;
     /** How far a floor is above what it was written for. */
     private static final int MOST_ABOVE = 31;
@@ -32,7 +32,7 @@ final class Answers {
     /** Whether an acknowledgement may answer a frame. */
     static boolean mayMean(Payload payload, Frame frame) {
         return frame.isSealed() && (frame.isUnicast() || payload.message().length == STALE)
-                && Payload.lastBits(frame.nonceHex()) == payload.answered()
+                && Payload.lastBits(frame.nonceHex) == payload.answered()
                 && Payload.concerns(frame.destination, payload.origin());
     }
 

@@ -3,19 +3,17 @@ package uppaal.replay;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.Deque;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards seal
- * is opened if the run's keys are known. Strangers may send anything; it is only remembered.
+ * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards
+ * seal is opened if the run's keys are known. Strangers may send anything; it is only remembered.
  */
 final class Bytes {
     /** Packets of which somebody may still hear the end. */
@@ -28,29 +26,28 @@ final class Bytes {
 
     private record Packet(String board, Payload payload, double start) {}
 
-    private final Keys keys;
+    private final Opener opener;
     private final Map<String, Desk> desks = new LinkedHashMap<>();
     /** Frames of our boards by origin and nonce, and broadcasts by what they begin with. */
     private final Map<String, Frame> frames = new Recent<>();
     /** What strangers have begun. */
     private final Map<String, Frame> strange = new Recent<>();
     private final Deque<Packet> packets = new ArrayDeque<>();
-    private int opened;
     private int proofs;
 
     /** @param keys those of the run; null where they are not known */
     Bytes(Keys keys) {
-        this.keys = keys;
+        opener = new Opener(keys, desks.values());
     }
 
     /** How much was checked, if that took keys. */
     String checked() {
-        return keys == null ? "" : ", " + opened + " messages opened, " + proofs + " proofs";
+        return !opener.hasKeys() ? "" : ", " + opener.opened() + " messages opened, " + proofs + " proofs";
     }
 
     /** Text of somebody else's in one short line. */
     static String shown(String text) {
-        String line = text.replaceAll("\\p{Cntrl}", "?");
+        String line = text.replaceAll("[\\p{Cc}\\p{Zl}\\p{Zp}\\uFFFD]", "?");
         return line.length() <= MOST_SHOWN ? line : line.substring(0, MOST_SHOWN) + "…";
     }
 
@@ -88,7 +85,7 @@ final class Bytes {
         if (event.fields().has("hex")) {
             return HexFormat.of().parseHex(event.text("hex"));
         }
-        return keys == null && !event.fields().has("content") ? null
+        return !opener.hasKeys() && !event.fields().has("content") ? null
                 : event.text("content").getBytes(StandardCharsets.UTF_8);
     }
 
@@ -117,7 +114,7 @@ final class Bytes {
     /** A board of ours sends a frame, or its first piece. */
     private void first(Desk desk, Frame frame, Payload payload) throws RefusedException {
         checkForm(desk, frame, payload);
-        Frame known = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex())
+        Frame known = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex)
                 : frame.pieceId >= 0 ? desk.cut.get(frame.pieceId) : null;
         if (known != null && known.isSame(frame)) {
             return;
@@ -129,7 +126,7 @@ final class Bytes {
         if (frame.pieceId < 0 && frame.isBroadcast() && isAgain(desk, frame)) {
             return;
         }
-        Desk.Asked asked = asked(desk, frame);
+        Desk.Asked asked = opener.asked(desk, frame);
         if (frame.isSealed()) {
             desk.checkNonce(frame, asked.frame);
         }
@@ -138,7 +135,7 @@ final class Bytes {
         }
         desk.take(asked, frame);
         desk.lastBroadcast = frame.isBroadcast() ? frame : desk.lastBroadcast;
-        frames.put(frame.origin + (frame.isSealed() ? frame.nonceHex() : HexFormat.of().formatHex(frame.first)), frame);
+        frames.put(frame.origin + (frame.isSealed() ? frame.nonceHex : HexFormat.of().formatHex(frame.first)), frame);
     }
 
     private static boolean isAgain(Desk desk, Frame frame) {
@@ -151,18 +148,26 @@ final class Bytes {
     }
 
     private static void checkForm(Desk desk, Frame frame, Payload payload) throws RefusedException {
-        String wrong = frame.length == 0 || !frame.origin.equals(payload.origin()) ? "no header of a frame of its own"
-                : frame.isSealed() && frame.contentLength() < 0 ? "no room for nonce and tag"
-                        : payload.isPiece() && frame.length <= Payload.PART + Frame.HEADER
-                                ? "a frame that fits one packet"
-                                : payload.isPiece() && frame.first.length != Payload.PART
-                                        ? frame.first.length + " bytes, not 67"
-                                        : payload.isPiece() && payload.asks() && !frame.isUnicast()
-                                                ? "a wish for an answer, though to many"
-                                                : "";
+        String wrong = wrongForm(frame, payload);
         if (!wrong.isEmpty()) {
             throw new RefusedException(desk.name + " sends a " + payload.kind() + " with " + wrong);
         }
+    }
+
+    private static String wrongForm(Frame frame, Payload payload) {
+        if (frame.length == 0 || !frame.origin.equals(payload.origin())) {
+            return "no header of a frame of its own";
+        }
+        if (frame.isSealed() && frame.contentLength() < 0) {
+            return "no room for nonce and tag";
+        }
+        if (payload.isPiece() && frame.length <= Payload.PART + Frame.HEADER) {
+            return "a frame that fits one packet";
+        }
+        if (payload.isPiece() && frame.first.length != Payload.PART) {
+            return frame.first.length + " bytes; expected " + Payload.PART;
+        }
+        return payload.isPiece() && payload.asks() && !frame.isUnicast() ? "a wish for an answer, though to many" : "";
     }
 
     /** A board of ours sends a further piece of a frame. */
@@ -181,119 +186,21 @@ final class Bytes {
         }
     }
 
-    /** Which of the messages that its host wants to be sent this is. Finds out all about the frame. */
-    private Desk.Asked asked(Desk desk, Frame frame) throws RefusedException {
-        List<Desk.Asked> able = desk.askedFor(frame.destination);
-        if (able.isEmpty()) {
-            throw new RefusedException(desk.name + " sends a message to " + frame.destination
-                    + "; expected that its host asks for it first");
-        }
-        for (Desk.Asked asked : able) {
-            if (asked.content != null && asked.content.length > 0 && isInTheClear(frame, asked.content)) {
-                throw new RefusedException(desk.name + " sends a message to " + frame.destination
-                        + " in the clear: " + shown(asked.content) + "; expected it sealed");
-            }
-        }
-        List<SharedKey> shared = frame.isSealed() && keys != null ? keysOf(frame) : List.of();
-        Optional<Desk.Asked> found = able.stream().filter(asked -> isOf(asked, frame, shared)).findFirst();
-        if (found.isEmpty() && keys != null && frame.isSealed() && keys.refresh()) {
-            return asked(desk, frame);
-        }
-        if (found.isPresent()) {
-            opened += frame.key == null ? 0 : 1;
-            return found.get();
-        }
-        throw wrong(desk, frame, able, shared);
-    }
-
-    private static boolean isInTheClear(Frame frame, byte[] content) {
-        return frame.isSealed() && Stream.of(Frame.HEADER, Frame.CONTENT).anyMatch(from -> {
-            int length = Math.min(content.length, frame.first.length - from);
-            return length > 0 && Arrays.equals(frame.first, from, from + length, content, 0, length);
-        });
-    }
-
-    /** Whether a frame is what is made of a message. Without keys only its length tells. */
-    private boolean isOf(Desk.Asked asked, Frame frame, List<SharedKey> shared) {
-        if (asked.content == null || frame.isSealed() && keys == null) {
-            frame.content = asked.content;
-            return asked.content == null || asked.content.length == frame.contentLength();
-        }
-        if (asked.content.length != frame.contentLength()) {
-            return false;
-        }
-        if (frame.isBroadcast()) {
-            byte[] header = Payload.header(frame.destination, frame.origin, asked.content.length);
-            return is(frame, SharedKey.join(header, asked.content), null, asked.content);
-        }
-        return shared.stream().anyMatch(key -> is(frame,
-                key.seal(frame.destination, frame.origin, frame.nonce(), asked.content), key, asked.content));
-    }
-
-    private static boolean is(Frame frame, byte[] whole, SharedKey key, byte[] content) {
-        if (!Arrays.equals(whole, 0, frame.first.length, frame.first, 0, frame.first.length)) {
-            return false;
-        }
-        frame.bytes = whole;
-        frame.key = key;
-        frame.content = content;
-        return true;
-    }
-
-    private List<SharedKey> keysOf(Frame frame) {
-        return keys.of(addresses(frame.origin), addresses(frame.destination));
-    }
-
-    /** What else the board with this address was called. */
-    private Collection<String> addresses(String address) {
-        return desks.values().stream().filter(desk -> desk.ids.contains(address)).findFirst().map(desk -> desk.ids)
-                .orElse(Set.of(address));
-    }
-
-    /** Why a frame is none of the messages that the host has asked for. */
-    private RefusedException wrong(Desk desk, Frame frame, List<Desk.Asked> able, List<SharedKey> shared) {
-        Desk.Asked next = able.get(0);
-        String why = " that opens under none of the " + shared.size() + " keys for it";
-        if (able.stream().noneMatch(asked -> asked.content.length == frame.contentLength())) {
-            why = " with a content of " + frame.contentLength() + " bytes; expected " + next.content.length;
-        } else if (frame.isBroadcast()) {
-            why = " that says " + shown(frame.content) + "; expected " + shown(next.content);
-        } else if (shared.isEmpty()) {
-            why = ", and no key was given for " + frame.origin + " and " + frame.destination;
-        } else {
-            for (SharedKey key : shared) {
-                Optional<byte[]> said = frame.bytes == null ? Optional.empty() : key.open(frame.bytes);
-                if (said.isPresent()) {
-                    why = " that says " + shown(said.get()) + "; expected " + shown(next.content);
-                }
-                if (able.stream().anyMatch(asked -> hasWrongTag(frame, key, asked.content))) {
-                    why = " with a wrong tag; expected that of " + shown(next.content);
-                }
-            }
-        }
-        return new RefusedException(desk.name + " sends a message to " + frame.destination
-                + (frame.isSealed() ? " under nonce " + frame.nonceHex() : "") + why);
-    }
-
-    private static boolean hasWrongTag(Frame frame, SharedKey key, byte[] content) {
-        byte[] right = key.seal(frame.destination, frame.origin, frame.nonce(), content);
-        int end = Math.min(frame.length - SharedKey.TAG, frame.first.length);
-        return right.length == frame.length && Arrays.equals(right, 0, end, frame.first, 0, end);
-    }
-
     /** A stranger begins to send a frame: one of ours again, or anything. */
     private void remember(Payload payload, double start) {
         Frame frame = payload.index() == 0 ? new Frame(payload, start) : null;
-        if (frame == null || frame.length == 0 || frame.isSealed() && frame.contentLength() < 0) {
+        boolean isWhole = frame != null && frame.length != 0
+                && (frame.isBroadcast() || frame.contentLength() >= 0 && !frame.nonceHex.isEmpty());
+        if (!isWhole) {
             return;
         }
-        Frame ours = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex()) : null;
+        Frame ours = frame.isSealed() ? frames.get(frame.origin + frame.nonceHex) : null;
         if (ours != null && ours.isSame(frame)) {
             return;
         }
-        if (frame.isSealed() && keys != null && frame.bytes != null) {
-            keys.refresh();
-            frame.content = keysOf(frame).stream().flatMap(key -> key.open(frame.bytes).stream()).findFirst()
+        if (frame.isSealed() && opener.hasKeys() && frame.bytes != null) {
+            opener.refresh();
+            frame.content = opener.keysOf(frame).stream().flatMap(key -> key.open(frame.bytes).stream()).findFirst()
                     .orElse(null);
             frame.isForged = frame.content == null;
         }
@@ -318,9 +225,9 @@ final class Bytes {
     private void answer(Desk desk, Payload payload, double start) throws RefusedException {
         List<Frame> meant = Stream.of(frames, strange).flatMap(known -> known.values().stream())
                 .filter(frame -> Answers.mayMean(payload, frame)).toList();
-        List<Frame> proved = keys == null ? meant : proved(payload, meant);
+        List<Frame> proved = !opener.hasKeys() ? meant : proved(payload, meant);
         if (desk.isNamed()) {
-            proofs += keys == null ? 0 : 1;
+            proofs += !opener.hasKeys() ? 0 : 1;
             Answers.check(desk, payload, start, meant, proved);
             if (payload.message().length == Answers.STALE) {
                 Answers.checkFloor(desk, payload, proved, frames.values());
@@ -335,9 +242,10 @@ final class Bytes {
     }
 
     private List<Frame> proved(Payload payload, List<Frame> meant) {
-        List<Frame> proved = meant.stream().filter(frame -> (frame.key != null ? List.of(frame.key) : keysOf(frame))
-                .stream().anyMatch(key -> Answers.isProof(key, payload, frame))).toList();
-        return proved.isEmpty() && keys.refresh() ? proved(payload, meant) : proved;
+        List<Frame> proved =
+                meant.stream().filter(frame -> (frame.key != null ? List.of(frame.key) : opener.keysOf(frame))
+                        .stream().anyMatch(key -> Answers.isProof(key, payload, frame))).toList();
+        return proved.isEmpty() && opener.refresh() ? proved(payload, meant) : proved;
     }
 
     /** A board hands its host a message: what was said, and to whom. */
@@ -359,8 +267,12 @@ final class Bytes {
     }
 
     private static boolean isHanded(Frame frame, Event event) {
-        String nonce = frame.nonceHex();
         return frame.origin.equals(event.text("origin")) && frame.destination.equals(event.text("destination"))
-                && event.text("id").equals(frame.isBroadcast() ? NO_ID : nonce.substring(4, 6) + nonce.substring(8));
+                && event.text("id").equals(frame.isBroadcast() ? NO_ID : id(frame.nonceHex));
+    }
+
+    /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
+    private static String id(String nonce) {
+        return nonce.substring(4, 6) + nonce.substring(8);
     }
 }

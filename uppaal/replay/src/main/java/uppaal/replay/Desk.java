@@ -2,13 +2,12 @@ package uppaal.replay;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** What is known of a board: what its host wants to be sent, what it has sealed and cut, and which pieces it may have. */
+/** What is known of a board: what its host wants to be sent, what it has sealed and cut, which pieces it may have. */
 final class Desk {
     private static final int IDS = 64;
     private static final int COUNTER_BITS = 24;
@@ -40,13 +39,13 @@ final class Desk {
     double greetedAt = -1;
     private final List<Asked> waiting = new ArrayList<>();
     private final Map<String, Asked> current = new HashMap<>();
-    private final Set<String> stale = new HashSet<>();
     private long highest = -1;
     private long epoch = -1;
     /** As its host knows it since the last reset; negative where that does not. */
     private long told = -1;
-    private long leastEpoch;
+    private long leastEpoch = 1;
     private int lastId = -1;
+    private boolean wasStale;
 
     Desk(String name) {
         this.name = name;
@@ -68,7 +67,7 @@ final class Desk {
         current.clear();
         cut.clear();
         pieces.clear();
-        stale.clear();
+        wasStale = false;
     }
 
     void ask(Asked asked) {
@@ -106,7 +105,7 @@ final class Desk {
     /** One of its frames is known to be stale. It seals that anew, and then perhaps sends others before. */
     void goOnAbove(Frame frame) {
         frame.isStale = true;
-        stale.add(frame.nonceHex());
+        wasStale = true;
     }
 
     /** Its host knows its epoch: another one after each boot. */
@@ -143,7 +142,7 @@ final class Desk {
 
     /** Each frame that is cut has the next id. */
     void checkId(Frame frame) throws RefusedException {
-        if (lastId >= 0 && stale.isEmpty() && frame.pieceId != (lastId + 1) % IDS) {
+        if (lastId >= 0 && !wasStale && frame.pieceId != (lastId + 1) % IDS) {
             throw new RefusedException(name + " cuts a frame into pieces with id " + frame.pieceId + "; expected "
                     + (lastId + 1) % IDS);
         }

@@ -15,6 +15,8 @@ final class Frame {
 
     final String origin;
     final String destination;
+    /** In hexadecimal digits; of a broadcast empty. */
+    final String nonceHex;
     final int length;
     /** What its first packet has of it: all, or the first piece. */
     final byte[] first;
@@ -42,6 +44,7 @@ final class Frame {
         origin = whole.origin();
         destination = whole.destination();
         length = Payload.lengthIn(this.first);
+        nonceHex = isSealed() && this.first.length >= CONTENT ? HexFormat.of().formatHex(nonce()) : "";
         pieceId = first.isPiece() ? first.pieceId() : -1;
         bytes = first.isPiece() ? null : this.first;
         content = first.isPiece() || isSealed() ? null : Arrays.copyOfRange(bytes, HEADER, length);
@@ -68,12 +71,8 @@ final class Frame {
         return Arrays.copyOfRange(first, HEADER, CONTENT);
     }
 
-    String nonceHex() {
-        return isSealed() ? HexFormat.of().formatHex(nonce()) : "";
-    }
-
     long nonceNumber() {
-        return Long.parseLong(nonceHex(), 16);
+        return Long.parseLong(nonceHex, 16);
     }
 
     int pieces() {
@@ -98,6 +97,6 @@ final class Frame {
 
     @Override
     public String toString() {
-        return origin + " to " + destination + (isSealed() ? ", nonce " + nonceHex() : "");
+        return origin + " to " + destination + (isSealed() ? ", nonce " + nonceHex : "");
     }
 }

@@ -19,8 +19,9 @@ import java.util.regex.Pattern;
  * written: a pair or a group may have several lines. The file may grow while the run goes on, or come to be only then.
  */
 final class Keys {
+    private static final String HEX = "(\\p{XDigit}{32})";
     private static final Pattern LINE = Pattern.compile(
-            "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*([0-9A-Fa-f]{32})(?:\\s*,\\s*next\\s+([0-9A-Fa-f]{32}))?\\s*(?:#.*)?");
+            "\\s*(\\S{4})(?:\\s+(\\S{4}))?\\s*=\\s*" + HEX + "(?:\\s*,\\s*next\\s+" + HEX + ")?\\s*(?:#.*)?");
     private static final int NEXT = 4;
 
     private final Path file;

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What boards must not put on the air: by small traces that firmware with a mistake would leave, and spoilt genuine ones. */
+/** What boards must not put on the air: traces that firmware with a mistake would leave, and spoilt genuine ones. */
 class BytesTest {
     private static final String FIRST = "000001000000";
     private static final String SECOND = "000001000001";
@@ -111,8 +111,11 @@ class BytesTest {
     @Test
     void sizes_thatDoNotFit_areRefusedByName() {
         byte[] right = sealed("SUPP", FIRST, HELP);
-        assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", changed(right, 9)),
-                "police's packet is told with the kind 'unicast'; expected 'no frame', as its bytes say: the size");
+        Talk talk = asked("SUPP", HELP).unheard("police", changed(right, 9));
+        talk.last().addProperty("kind", "unicast");
+        assertRefusedEvenWithoutKeys(talk,
+                "police's packet is told with the kind 'unicast'; expected 'no frame', as its "
+                        + "bytes say: the size");
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", sealed("SUPP", FIRST, HELP + "!")),
                 "with a content of 10 bytes; expected 9");
         byte[] small = SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]);
@@ -198,6 +201,9 @@ class BytesTest {
                 "police says that it has epoch 000001; expected 000002 or a later one, since it was reset");
         assertRefusedEvenWithoutKeys(new Talk().greets("police", "SUPO", "000000"),
                 "expected 000001 or a later one, since it has had that");
+        Lines never = new Lines().add(0, "police", "reset", Map.of("why", "power")).add(1, "police", "host-id",
+                Map.of("id", "SUPO", "epoch", "000000"));
+        assertTrue(never.replay().verdict().contains("expected 000001 or a later one"), never.replay().verdict());
         Talk same = new Talk().resets("police", "power").asks("SUPP", HELP);
         assertRefusedEvenWithoutKeys(same.unheard("police", sealed("SUPP", FIRST, HELP)),
                 "police seals under epoch 000001; expected 000002");
@@ -279,6 +285,13 @@ class BytesTest {
     }
 
     @Test
+    void handed_ofTwoThatAreAsLong_isToldApartByKeysOnly() {
+        Talk talk = asked("SUPP", "tell;fire").asks("SUPP", HELP).sends("police", sealed("SUPP", FIRST, HELP)).hands(0,
+                FIRST, HELP);
+        assertAccepted(talk, "1 messages opened, 0 proofs");
+    }
+
+    @Test
     void handed_broadcastWithAnId_isRefused() {
         Talk talk = asked("////", HELP).sends("police", broadcast(HELP));
         talk.lines.add(7, "support", "host-handed",
@@ -286,6 +299,26 @@ class BytesTest {
         assertAccepted(talk, "0 messages opened, 0 proofs");
         talk.last().addProperty("id", "000001");
         assertRefusedEvenWithoutKeys(talk, "support hands its host 'tell;help' from SUPO; expected nothing");
+    }
+
+    /** A board without a host, of which nobody has said who it is. */
+    @Test
+    void stranger_maySendAnything_butAForgeryIsNeverHanded() {
+        byte[] right = sealed("SUPP", FIRST, HELP);
+        byte[] header =
+                SharedKey.join(Payload.header("+FAA", "SUPO", Frame.HEADER), Payload.header("SUPP", "SUPO", 200));
+        for (byte[] any : List.of(changed(right, -1), header, new byte[] {1, 2, 3}, BEGIN, changed(END, -1),
+                acknowledgement(SECOND, ""), SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]))) {
+            assertAccepted(new Talk().sends("thief", any), "0 messages opened, 0 proofs");
+        }
+        assertAccepted(asked("SUPP", HELP).unheard("police", right).sends("thief", right).hands(0, FIRST, HELP),
+                "1 messages opened, 0 proofs");
+        Talk another = new Talk().sends("thief", Talk.PAIR.seal("SUPP", "CAFE", HexFormat.of().parseHex(FIRST),
+                utf8(HELP)));
+        another.lines.add(6, "support", "host-handed", Map.of("number", 0, "destination", "SUPP", "origin", "CAFE",
+                "id", "010000", "content", HELP));
+        assertTrue(another.verdictWithoutKeys().contains("accepted"), another.verdictWithoutKeys());
+        assertRefused(another, "support hands its host 'tell;help' from CAFE; expected nothing that any key opens");
     }
 
     @Test

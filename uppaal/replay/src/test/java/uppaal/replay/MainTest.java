@@ -26,6 +26,13 @@ class MainTest {
     }
 
     @Test
+    void run_withKeys_opensWhatIsSealed() throws IOException {
+        assertEquals(0, Main.run(TRACES.resolve("highway.jsonl"), TRACES.resolve("highway.keys")));
+        assertEquals(1, Main.run(TRACES.resolve("highway.jsonl"), TRACES.resolve("pieces.keys")));
+        assertEquals(2, Main.run(TRACES.resolve("highway.jsonl"), folder.resolve("missing")));
+    }
+
+    @Test
     void run_refusedTrace_endsWithOne() throws IOException {
         assertEquals(1, run(Files.readString(TRACES.resolve("highway.jsonl"))
                 .replaceFirst("\"event\":\"host-transmit\"", "\"event\":\"x\"")));

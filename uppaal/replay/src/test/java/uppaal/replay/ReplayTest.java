@@ -19,7 +19,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Genuine traces and spoilt ones. {@code highway.jsonl} is what {@code gradle highway} has left in its build folder,
- * {@code pieces.jsonl} what two boards did of which one sent 200 bytes three times at a bit error rate of 1e-3, {@code partners.jsonl} what a board did that sent to two who were there and to two who were not
+ * {@code pieces.jsonl} what two boards did of which one sent 200 bytes three times at a bit error rate of 1e-3,
+ * {@code partners.jsonl} what a board did that sent to two who were there and to two who were not
  * ({@code test/system}'s {@code PartnersTest}); all without the events that the model does not speak of.
  */
 class ReplayTest {

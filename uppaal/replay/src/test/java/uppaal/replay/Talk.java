@@ -8,7 +8,7 @@ import java.util.HexFormat;
 
 import java.util.Map;
 
-/** A trace of two boards, the police SUPO and the support SUPP, with what they really would send. One event a second. */
+/** A trace of two boards, the police SUPO and the support SUPP, with what they would send. One event a second. */
 final class Talk {
     /** Those of {@code talk.keys}. */
     static final SharedKey PAIR = new SharedKey(HexFormat.of().parseHex("000102030405060708090a0b0c0d0e0f"));
@@ -65,7 +65,7 @@ final class Talk {
         Map<String, Object> fields = new HashMap<>(Map.of("payload", HexFormat.of().formatHex(payload), "kind",
                 kind(payload), "start", now, "end", now + 0.3));
         fields.put("from", board);
-        lines.add(now + 0.3, board.equals("police") ? "support" : "police", "rf-rx", fields);
+        lines.add(now + 0.3, board.equals("support") ? "police" : "support", "rf-rx", fields);
         return this;
     }
 
@@ -80,8 +80,9 @@ final class Talk {
     }
 
     private static String kind(byte[] payload) {
-        String to = new String(payload, 0, 4, StandardCharsets.US_ASCII);
-        return to.startsWith("+F") ? "piece" : to.startsWith("+K") ? "acknowledgement"
+        String to = Payload.lengthIn(payload) == payload.length ? new String(payload, 0, 4, StandardCharsets.US_ASCII)
+                : "";
+        return to.isEmpty() ? "no frame" : to.startsWith("+F") ? "piece" : to.startsWith("+K") ? "acknowledgement"
                 : to.equals("////") ? "broadcast" : to.startsWith("//") ? "multicast" : "unicast";
     }
 
