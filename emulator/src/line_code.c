@@ -123,17 +123,20 @@ static void follow(line_decoder *decoder) {
   }
 }
 
-// The low nibble of a packet's last byte, by its CRC; -1 elsewhere.
-static int mended_end(const line_decoder *decoder) {
-  if (!decoder->at_sender || decoder->byte_count < LINE_MIN_COUNT - 1 || decoder->byte_count + 1 != decoder->bytes[0])
-    return -1;
-  return crc_x25(decoder->bytes, decoder->byte_count - 1) >> 8 & 0xF;
+// A nibble of the CRC at the end of a packet, by the bytes before it; -1 elsewhere. A board that is reset may break off there,
+// and receivers mend two symbols.
+static int mended(const line_decoder *decoder, unsigned shift) {
+  const size_t count = decoder->bytes[0];
+  if (!decoder->at_sender || decoder->byte_count + 2 < LINE_MIN_COUNT || decoder->byte_count + 2 < count) return -1;
+  const uint16_t crc = crc_x25(decoder->bytes, count - 2);
+  return crc >> (decoder->byte_count + 1 == count ? 8 : 0) >> shift & 0xF;
 }
 
 static void take_byte(line_decoder *decoder) {
   int high = nibble_of(decoder->window & 0x3F);
   int low = nibble_of(decoder->window >> 6);
-  if (low < 0) low = mended_end(decoder);
+  if (high < 0) high = mended(decoder, 4);
+  if (low < 0) low = mended(decoder, 0);
   if (high < 0 || low < 0) {
     fail(decoder, LINE_BAD_SYMBOL);
     return;

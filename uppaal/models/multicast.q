@@ -1,12 +1,18 @@
 /* M1 holds: a host of the group gets each multicast at most once. */
-A[] Support.given1 <= 1 && Support.given2 <= 1
+A[] given[1] <= 1 && given[2] <= 1
 /* M2 holds: it gets nothing that was not sent. */
-A[] (Support.given1 > 0 imply Police.current >= 1) && (Support.given2 > 0 imply Police.current >= 2)
+A[] (given[1] > 0 imply Police1.attempt > 0) && (given[2] > 0 imply Police2.attempt > 0)
 /* M3 holds: nobody outside the group gets any. */
-A[] Hospital.given1 == 0 && Hospital.given2 == 0 && Hospital.waits1 == 0 && Hospital.waits2 == 0
+A[] Hospital1.Listening
 /* M4 holds: nothing is accepted that is older than what the host has. */
-A[] (Support.waits1 > 0 imply Support.taken < 1) && (Support.waits2 > 0 imply Support.taken < 2)
+A[] (waiting[1] imply taken[SUPPORT] < 1) && (waiting[2] imply taken[SUPPORT] < 2)
 /* M5 holds: nothing is stuck before all messages have been sent. */
-A[] deadlock imply (Police.Idle && Police.current == MESSAGES)
+A[] deadlock imply (Police1.Over && Police2.Over)
 /* M6 holds: both can be received. */
-E<> Support.given1 == 1 && Support.given2 == 1
+E<> given[1] == 1 && given[2] == 1
+/* M7 holds: each is sent as often as it is to be, and no more. */
+A[] (Police1.Sent imply Police1.attempt == MULTICAST_SENDS) && (Police2.Sent imply Police2.attempt == MULTICAST_SENDS)
+/* M8 holds: nobody begins to send while a carrier is heard. */
+A[] !late
+/* M9 holds: multicasts are under way one after the other. */
+A[] Police2.OnAir imply (Police1.Sent || Police1.Over)

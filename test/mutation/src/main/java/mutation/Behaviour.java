@@ -40,6 +40,11 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
         return new Walk(network, queries, limit).behaviour();
     }
 
+    /** Whether a query asks something of single states. */
+    static boolean isSettledByStates(Query query) {
+        return query.text().startsWith("A[]") || query.text().startsWith("E<>");
+    }
+
     /** One exploration, breadth first. */
     private static final class Walk {
         private final Network network;
@@ -60,7 +65,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             successors = new Successors(network);
             states = new States(network.slots());
             for (Query query : queries) {
-                if (query.text().startsWith("A[]") || query.text().startsWith("E<>")) {
+                if (isSettledByStates(query)) {
                     open.put(Property.parse(query.text(), network, query.where()), query);
                 } else {
                     more.add(query);

@@ -29,7 +29,8 @@ public record Scene(String name, String title, String model, Map<String, Integer
 
     public static final Scene PAPER =
             new Scene("paper", "The network of the paper", "paper.xml", Map.of(), List.of("paper.q", "stronger.q"));
-    public static final Scene QUIET = new Scene("quiet", "The same, with a connection that stays online", "quiet.xml",
+    public static final Scene QUIET = new Scene("quiet",
+            "The same, with a connection that stays online and senders that do not dawdle", "quiet.xml",
             Map.of(), List.of("quiet.q", "stronger.q"));
     public static final Scene RENEWAL =
             new Scene("renewal", "The renewal and the deletion of a key that three boards share", "renewal.xml",

@@ -5,10 +5,12 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.DocumentBuilder;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -25,6 +27,7 @@ import uppaal.ModelException;
  */
 public final class DocumentReader {
     private final String file;
+    private final Set<String> ids = new HashSet<>();
 
     private DocumentReader(String file) {
         this.file = file;
@@ -87,8 +90,12 @@ public final class DocumentReader {
         Xml.allow(element, where, "name", "parameter", "declaration", "location", "init", "transition");
         Map<String, Location> byId = new LinkedHashMap<>();
         Xml.children(element, "location").forEach(location -> {
-            if (byId.put(location.getAttribute("id"), location(location, where)) != null) {
-                throw new ModelException(where, "the id '" + location.getAttribute("id") + "' is given twice");
+            String id = location.getAttribute("id");
+            if (byId.put(id, location(location, where)) != null) {
+                throw new ModelException(where, "the id '" + id + "' is given twice");
+            }
+            if (!ids.add(id)) {
+                throw new ModelException(where, "the id '" + id + "' is given in another template too");
             }
         });
         unique(byId.values().stream().map(Location::name).toList(), where);

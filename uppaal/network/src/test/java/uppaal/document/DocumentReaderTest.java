@@ -157,6 +157,14 @@ class DocumentReaderTest {
     }
 
     @Test
+    void read_idOfAnotherTemplate_isRefused() {
+        String one = "<location id='a'/><init ref='a'/></template>";
+        assertEquals("m.xml, template U: the id 'a' is given in another template too",
+                assertThrows(ModelException.class, () -> read("<nta><template><name>T</name>" + one
+                        + "<template><name>U</name>" + one + "<system/></nta>")).getMessage());
+    }
+
+    @Test
     void read_noFile_saysWhich() {
         assertEquals("../models/none.xml: there is no such file",
                 assertThrows(ModelException.class, () -> DocumentReader.read(Path.of("../models/none.xml")))

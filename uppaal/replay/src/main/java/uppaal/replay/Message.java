@@ -7,16 +7,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import uppaal.network.Possible;
 
 /**
- * One message, and what its automata may be doing: of a unicast those of its sender and its addressee; of others the
- * sender's with those of each board that may hear it.
+ * One message, with its ends at the boards.
  */
 final class Message {
-    /** What stands for the addressee of a unicast, whichever board that is. */
-    private static final String ADDRESSEE = "";
-
     final String kind;
     final String origin;
     final String destination;
@@ -27,18 +22,38 @@ final class Message {
     private final int pieces;
     private final Map<Integer, String> sent = new HashMap<>();
     private final Map<String, Set<Integer>> reached = new HashMap<>();
-    private final List<String> history = new ArrayList<>();
-    private final Map<String, Possible> scenes = new HashMap<>();
+    private final Set<String> covered;
+    private final Map<String, End> receivers = new HashMap<>();
+    private boolean forged;
+    /** Null where a stranger is the sender. */
+    private End sender;
 
-    /** @param whole the frame, or as much of it as its first piece holds */
-    Message(Payload whole, int pieces, String content) {
+    /**
+     * @param whole the frame, or as much of it as its first piece holds
+     * @param covered takes the edges of the model that may have been taken
+     */
+    Message(Payload whole, int pieces, String content, Set<String> covered) {
         kind = whole.kind();
         origin = whole.origin();
         destination = whole.destination();
         nonce = isBroadcast() ? "" : whole.nonce();
         this.content = content;
         this.pieces = pieces;
-        scenes.put(ADDRESSEE, Scenes.first(kind, isUnicast()));
+        this.covered = covered;
+    }
+
+    /** A board of ours is its sender. */
+    void sentBy(Station board) {
+        sender = new End(this, origin, Scenes.sender(kind, pieces > 1), board.ear, covered);
+    }
+
+    /** Nobody can have it: an attacker has made it up. */
+    void forge() {
+        forged = true;
+    }
+
+    boolean isForged() {
+        return forged;
     }
 
     boolean isUnicast() {
@@ -54,62 +69,69 @@ final class Message {
         return sent.computeIfAbsent(payload.index(), index -> payload.identity()).equals(payload.identity());
     }
 
-    /** The sender's board, or who else sends the message, does something. */
-    void sender(String step) throws RefusedException {
-        for (Map.Entry<String, Possible> scene : scenes.entrySet()) {
-            Possible before = scene.getValue();
-            String receiver = scene.getKey().isEmpty() ? destination : scene.getKey();
-            scene.setValue(before.after(step).orElseThrow(() -> refusal(step, origin, before, receiver)));
+    /** The sender's board does something. */
+    void sender(double seconds, String step) throws RefusedException {
+        if (sender != null) {
+            sender.see(seconds, step);
         }
-        history.add(step);
     }
 
     /** The sender's board may have done something. */
-    void perhaps(String step) {
-        scenes.replaceAll((board, possible) -> possible.perhaps(step));
+    void perhaps(double seconds, String step) throws RefusedException {
+        if (sender != null) {
+            sender.perhaps(seconds, step);
+        }
     }
 
     /** Whether the sender's board may do something now. */
-    boolean mayDo(String step) {
-        return scenes.values().stream().allMatch(possible -> possible.after(step).isPresent());
+    boolean mayDo(double seconds, String step) throws RefusedException {
+        return sender == null || sender.may(seconds, step);
+    }
+
+    /** Its end at the sender's board; null where that is a stranger's. */
+    End sender() {
+        return sender;
+    }
+
+    /** Its end at a board that is not the sender's. */
+    End receiver(Station board) {
+        return receivers.computeIfAbsent(board.name(), name -> new End(this, board.id(), Scenes.receiver(kind), board.ear,
+                covered));
+    }
+
+    /** Whether something of it has come there. */
+    boolean hasReached(Station board) {
+        return receivers.containsKey(board.name());
     }
 
     /** Something happens at a board that is not the sender's. */
-    void receiver(Station board, String step) throws RefusedException {
-        scenes.put(scene(board), at(board).after(step).orElseThrow(() -> refusal(board, step)));
+    void receiver(double seconds, Station board, String step) throws RefusedException {
+        if (!isFor(board)) {
+            throw new RefusedException(Steps.words(step, origin, board.name()) + " (" + this + "); expected nothing of it there");
+        }
+        receiver(board).see(seconds, step);
     }
 
     /** Something may have happened there. */
-    void perhaps(Station board, String step) {
-        scenes.put(scene(board), at(board).perhaps(step));
+    void perhaps(double seconds, Station board, String step) throws RefusedException {
+        if (isFor(board)) {
+            receiver(board).perhaps(seconds, step);
+        }
     }
 
     /** Whether it may happen there now. */
-    boolean mayDo(Station board, String step) {
-        return at(board).after(step).isPresent();
+    boolean mayDo(double seconds, Station board, String step) throws RefusedException {
+        return isFor(board) && receiver(board).may(seconds, step);
+    }
+
+    /** Whether a board may be one of those that it is for; of one whose id is not known yet that is possible. */
+    private boolean isFor(Station board) {
+        return concerns(board) && (isUnicast() || !board.isNamed() || board.isConcernedBy(destination));
     }
 
     /** Whether a board may take it; of a unicast only the addressee's may. */
     boolean concerns(Station board) {
         return isUnicast() ? board.hasBeen(destination) : !board.hasBeen(origin);
-    }
-
-    private String scene(Station board) {
-        return isUnicast() ? ADDRESSEE : board.name();
-    }
-
-    /** What is known of it and a board. */
-    private Possible at(Station board) {
-        Possible known = concerns(board) ? scenes.get(scene(board)) : null;
-        if (known != null) {
-            return known;
-        }
-        // Of a board whose id is not known yet, all is possible that is of any.
-        Possible possible = Scenes.first(kind, !isUnicast() && (!board.isNamed() || board.isConcernedBy(destination)));
-        for (String step : history) {
-            possible = possible.after(step).orElse(possible);
-        }
-        return possible;
     }
 
     /**
@@ -121,10 +143,10 @@ final class Message {
         Set<Integer> here = reached.computeIfAbsent(board.name(), name -> new TreeSet<>());
         here.add(payload.index());
         if (payload.isPiece() && payload.asks() && here.contains(0)) {
-            steps.add("inquire");
+            steps.add("question_comes");
         }
-        if (here.size() == pieces) {
-            steps.add("arrive");
+        if (here.size() == pieces && !forged) {
+            steps.add("message_comes");
         }
         return steps;
     }
@@ -136,22 +158,12 @@ final class Message {
         }
     }
 
-    /** Why the model refuses something at a board. */
-    RefusedException refusal(Station board, String step) {
-        return concerns(board) ? refusal(step, board.name(), at(board), board.name())
-                : refusal(step, board.name(), scenes.get(ADDRESSEE), destination);
-    }
-
-    private RefusedException refusal(String step, String who, Possible possible, String receiver) {
-        return new RefusedException(
-                Steps.words(step, origin, who) + " (" + this + "); " + expected(possible, receiver));
-    }
-
-    private String expected(Possible possible, String receiver) {
-        String steps = possible.next().stream().filter(Steps::isBoards).map(step -> Steps.words(step, origin, receiver))
-                .sorted()
+    /** Why the model refuses a step at one of its ends. */
+    RefusedException refusal(String step, String who, End end) {
+        String steps = end.next().stream().filter(Steps::isBoards).map(next -> Steps.words(next, origin, who)).sorted()
                 .collect(Collectors.joining("; "));
-        return steps.isEmpty() ? "nothing more is expected of this message" : "expected one of: " + steps;
+        return new RefusedException(Steps.words(step, origin, who) + " (" + this + "); "
+                + (steps.isEmpty() ? "nothing more is expected of this message" : "expected one of: " + steps));
     }
 
     @Override

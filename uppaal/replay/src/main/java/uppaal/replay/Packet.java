@@ -10,13 +10,19 @@ import java.util.Set;
  * @param message what it is, or is a piece of; null where it is nothing that a board may take
  * @param answered the messages that it may acknowledge
  * @param answer what the acknowledgement says, as the model has it
+ * @param owner the end of a message that has sent it; null where a stranger has
  * @param reached the boards that it has reached
  */
 record Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered,
-        String answer,
+        String answer, End owner,
         Set<String> reached) {
     Packet(String board, Payload payload, double start, double end, Message message, List<Message> answered,
             String answer) {
-        this(board, payload, start, end, message, answered, answer, new HashSet<>());
+        this(board, payload, start, end, message, answered, answer, null, new HashSet<>());
+    }
+
+    /** The same, sent by an end of a message of ours. */
+    Packet of(End sender) {
+        return new Packet(board, payload, start, end, message, answered, answer, sender, reached);
     }
 }

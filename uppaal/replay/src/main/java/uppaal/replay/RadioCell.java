@@ -1,15 +1,20 @@
 package uppaal.replay;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 
 /** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
 final class RadioCell {
+    private static final Map<String, String> COMES =
+            Map.of("ack", "ack_comes", "pieces", "pieces_come", "stale", "stale_comes");
     private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
     private static final double DISORDER = 0.002;
@@ -21,10 +26,24 @@ final class RadioCell {
     private final Map<String, Message> messages = new Recent<>();
     private final Map<String, Message> byPayload = new Recent<>();
     private final Map<String, List<Message>> answers = new Recent<>();
+    /** How much later than it could a board may tell its host of what has ended, in seconds. */
+    private static final double LATE = 0.5;
+
+    private final Disturbances disturbances;
+    private final Set<String> covered = new TreeSet<>();
     private long broadcasts;
 
+    RadioCell(Disturbances disturbances) {
+        this.disturbances = disturbances;
+    }
+
+    /** The edges of the model that may have been taken. */
+    Set<String> covered() {
+        return covered;
+    }
+
     private Station board(String name) {
-        return boards.computeIfAbsent(name, Station::new);
+        return boards.computeIfAbsent(name, added -> new Station(added, new Ear(disturbances)));
     }
 
     private boolean isOurs(String address) {
@@ -38,9 +57,9 @@ final class RadioCell {
         board.reset();
         for (Message message : messages.values()) {
             if (board.hasBeen(message.origin)) {
-                message.sender("sender_reset");
-            } else if (message.concerns(board)) {
-                message.receiver(board, receiver);
+                message.sender(event.seconds(), "sender_reset");
+            } else if (message.concerns(board) && message.hasReached(board)) {
+                message.receiver(event.seconds(), board, receiver);
             }
             message.forgetPieces(board);
         }
@@ -50,8 +69,20 @@ final class RadioCell {
         board(event.board()).name(event.text("id"));
     }
 
-    void transmit(Event event) {
-        board(event.board()).transmit(new Transmission((int) event.number("number"), event.text("destination")));
+    void transmit(Event event) throws RefusedException {
+        Station board = board(event.board());
+        board.transmit(new Transmission((int) event.number("number"), event.text("destination")));
+        crowd(event.seconds(), board);
+    }
+
+    /** Tells what its board sends whether that has other messages to send. */
+    private static void crowd(double seconds, Station board) throws RefusedException {
+        List<Transmission> open = board.open().toList();
+        for (Transmission transmission : open) {
+            if (transmission.message != null) {
+                transmission.message.sender(seconds, open.size() > 1 ? "crowd" : "alone");
+            }
+        }
     }
 
     /** A board, or somebody's transmitter, begins to send. */
@@ -67,27 +98,65 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
+        board.ear.learn(event.number("bits"), event.number("end") - start);
         Packet packet = new Packet(board.name(), payload, start, event.number("end"), null, List.of(), "");
+        End owner = null;
         if (payload.isData()) {
-            Message message = board.isNamed() ? own(board, payload) : strange(payload);
+            Message message = board.isNamed() ? own(start, board, payload) : strange(payload);
+            owner = board.isNamed() ? message.sender() : null;
             packet = new Packet(board.name(), payload, start, event.number("end"), message, List.of(), "");
         } else if (payload.isAcknowledgement()) {
             String answer = ANSWERS.getOrDefault(payload.message().length, "");
-            List<Message> answered = board.isNamed() ? acknowledge(board, payload, answer)
+            List<Message> answered = board.isNamed() ? acknowledge(start, board, payload, answer)
                     : answers.getOrDefault(payload.hex(), List.of());
+            owner = board.isNamed() && answered.size() == 1 ? answered.get(0).receiver(board) : null;
             packet = new Packet(board.name(), payload, start, event.number("end"), null, answered, answer);
         } else if (board.isNamed()) {
             throw new RefusedException(
                     board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
         }
-        board.send(packet);
+        board.ear.begin(start, payload.isData() ? "own_message" : "own_answer", owner);
+        board.send(packet.of(owner));
+    }
+
+    /** It has ended to send. */
+    void end(Event event) throws RefusedException {
+        Station board = board(event.board());
+        board.ear.end(event.number("end"), "own_end", board.sentAt(event.number("start")).map(Packet::owner).orElse(null));
+    }
+
+    /** A board may hear somebody else from now on. */
+    void carrier(Event event) throws RefusedException {
+        board(event.board()).ear.begin(event.number("start"), "carrier", null);
+    }
+
+    /** And no longer. */
+    void silence(Event event, double seconds) throws RefusedException {
+        board(event.board()).ear.end(seconds, "silence", null);
+    }
+
+    /** When who sends it has ended, with its trailer. */
+    double end(Event event, double unknown) {
+        return source(event).map(Packet::end).orElse(unknown);
+    }
+
+    /** A board tells its host something: before that, all that has ended. */
+    void tell(Event event) throws RefusedException {
+        Station board = board(event.board());
+        for (Transmission transmission : board.open().toList()) {
+            End sender = transmission.message == null ? null : transmission.message.sender();
+            if (sender != null && sender.ended() < event.seconds() - LATE) {
+                throw new RefusedException(board.name() + " tells its host something, and not how a message has ended ("
+                        + transmission.message + ")");
+            }
+        }
     }
 
     /** What a board of ours sends of its own. */
-    private Message own(Station board, Payload payload) throws RefusedException {
+    private Message own(double start, Station board, Payload payload) throws RefusedException {
         Message message = known(board, payload);
         if (message == null) {
-            message = begun(board, payload);
+            message = begun(start, board, payload);
         }
         if (!message.isSame(payload)) {
             throw new RefusedException(board.name()
@@ -98,7 +167,7 @@ final class RadioCell {
             board.begin(payload.pieceId(), message);
         }
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
-        message.sender(attempt ? "send" : "part");
+        message.sender(start, attempt ? "send" : "part");
         return message;
     }
 
@@ -120,22 +189,22 @@ final class RadioCell {
         return whole.origin() + whole.destination() + whole.nonce();
     }
 
-    private Message entered(Payload payload, String prefix) {
+    private Message entered(double start, Payload payload, String prefix) throws RefusedException {
         Payload whole = payload.whole();
         String content = payload.isPiece() ? "" : HexFormat.of().formatHex(payload.message());
-        Message message = new Message(whole, payload.pieces(), content);
+        Message message = new Message(whole, payload.pieces(), content, covered);
         messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
         for (Station board : boards.values()) {
             String highest = board.highest.get(message.origin + message.destination);
             if (!message.isBroadcast() && message.concerns(board) && highest != null
                     && highest.compareTo(message.nonce) > 0) {
-                message.perhaps(board, "newer");
+                message.perhaps(start, board, "newer");
             }
         }
         return message;
     }
 
-    private Message begun(Station board, Payload payload) throws RefusedException {
+    private Message begun(double start, Station board, Payload payload) throws RefusedException {
         Payload whole = payload.whole();
         Transmission current = board.current(whole.destination()).orElse(null);
         String last = current == null || current.message == null ? "" : current.message.nonce;
@@ -144,19 +213,21 @@ final class RadioCell {
                     + whole.nonce() + "; expected one above " + last);
         }
         boolean anew = current != null && current.message != null && current.before == null && current.outcome.isEmpty()
-                && current.destination.equals(whole.destination()) && current.message.mayDo("reseal");
+                && current.destination.equals(whole.destination()) && current.message.mayDo(start, "reseal");
         if (anew) {
-            current.message.perhaps("reseal");
+            current.message.perhaps(start, "reseal");
             current.before = current.message;
         } else {
             if (current != null && current.message != null) {
-                current.message.sender("next");
+                current.message.sender(start, "next");
             }
             current = board.takeUp(whole.destination())
                     .orElseThrow(() -> new RefusedException(board.name() + " sends a message to "
                             + whole.destination() + "; expected that its host asks for it first"));
         }
-        current.message = entered(payload, "");
+        current.message = entered(start, payload, "");
+        current.message.sentBy(board);
+        crowd(start, board);
         return current.message;
     }
 
@@ -175,11 +246,13 @@ final class RadioCell {
         // A nonce that an attacker makes up may be that of a later message.
         String prefix = honest ? "" : "forged ";
         Message known = broadcast ? null : messages.get(prefix + key(whole));
-        Message message = known == null ? entered(payload, prefix) : known;
+        Message message = known == null ? entered(0, payload, prefix) : known;
         if (!message.isSame(payload)) {
             return null;
         }
-        message.sender(honest ? "strange" : "forge");
+        if (!honest) {
+            message.forge();
+        }
         byPayload.put(payload.identity(), message);
         return message;
     }
@@ -196,23 +269,28 @@ final class RadioCell {
     /**
      * A board of ours answers. Twelve bits of a nonce may be those of several messages: then any of them may be meant.
      */
-    private List<Message> acknowledge(Station board, Payload payload, String answer) throws RefusedException {
+    private List<Message> acknowledge(double start, Station board, Payload payload, String answer) throws RefusedException {
         List<Message> meant = answers.getOrDefault(payload.hex(),
                 messages.values().stream().filter(message -> isAnswered(message, board, payload, answer)).toList());
-        List<Message> able =
-                answer.isEmpty() ? List.of() : meant.stream().filter(message -> message.mayDo(board, answer)).toList();
+        List<Message> able = new ArrayList<>();
+        for (Message message : meant) {
+            if (!answer.isEmpty() && message.mayDo(start, board, answer)) {
+                able.add(message);
+            }
+        }
         if (able.isEmpty()) {
             if (!meant.isEmpty() && !answer.isEmpty()) {
-                throw meant.get(meant.size() - 1).refusal(board, answer);
+                Message last = meant.get(meant.size() - 1);
+                throw last.refusal(answer, board.id(), last.receiver(board));
             }
             throw new RefusedException(board.name()
                     + " acknowledges; expected that a message for it is on its way with this nonce");
         }
         for (Message message : able) {
             if (able.size() == 1) {
-                message.receiver(board, answer);
+                message.receiver(start, board, answer);
             } else {
-                message.perhaps(board, answer);
+                message.perhaps(start, board, answer);
             }
         }
         answers.put(payload.hex(), able);
@@ -226,7 +304,7 @@ final class RadioCell {
     }
 
     /** A packet has come to a board undamaged; or so that it may have mended it. */
-    void reach(Event event) throws RefusedException {
+    void reach(Event event, double seconds) throws RefusedException {
         Station board = board(event.board());
         Packet packet = source(event).orElseThrow(() -> new RefusedException(board.name()
                 + " hears a packet; expected that a board has sent it"));
@@ -239,12 +317,12 @@ final class RadioCell {
         }
         if (packet.message() != null && packet.message().concerns(board)) {
             for (String step : packet.message().arrivals(board, packet.payload())) {
-                packet.message().perhaps(board, step);
+                packet.message().perhaps(seconds, board, step);
             }
         }
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
-                message.perhaps(packet.answer().equals("pieces") ? "pieces_arrive" : packet.answer() + "_arrives");
+                message.perhaps(seconds, COMES.get(packet.answer()));
             }
         }
     }
@@ -266,7 +344,7 @@ final class RadioCell {
         int number = (int) event.number("number");
         Message before = board.handed.get(number);
         if (before != null && isHanded(before, event)) {
-            before.receiver(board, "again");
+            before.receiver(event.seconds(), board, "hand_again");
             return;
         }
         List<Message> sent = messages.values().stream().filter(message -> isHanded(message, event)).toList();
@@ -274,9 +352,11 @@ final class RadioCell {
             throw new RefusedException(board.name() + " hands its host a message that nobody has sent; expected: "
                     + (before == null ? "nothing" : before.toString()));
         }
-        Message message =
-                sent.stream().filter(each -> each.mayDo(board, "hand")).findFirst().orElse(sent.get(sent.size() - 1));
-        message.receiver(board, "hand");
+        Message message = sent.get(sent.size() - 1);
+        for (int i = sent.size() - 1; i >= 0; i--) {
+            message = sent.get(i).mayDo(event.seconds(), board, "hand") ? sent.get(i) : message;
+        }
+        message.receiver(event.seconds(), board, "hand");
         board.handed.put(number, message);
     }
 
@@ -307,16 +387,16 @@ final class RadioCell {
             }
         }
         for (Map.Entry<Integer, Message> each : taken.entrySet()) {
-            each.getValue().receiver(board, step);
-            if (step.equals("taken")) {
+            each.getValue().receiver(event.seconds(), board, step);
+            if (step.equals("confirmed")) {
                 board.handed.remove(each.getKey());
-                overtake(board, each.getValue());
+                overtake(event.seconds(), board, each.getValue());
             }
         }
     }
 
     /** What is older than what the host has taken of the same sender, under the same key, is no longer accepted. */
-    private void overtake(Station board, Message taken) throws RefusedException {
+    private void overtake(double seconds, Station board, Message taken) throws RefusedException {
         if (taken.isBroadcast()) {
             return;
         }
@@ -324,14 +404,14 @@ final class RadioCell {
         for (Message message : messages.values()) {
             boolean older = message.origin.equals(taken.origin) && message.destination.equals(taken.destination)
                     && message.nonce.compareTo(taken.nonce) < 0;
-            if (older && message.concerns(board)) {
-                message.receiver(board, "newer");
+            if (older && message.concerns(board) && message.hasReached(board)) {
+                message.receiver(seconds, board, "newer");
             }
         }
     }
 
     /** A board tells its host how a transmission ended. */
-    void end(Event event) throws RefusedException {
+    void outcome(Event event) throws RefusedException {
         Station board = board(event.board());
         String outcome = event.text("outcome");
         Transmission transmission =
@@ -347,12 +427,13 @@ final class RadioCell {
         transmission.outcome = outcome;
         if (transmission.message == null) {
             unsent(board, outcome);
-        } else if (transmission.before != null && !transmission.message.mayDo(outcome)
-                && transmission.before.mayDo(outcome)) {
-                    split(board, transmission, outcome);
+        } else if (transmission.before != null && !transmission.message.mayDo(event.seconds(), outcome)
+                && transmission.before.mayDo(event.seconds(), outcome)) {
+                    split(event.seconds(), board, transmission, outcome);
                 } else {
-                    transmission.message.sender(outcome);
+                    transmission.message.sender(event.seconds(), outcome);
                 }
+        crowd(event.seconds(), board);
     }
 
     private static void unsent(Station board, String outcome) throws RefusedException {
@@ -364,8 +445,8 @@ final class RadioCell {
     }
 
     /** What was taken for the same message under a new nonce was the next one to the same device. */
-    private static void split(Station board, Transmission ended, String outcome) throws RefusedException {
-        ended.before.sender(outcome);
+    private static void split(double seconds, Station board, Transmission ended, String outcome) throws RefusedException {
+        ended.before.sender(seconds, outcome);
         Transmission next = board.takeUp(ended.destination)
                 .orElseThrow(() -> new RefusedException(board.name() + " reports " + outcome
                         + " while it sends the message anew"));

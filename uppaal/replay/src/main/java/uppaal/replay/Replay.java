@@ -1,5 +1,7 @@
 package uppaal.replay;
 
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -9,7 +11,7 @@ import java.util.Optional;
 import java.util.PriorityQueue;
 
 /**
- * Replays a trace of emulated boards in {@code observed.xml}: what was on the air and what passed between boards and
+ * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed between boards and
  * hosts must be what the model allows. Takes the lines as they come; what it remembers does not grow with the trace.
  */
 public final class Replay {
@@ -23,11 +25,22 @@ public final class Replay {
     /** How far lines may be out of order: some bits of the slowest air, in seconds. */
     private static final double DISORDER = 0.05;
 
-    private record Step(double seconds, Event event) {}
+    /** What a line tells of: all of it, or that a carrier begins or ends at its board, or that its packet ends. */
+    private enum Part { CARRIER, EVENT, END, SILENCE }
+
+    private record Step(double seconds, Event event, Part part) {}
+
+    /** A packet that breaks off is not in the trace: so long it may have been, in seconds, before a board was reset. */
+    private static final double BROKEN_OFF = 2;
+    /** What makes reception uncertain. */
+    private static final List<String> UNCERTAIN =
+            List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
 
     private final PriorityQueue<Step> steps =
-            new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index()));
-    private final RadioCell cell = new RadioCell();
+            new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index())
+                    .thenComparing(Step::part));
+    private final Disturbances disturbances = new Disturbances();
+    private final RadioCell cell = new RadioCell(disturbances);
     private final Bytes bytes;
     private int lines;
     private int events;
@@ -101,27 +114,64 @@ public final class Replay {
 
     private void enter(Event event) {
         switch (event.name()) {
-            case "rf-tx" -> steps.add(new Step(event.number("start"), event));
-            case "host-transmit" -> steps.add(new Step(event.number("asked"), event));
+            case "rf-tx" -> {
+                enter(event.number("start"), event, Part.EVENT);
+                enter(event.number("end"), event, Part.END);
+            }
+            case "host-transmit" -> enter(event.number("asked"), event, Part.EVENT);
+            case "rf-rx" -> {
+                enter(event.number("start"), event, Part.CARRIER);
+                enter(event.seconds(), event, Part.EVENT);
+                enter(event.number("end"), event, Part.SILENCE);
+            }
             // Known some bits after its end; a board may have mended it at its end.
-            case "rf-damaged" ->
-                steps.add(new Step(event.fields().has("end") ? event.number("end") : event.seconds(), event));
-            case "rf-rx", "reset", "host-id", "host-handed", "host-taking", "host-taken", "host-outcome" ->
-                steps.add(new Step(event.seconds(), event));
+            case "rf-damaged" -> {
+                boolean known = event.fields().has("end");
+                enter(known ? event.number("end") : event.seconds(), event, Part.EVENT);
+                if (known) {
+                    enter(event.number("start"), event, Part.CARRIER);
+                    enter(event.number("end"), event, Part.SILENCE);
+                }
+            }
+            case "reset" -> {
+                disturbances.add(event.seconds() - BROKEN_OFF, event.seconds());
+                enter(event.seconds(), event, Part.EVENT);
+            }
+            case "scenario" -> {
+                if (isUncertain(event)) {
+                    disturbances.add(0, Double.POSITIVE_INFINITY);
+                }
+            }
+            case "fault", "command" -> disturbances.add(event.seconds(),
+                    event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
+            case "host-id", "host-handed", "host-taking", "host-taken", "host-outcome", "percepts" ->
+                enter(event.seconds(), event, Part.EVENT);
             default -> {} // nothing that the model speaks of
         }
     }
 
+    private void enter(double seconds, Event event, Part part) {
+        steps.add(new Step(seconds, event, part));
+    }
+
+    private static boolean isUncertain(Event scenario) {
+        JsonElement radio = scenario.fields().get("radio");
+        return radio instanceof JsonObject numbers && UNCERTAIN.stream().map(numbers::get)
+                .anyMatch(value -> value != null && !value.isJsonNull()
+                        && !(value.isJsonPrimitive() && value.getAsString().matches("0(\\.0*)?(e.*)?|false")));
+    }
+
     private void perform(double until) {
         while (refusal == null && !steps.isEmpty() && steps.peek().seconds() <= until) {
-            Event event = steps.remove().event();
+            Step step = steps.remove();
+            Event event = step.event();
             try {
                 if (ended && isOfUnfinishedPacket(event)) {
                     steps.clear();
                     return;
                 }
-                perform(event);
-                events++;
+                perform(step);
+                events += step.part() == Part.EVENT && !event.name().equals("percepts") ? 1 : 0;
             } catch (RefusedException refused) {
                 refuse(event, refused.getMessage());
             } catch (JsonParseException wrong) {
@@ -143,14 +193,31 @@ public final class Replay {
         steps.clear();
     }
 
-    private void perform(Event event) throws RefusedException {
+    private void perform(Step step) throws RefusedException {
+        Event event = step.event();
+        switch (step.part()) {
+            case CARRIER -> cell.carrier(event);
+            case END -> cell.end(event);
+            case SILENCE -> {
+                double end = cell.end(event, step.seconds());
+                if (end > step.seconds()) {
+                    enter(end, event, Part.SILENCE); // its trailer
+                } else {
+                    cell.silence(event, step.seconds());
+                }
+            }
+            default -> perform(event, step.seconds());
+        }
+    }
+
+    private void perform(Event event, double seconds) throws RefusedException {
         switch (event.name()) {
             case "rf-tx" -> {
                 bytes.begin(event);
                 cell.begin(event);
             }
             case "rf-rx", "rf-damaged" -> {
-                cell.reach(event);
+                cell.reach(event, seconds);
                 bytes.reach(event);
             }
             case "reset" -> {
@@ -165,13 +232,15 @@ public final class Replay {
                 cell.transmit(event);
                 bytes.transmit(event);
             }
+            case "percepts" -> cell.tell(event);
             case "host-handed" -> {
+                cell.tell(event);
                 cell.hand(event);
                 bytes.hand(event);
             }
             case "host-taking" -> cell.take(event, "taking");
-            case "host-taken" -> cell.take(event, "taken");
-            case "host-outcome" -> cell.end(event);
+            case "host-taken" -> cell.take(event, "confirmed");
+            case "host-outcome" -> cell.outcome(event);
             default -> throw new IllegalStateException(event.name());
         }
     }

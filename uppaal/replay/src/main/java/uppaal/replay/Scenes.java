@@ -2,47 +2,105 @@ package uppaal.replay;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import uppaal.ModelException;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
+import uppaal.document.Edge;
+import uppaal.document.Template;
+import uppaal.language.Expressions;
+import uppaal.language.Term;
+import uppaal.network.JointMove;
+import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 import uppaal.network.Possible;
 
-/** The automata of {@code observed.xml} together, as a message of each kind needs them. */
+/**
+ * The automata of {@code delivery.xml} in which the two ends of a message are replayed: its sender, or a receiver with its
+ * answers, each with the air as its board hears it and with {@code Others}, who do what the trace says of the rest of the
+ * world.
+ */
 final class Scenes {
-    private static final String FILE = "observed.xml";
-    private static final Map<String, Possible> FIRST = new ConcurrentHashMap<>();
+    private static final String FILE = "delivery.xml";
+    /** Moves that are seen as their channel. That somebody begins or ends is seen as what that is; the rest passes unseen. */
+    private static final Set<String> SEEN = Set.of("reseal", "sent", "delivered", "undelivered", "hand", "hand_again",
+            "taking", "confirmed", "sender_reset", "receiver_reset", "receiver_power", "carrier", "silence",
+            "own_message", "own_answer", "own_end", "crowd", "alone", "newer", "next", "message_comes",
+            "question_comes", "ack_comes", "pieces_come", "stale_comes");
+    private static final Map<Integer, String> BEGUN = Map.of(1, "send", 2, "ack", 3, "pieces", 4, "stale", 5, "part");
+    private static final Map<String, String> TEMPLATES =
+            Map.of("Air", "Air", "Reply", "Answer", "Sender", "Sender", "Receiver", "Receiver");
+    private static final Map<String, Scene> KNOWN = new ConcurrentHashMap<>();
 
     private Scenes() {
     }
 
     /**
-     * What is known before anything was seen.
+     * What is known of one end before anything was seen.
+     *
+     * @param template of the automaton {@code End}
+     * @param rest true where no time need be counted: nothing is due
+     * @param ended true where its board has something to tell of it
+     * @param over true where nothing more can become of it
+     */
+    record Scene(String template, Possible first, Term rest, Term ended, Term over) {}
+
+    /**
+     * The sender's end.
      *
      * @param kind unicast, multicast or broadcast
-     * @param addressed whether the receiver is one for whom the message is
+     * @param cut whether it is in pieces
      */
-    static Possible first(String kind, boolean addressed) {
-        return FIRST.computeIfAbsent(system(kind, addressed), system -> first(document(), system));
-    }
-
-    /** The same in a changed model. */
-    static Possible first(Document document, String kind, boolean addressed) {
-        return first(document, system(kind, addressed));
-    }
-
-    private static Possible first(Document document, String system) {
-        return Possible.first(NetworkBuilder.build(document.withSystem(system)));
-    }
-
-    private static String system(String kind, boolean addressed) {
+    static Scene sender(String kind, boolean cut) {
         boolean unicast = kind.equals("unicast");
-        String most = unicast ? "ATTEMPTS" : kind.equals("multicast") ? "SENDS" : "1";
-        return "Origin = Sender(" + unicast + ", " + most + "); Other = Receiver(" + addressed + ", "
-                + !kind.equals("broadcast") + ", "
-                + unicast + "); system Air, Origin, Other;";
+        String most = unicast ? "MAX_ATTEMPTS" : kind.equals("multicast") ? "MULTICAST_SENDS" : "1";
+        return known("Sender", "End = Sender(POLICE, SUPPORT, 1, 0, " + unicast + ", " + cut + ", " + most
+                + ", MOST_WINDOW, MOST_WINDOW); World = Others(POLICE, SUPPORT); system Air, End, World;",
+                "End.Over", "End.Answered || End.GivenUp || End.Sent", "End.Over");
+    }
+
+    /** A receiver's end. */
+    static Scene receiver(String kind) {
+        return known("Receiver", "End = Receiver(POLICE, SAFETY_GROUP, SUPPORT, 1, " + !kind.equals("broadcast") + ", "
+                + kind.equals("unicast") + ", true, false); Reply = Answer(POLICE, SUPPORT, 1); "
+                + "World = Others(POLICE, SUPPORT); system Air, End, Reply, World;",
+                "Air.Quiet && Reply.Idle && !End.Taking && owed[1] == 0", "false", "false");
+    }
+
+    private static Scene known(String template, String system, String rest, String ended,
+            String over) {
+        return KNOWN.computeIfAbsent(system, added -> first(template, document(), added, rest, ended, over));
+    }
+
+    private static Scene first(String template, Document document, String system, String rest, String ended,
+            String over) {
+        Network network = NetworkBuilder.build(document.withSystem(system));
+        return new Scene(template, Possible.first(network, (state, move) -> name(network, move)),
+                Expressions.parse(rest, network, FILE), Expressions.parse(ended, network, FILE),
+                Expressions.parse(over, network, FILE));
+    }
+
+    private static Optional<String> name(Network network, JointMove move) {
+        String channel = move.channel().map(used -> used.name()).orElse("");
+        String who = move.passesTime() ? "" : move.parts().get(0).automaton().name();
+        if (who.equals("World") || !channel.equals("begin") && !channel.equals("end")) {
+            return Optional.of(channel).filter(SEEN::contains);
+        }
+        return Optional.of(channel.equals("end") ? "end" : BEGUN.get(move.target()[slot(network, "kind")]));
+    }
+
+    private static int slot(Network network, String name) {
+        for (int i = 0; i < network.slots().size(); i++) {
+            if (network.slots().get(i).name().equals(name)) {
+                return i;
+            }
+        }
+        throw new ModelException(FILE, "there is no '" + name + "'");
     }
 
     /** The model. */
@@ -52,5 +110,28 @@ final class Scenes {
         } catch (IOException problem) {
             throw new ModelException(FILE, problem.getMessage());
         }
+    }
+
+    /** The edges of the automata that a trace can show: {@code template: source -> target, number among these}. */
+    static Set<String> edges() {
+        Set<String> edges = new TreeSet<>();
+        for (Template template : document().templates()) {
+            Map<String, Integer> numbers = new HashMap<>();
+            for (Edge edge : template.edges()) {
+                String number = edge.path() + ", " + numbers.merge(edge.path(), 1, Integer::sum);
+                if (TEMPLATES.containsValue(template.name()) && !edge.guard().contains("FAIR &&") && !edge.guard().contains("prompt")) {
+                    edges.add(template.name() + ": " + number);
+                }
+            }
+        }
+        return edges;
+    }
+
+    /** An edge of a scene, as {@link #edges} has it; nothing of what only stands for the rest of the world. */
+    static Optional<String> edge(Scene scene, String taken) {
+        int colon = taken.indexOf(':');
+        String automaton = taken.substring(0, colon);
+        String template = automaton.equals("End") ? scene.template() : TEMPLATES.get(automaton);
+        return Optional.ofNullable(template).map(name -> name + taken.substring(colon));
     }
 }

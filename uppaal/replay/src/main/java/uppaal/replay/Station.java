@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** A board: who it is, what its host has it send, and what it has handed to its host. */
 final class Station {
@@ -33,8 +34,22 @@ final class Station {
     private final Map<Integer, Message> cut = new HashMap<>();
     private String id = "";
 
-    Station(String name) {
+    /** What it hears. */
+    final Ear ear;
+
+    Station(String name, Ear ear) {
         this.name = name;
+        this.ear = ear;
+    }
+
+    /** Its id; its name where that is not known. */
+    String id() {
+        return id.isEmpty() ? name : id;
+    }
+
+    /** Its transmissions that have not been told to have ended. */
+    Stream<Transmission> open() {
+        return numbered.values().stream().filter(transmission -> transmission.outcome.isEmpty());
     }
 
     String name() {

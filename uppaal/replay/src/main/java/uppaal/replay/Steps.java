@@ -2,7 +2,7 @@ package uppaal.replay;
 
 import java.util.Map;
 
-/** The moves of {@code observed.xml} in words. */
+/** The moves of {@code delivery.xml} in words. */
 final class Steps {
     private static final Map<String, String> SENDERS = Map.of(
             "send", "sends it",
@@ -14,12 +14,22 @@ final class Steps {
             "undelivered", "reports it undelivered");
     private static final Map<String, String> RECEIVERS = Map.of(
             "hand", "hands it to its host",
-            "again", "hands it to its host again",
+            "hand_again", "hands it to its host again",
             "taking", "is told that its host takes it",
-            "taken", "confirms that its host has taken it",
+            "confirmed", "confirms that its host has taken it",
             "ack", "acknowledges it as delivered",
             "pieces", "answers which pieces it has",
             "stale", "answers that it is stale");
+
+    /** What nobody does of a board's own accord is not expected, but may be refused. */
+    private static final Map<String, String> OTHERS = Map.of(
+            "slot", "does nothing of what is due",
+            "end", "ends to send",
+            "own_message", "sends another message meanwhile",
+            "own_answer", "sends something else meanwhile",
+            "own_end", "ends to send something else",
+            "carrier", "hears a carrier",
+            "silence", "hears a carrier end");
 
     private Steps() {
     }
@@ -32,6 +42,6 @@ final class Steps {
     /** What is done, and by whom. */
     static String words(String step, String sender, String receiver) {
         return SENDERS.containsKey(step) ? sender + " " + SENDERS.get(step)
-                : RECEIVERS.containsKey(step) ? receiver + " " + RECEIVERS.get(step) : step;
+                : receiver + " " + RECEIVERS.getOrDefault(step, OTHERS.getOrDefault(step, step));
     }
 }

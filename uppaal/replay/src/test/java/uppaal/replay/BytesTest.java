@@ -247,6 +247,26 @@ class BytesTest {
         }
     }
 
+    /** A board that was reset begins to count ids anew. Of two nonces with the same end only the proof tells. */
+    @Test
+    void pieces_ofAnOlderFrameWithTheSameId_areNotThoseOfTheNext() {
+        String nonce = "000002000000";
+        byte[] next = sealed("SUPP", nonce, LONG);
+        Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("police", END).resets("police", "power")
+                .pauses(10).greets("police", "SUPO", "000002").asks("SUPP", LONG)
+                .sends("police", piece("AA", next, 0)).unheard("police", piece("AJ", next, 1))
+                .sends("police", piece("AI", next, 0));
+        assertRefused(talk.unheard("support", acknowledgement(nonce, "03")),
+                "support answers that it has the pieces 03 of SUPO to SUPP, nonce 000002000000; expected 01 or fewer");
+    }
+
+    @Test
+    void pieces_ofOneFrameUnderAnotherId_areRefused() {
+        assertRefusedEvenWithoutKeys(
+                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", piece("BA", LONG_FRAME, 0)),
+                "police sends other bytes under the nonce of an earlier message");
+    }
+
     /** The support has lost its memory after a message, and then is sent it again. */
     private static Talk lost() {
         return delivered().resets("support", "power").pauses(10).greets("support", "SUPP", "000002").pauses(20)

@@ -1,0 +1,12 @@
+/* K1 holds: after a loss of power the host gets nothing that it may have had. */
+A[] given[1] <= 2
+/* K2 holds: what is reported delivered, the host has got. */
+A[] Police1.Answered imply given[1] > 0
+/* K3 holds: nothing is stuck before the message has ended. */
+A[] deadlock imply (Police1.Over && active == 0)
+/* K4 holds: a message can be refused as stale. */
+E<> Police1.Refused
+/* K5 holds: it is refused only where the receiver has lost its power. */
+A[] Police1.Refused imply Support1.lost
+/* K6 holds: what was on the air when its board was reset is over. */
+A[] Police1.Over imply !sending[POLICE]

@@ -1,0 +1,113 @@
+package uppaal.replay;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** What is on the air at a board, as the trace tells it; and the ends of messages there that must hear of it. */
+final class Ear {
+    private static final int SLOT_BITS = 16;
+    private static final int RATE = 2000;
+    /** Where a board's bit rate is as far from that, times are not held to the model's numbers. */
+    private static final double OTHER_RATE = 0.1;
+
+    /**
+     * A carrier begins or ends.
+     *
+     * @param name as in delivery.xml
+     * @param begins whether it begins
+     * @param owner the end that sends, if one of this board does; else null
+     */
+    record Sound(double seconds, String name, boolean begins, End owner) {}
+
+    private final Disturbances disturbances;
+    /** All since the last quiet before the last carrier. */
+    private final Deque<Sound> latest = new ArrayDeque<>();
+    private final Set<End> awake = new LinkedHashSet<>();
+    private double slot = (double) SLOT_BITS / RATE;
+    private boolean timed = true;
+    private int carriers;
+
+    Ear(Disturbances disturbances) {
+        this.disturbances = disturbances;
+    }
+
+    /** Seconds a slot. */
+    double slot() {
+        return slot;
+    }
+
+    /** Whether the board's times are those of the model. */
+    boolean isTimed() {
+        return timed;
+    }
+
+    /** Whether all is known of what the board has heard between two moments. */
+    boolean isSure(double from, double to) {
+        return disturbances.none(from, to);
+    }
+
+    /** Its own packets tell how fast a board's clock runs. */
+    void learn(double bits, double seconds) {
+        double rate = bits / seconds;
+        timed = Math.abs(rate / RATE - 1) < OTHER_RATE;
+        slot = SLOT_BITS / rate;
+    }
+
+    List<Sound> latest() {
+        return List.copyOf(latest);
+    }
+
+    /** This end must hear what comes, as long as something is due there. */
+    void wake(End end) {
+        awake.add(end);
+    }
+
+    /** The board begins anew, and with it what it hears. */
+    void forget() {
+        awake.clear();
+    }
+
+    /** Somebody begins to send. */
+    void begin(double seconds, String name, End owner) throws RefusedException {
+        if (carriers++ == 0) {
+            prune();
+        }
+        tell(new Sound(seconds, name, true, owner));
+    }
+
+    /** Somebody has ended to send. */
+    void end(double seconds, String name, End owner) throws RefusedException {
+        if (carriers > 0) {
+            carriers--;
+            tell(new Sound(seconds, name, false, owner));
+        }
+    }
+
+    /** Keeps the last carriers, up to the quiet that is now. */
+    private void prune() {
+        int open = 0;
+        int kept = 0;
+        int count = 0;
+        for (Sound sound : latest) {
+            if (open == 0) {
+                kept = count;
+            }
+            open += sound.begins() ? 1 : -1;
+            count++;
+        }
+        for (; kept > 0; kept--) {
+            latest.remove();
+        }
+    }
+
+    private void tell(Sound sound) throws RefusedException {
+        awake.removeIf(end -> !end.isAwake());
+        for (End end : List.copyOf(awake)) {
+            end.hear(sound);
+        }
+        latest.add(sound);
+    }
+}

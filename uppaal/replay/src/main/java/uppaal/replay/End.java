@@ -1,0 +1,187 @@
+package uppaal.replay;
+
+import java.util.List;
+import java.util.Set;
+import uppaal.network.Possible;
+
+/**
+ * One end of a message, at its sender's board or at a receiver's: what its automata may be doing. It hears of all that is
+ * on the air at its board, as long as anything is due.
+ */
+final class End {
+    /** So many slots later than the model a board may do something: it writes to its EEPROM, or its sketch is busy. */
+    private static final int LATE = 40;
+    /** By this share of a slot a board may be early: its clock counts milliseconds. */
+    private static final double EARLY = 0.25;
+    /** From here on, in slots, a carrier is heard. */
+    private static final double HEARD = 1.25;
+    /** Quiet slots after which more change nothing. */
+    private static final int LONG_QUIET = 20;
+    /** The model counts no further. */
+    private static final int MOST = 300;
+    /** Slots that a packet takes in the model. */
+    private static final int PACKET = 2;
+
+    private final Message message;
+    private final String who;
+    private final Scenes.Scene scene;
+    private final Ear ear;
+    private final Set<String> covered;
+    private Possible possible;
+    /** Up to when its automata know what its board has heard. */
+    private double told = Double.NEGATIVE_INFINITY;
+    /** Since when its board's air is quiet, or busy. */
+    private double since = Double.NEGATIVE_INFINITY;
+    private int carriers;
+    private boolean overlapping;
+    /** The most slots of that time that may have passed in the model. */
+    private int slots;
+    private boolean sending;
+    private boolean fresh = true;
+    /** Since when its board has something to tell of it. */
+    private double ended = Double.POSITIVE_INFINITY;
+
+    /**
+     * @param who the board's id
+     * @param covered takes the edges that may have been taken
+     */
+    End(Message message, String who, Scenes.Scene scene, Ear ear, Set<String> covered) {
+        this.message = message;
+        this.who = who;
+        this.scene = scene;
+        this.ear = ear;
+        this.covered = covered;
+        this.possible = scene.first();
+    }
+
+    /** Whether something is due, so that it must hear what is on the air. */
+    boolean isAwake() {
+        return !possible.isCertain(scene.rest());
+    }
+
+    /** Since when its board has had something to tell its host of it, in seconds; infinite where it has not. */
+    double ended() {
+        return ended;
+    }
+
+    /** What may happen next. */
+    Set<String> next() {
+        return possible.next();
+    }
+
+    /** Something was seen. */
+    void see(double seconds, String step) throws RefusedException {
+        reach(seconds);
+        take(possible.see(step), step);
+    }
+
+    /** Something may have happened. */
+    void perhaps(double seconds, String step) throws RefusedException {
+        reach(seconds);
+        cover(possible.see(step));
+        settle(possible.perhaps(step));
+    }
+
+    /** Whether something may be seen now. */
+    boolean may(double seconds, String step) throws RefusedException {
+        reach(seconds);
+        return possible.after(step).isPresent();
+    }
+
+    private void take(Possible.Seen seen, String step) throws RefusedException {
+        Possible now = seen.possible().orElseThrow(() -> message.refusal(step, who, this));
+        cover(seen);
+        settle(now);
+    }
+
+    private void cover(Possible.Seen seen) {
+        seen.edges().forEach(edge -> Scenes.edge(scene, edge).ifPresent(covered::add));
+    }
+
+    private void settle(Possible now) {
+        possible = now;
+        ended = possible.isCertain(scene.ended()) ? Math.min(ended, told) : Double.POSITIVE_INFINITY;
+        if (isAwake()) {
+            ear.wake(this);
+        }
+    }
+
+    /** Time passes; an end at which nothing was due hears first what is on the air. */
+    private void reach(double seconds) throws RefusedException {
+        if (possible.isCertain(scene.over())) {
+            return;
+        }
+        if (told == Double.NEGATIVE_INFINITY || !isAwake()) {
+            List<Ear.Sound> latest = ear.latest();
+            if (!latest.isEmpty() && told < latest.get(0).seconds()) {
+                told = latest.get(0).seconds();
+                since = told;
+                slots = 0;
+                hear(latest.get(0));
+            }
+            for (Ear.Sound sound : latest) {
+                if (sound.seconds() > told) {
+                    hear(sound);
+                }
+            }
+        }
+        pass(seconds);
+        fresh = false;
+    }
+
+    /** A carrier begins or ends at its board. */
+    void hear(Ear.Sound sound) throws RefusedException {
+        pass(sound.seconds());
+        boolean sure = !overlapping && (carriers == 0 || !sound.begins()) && ear.isSure(since, sound.seconds());
+        if (sound.owner() == this) {
+            sending = sound.begins();
+            if (!sending) {
+                take(possible.see("end"), "end");
+            }
+        } else {
+            // The turn of its board's messages concerns a sender, once it waits for its own.
+            boolean turn = fresh || !scene.template().equals("Sender");
+            String name = sound.name().equals("own_message") && turn ? "own_answer" : sound.name();
+            if (sure || name.startsWith("own_")) {
+                take(possible.see(name), name);
+            } else if (sound.begins()) {
+                cover(possible.see(name));
+                settle(possible.perhaps(name));
+            } else {
+                settle(possible.where(name));
+            }
+        }
+        overlapping |= sound.begins() && carriers > 0;
+        carriers += sound.begins() ? 1 : -1;
+        if (carriers == 0 || sound.begins() && carriers == 1) {
+            since = sound.seconds();
+            slots = 0;
+            overlapping &= carriers != 0;
+        }
+    }
+
+    private void pass(double seconds) throws RefusedException {
+        if (told == Double.NEGATIVE_INFINITY) {
+            told = seconds - LONG_QUIET * ear.slot();
+            since = told;
+        }
+        double passed = Math.max(0, seconds - told) / ear.slot();
+        double all = Math.max(0, seconds - since) / ear.slot();
+        Possible.Seen seen;
+        if (sending) {
+            seen = possible.elapse(0, PACKET);
+        } else if (!ear.isTimed()) {
+            seen = possible.elapse(0, MOST);
+        } else if (overlapping || !ear.isSure(since, seconds)) {
+            seen = possible.elapse(0, Math.min(MOST, (int) passed + 1));
+        } else if (carriers > 0) {
+            seen = all > HEARD ? possible.elapse(PACKET, PACKET) : possible.elapse(0, 1);
+        } else {
+            int most = Math.min(MOST, (int) (all + EARLY)) - slots;
+            seen = possible.elapse(Math.min(most, Math.max(0, (int) (passed - LATE))), most);
+            slots += most;
+        }
+        take(seen, Possible.SLOT);
+        told = Math.max(told, seconds);
+    }
+}
