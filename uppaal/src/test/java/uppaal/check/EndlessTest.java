@@ -67,11 +67,10 @@ class EndlessTest {
 
     @Test
     void evidence_lines_tellWhatComesAfter() {
-        Network network =
-                Sketch.of("clock x;").template("P", "a -> b{x<=1}; set x = 0", "b -> c~", "c~ -> b; set x = 0",
-                        "a -> d").network();
-        assertEquals(List.of("  1     0: (alone)            P a -> b", "  2     0: (alone)            P b -> c",
-                "  3     0: (alone)            P c -> b", "  => P.b", "  and so again for ever, from step 2 on"),
+        Network network = Sketch.of("clock x;").template("P", "a -> b{x<=1}; guard x >= 1; set x = 0", "b -> c~",
+                "c~ -> b; set x = 0", "a -> d").network();
+        assertEquals(List.of("  1     1: (alone)            P a -> b", "  2     1: (alone)            P b -> c",
+                "  3     1: (alone)            P c -> b", "  => P.b", "  and so again for ever, from step 2 on"),
                 explore(network, "P.b --> P.d").evidence(0).orElseThrow().lines());
         network = Sketch.of("").template("P", "a! -> b", "b -> a!").network();
         assertEquals(List.of("  1  (alone)            P a -> b", "  => P.b", "  and so it may stay for ever"),

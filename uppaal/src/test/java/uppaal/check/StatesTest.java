@@ -42,10 +42,10 @@ class StatesTest {
     @Test
     void add_longestRanges_areKept() {
         Slot whole = new Slot("x", Integer.MIN_VALUE, Integer.MAX_VALUE, 0);
-        States states = new States(List.of(whole, new Slot("y", 7, 7, 7), whole, whole));
-        int[] state = {Integer.MIN_VALUE, 7, Integer.MAX_VALUE, -1};
+        States states = new States(List.of(whole, new Slot("y", 7, 8, 7), new Slot("z", 9, 9, 9), whole, whole));
+        int[] state = {Integer.MIN_VALUE, 8, 9, Integer.MAX_VALUE, -1};
         assertEquals(0, states.add(state));
-        int[] read = new int[4];
+        int[] read = new int[5];
         states.read(0, read);
         assertArrayEquals(state, read);
     }

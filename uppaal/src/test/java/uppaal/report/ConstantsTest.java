@@ -40,6 +40,8 @@ class ConstantsTest {
             "const int[0,9] T = 5;                               | m.xml: the firmware has no T; say behind it "
                     + "'// = …' with the "
                     + "firmware's names, or '// model: …' if it is of the model alone",
+            "const int T = 5; // many                            | m.xml: the firmware has no T; say behind it "
+                    + "'// = …' with the firmware's names, or '// model: …' if it is of the model alone",
             "const int T = 5, U = 6; // model: why               | ''",
             "const bool T = true;                                | m.xml: the firmware has no T; say behind it "
                     + "'// = …' with the "
