@@ -3,8 +3,10 @@
 sanitizers, runs the suites until one fails, and writes score and survivors into docs/reliability.md.
 
 usage: mutate.py [--mutants N|all] [--seed N]
+       mutate.py --list   prints all mistakes, a JSON object a line, with some more kinds, and tries none
 """
 import argparse
+import json
 import os
 import random
 import re
@@ -41,8 +43,8 @@ SWAPS = [('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=
 STATEMENT = re.compile(r'^\s+(?:if \(.*\) )?([\w.\[\]>()-]+(?:\+\+|--)|\+\+\w+|--\w+|[\w.\[\]>-]+ [-+|&]?= .*|[\w.]+\(.*\));$')
 
 
-def mutants_of(line):
-    """Each mistake of one line, as (what, line)."""
+def mutants_of(line, more=False):
+    """Each mistake of one line, as (what, line); with more, numbers become smaller and double too."""
     code = line.split('//')[0].rstrip()
     if not code.strip() or re.match(r'\s*(#|static_assert|namespace|const \w+ \w+::|using|///)', code) or '__asm__' in code:
         return
@@ -50,7 +52,9 @@ def mutants_of(line):
         for match in re.finditer(r'(?<=[\w)\]] )%s(?= [\w(!~*-])' % re.escape(old), code):
             yield '%s for %s' % (new, old), line[:match.start()] + new + line[match.end():]
     for match in re.finditer(r'(?<![\w.])(\d+|0x[0-9A-Fa-f]+)(?![\w.])', code):
-        yield '%s + 1' % match.group(), line[:match.start()] + '(%s + 1)' % match.group() + line[match.end():]
+        for change in ['+ 1', '- 1', '* 2'] if more and int(match.group(), 0) > 1 else ['+ 1']:
+            mutant = '%s %s' % (match.group(), change)
+            yield mutant, line[:match.start()] + '(%s)' % mutant + line[match.end():]
     for old, new in (('true', 'false'), ('false', 'true')):
         for match in re.finditer(r'\b%s\b' % old, code):
             yield '%s for %s' % (new, old), line[:match.start()] + new + line[match.end():]
@@ -64,7 +68,7 @@ def mutants_of(line):
         yield 'statement removed', line[:match.start(1)] + '{' + '}' + line[match.end(1) + 1:]
 
 
-def all_mutants():
+def all_mutants(more=False):
     for folder in FOLDERS:
         place = os.path.join(ROOT, SOURCES, folder)
         for name in sorted(os.listdir(place)):
@@ -72,7 +76,7 @@ def all_mutants():
                 continue
             with open(os.path.join(place, name)) as source:
                 for number, line in enumerate(source.read().split('\n')):
-                    for what, mutant in mutants_of(line):
+                    for what, mutant in mutants_of(line, more):
                         yield folder, '%s/%s' % (folder, name), number, what, mutant
 
 
@@ -157,7 +161,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
     parser.add_argument('--mutants', default='300', help='how many, or all')
     parser.add_argument('--seed', type=int, default=1, help='which ones')
+    parser.add_argument('--list', action='store_true', help='print all')
     arguments = parser.parse_args()
+    if arguments.list:
+        for _, name, number, what, line in all_mutants(more=True):
+            with open(os.path.join(ROOT, SOURCES, name)) as source:
+                right = source.read().split('\n')[number]
+            print(json.dumps({'file': name, 'line': number + 1, 'right': right, 'what': what, 'wrong': line}))
+        return
     possible = list(all_mutants())
     chosen = list(possible)
     random.Random(arguments.seed).shuffle(chosen)

@@ -16,3 +16,6 @@ Bus_Sender.Ready --> Bus_Sender.Idle
 
 /* Q5 fails: who waits for the channel gets it: the others may take it in turns for ever. */
 Police_Sender.Connected --> Police_Sender.Ready
+
+/* Q6 holds: a sender goes on only once the connection has been seen online. */
+A[] (!Police_Sender.Idle || !Support_Service_Sender.Idle || !Bus_Sender.Idle) imply Connection.Online

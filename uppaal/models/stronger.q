@@ -54,6 +54,12 @@ A[] ((Police_Sender.Idle || Police_Sender.Connected || \
      (Police_Sender.Idle || Police_Sender.Connected || Bus_Sender.Idle || Bus_Sender.Connected) && \
      (Support_Service_Sender.Idle || Support_Service_Sender.Connected || Bus_Sender.Idle || Bus_Sender.Connected))
 
+/* S16 holds: the channel is taken only as long as a sender has something to send. */
+A[] Channel.Not_Released imply ( \
+    !(Police_Sender.Idle || Police_Sender.Connected) || \
+    !(Support_Service_Sender.Idle || Support_Service_Sender.Connected) || \
+    !(Bus_Sender.Idle || Bus_Sender.Connected))
+
 // Each kind of message can go its whole way.
 
 /* S11 holds: a unicast can be acknowledged after it was decrypted. */

@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
@@ -147,7 +148,7 @@ public final class Emulator implements AutoCloseable {
     }
 
     /** The keys that hosts have given the boards, in this run and in those before it in this folder. */
-    private static Path keys(Path folder) {
+    public static Path keys(Path folder) {
         return folder.resolve("given-keys");
     }
 
@@ -207,6 +208,11 @@ public final class Emulator implements AutoCloseable {
     /** The emulator's process, to see what it takes. */
     public ProcessHandle process() {
         return process.toHandle();
+    }
+
+    /** Why the model refuses what was traced so far; nothing where it does not. */
+    public Optional<String> refusal() {
+        return model.refusal();
     }
 
     /** What it has complained of. */

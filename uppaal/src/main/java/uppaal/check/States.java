@@ -8,7 +8,7 @@ import uppaal.network.Slot;
  * A set of states, numbered in the order in which they came. Each takes as many bits as its slots' ranges need, in a
  * few {@code long}s of one large array, so that millions fit.
  */
-final class States {
+public final class States {
     private static final int NOWHERE = -1;
 
     /**
@@ -26,7 +26,8 @@ final class States {
     private int[] table = filled(1 << 10);
     private int size;
 
-    States(List<Slot> slots) {
+    /** None yet, of a network with these slots. */
+    public States(List<Slot> slots) {
         low = new int[slots.size()];
         word = new int[slots.size()];
         shift = new int[slots.size()];
@@ -54,12 +55,13 @@ final class States {
         return table;
     }
 
-    int size() {
+    /** How many there are. */
+    public int size() {
         return size;
     }
 
     /** Adds a state if it is new, and then its number is the size that the set had. */
-    int add(int[] state) {
+    public int add(int[] state) {
         Arrays.fill(packed, 0);
         for (int i = 0; i < low.length; i++) {
             packed[word[i]] |= ((long) state[i] - low[i]) << shift[i];
@@ -93,7 +95,7 @@ final class States {
     }
 
     /** Reads the state of a number into the first places of an array. */
-    void read(int number, int[] state) {
+    public void read(int number, int[] state) {
         for (int i = 0; i < low.length; i++) {
             state[i] = (int) (data[number * width + word[i]] >>> shift[i] & mask[i]) + low[i];
         }

@@ -17,7 +17,7 @@ import uppaal.language.Term;
  * from: {@code // = EXPRESSION}, with the firmware's names, perhaps closed by a colon; {@code // model: …} where it
  * is of the model alone; or neither, where the firmware has the same name.
  */
-final class Constants {
+public final class Constants {
     private static final Pattern DECLARATION =
             Pattern.compile(
                     "const\\s+(?:int|bool)(?:\\[[^\\]]*\\])?\\s+(?<list>[^;]+);[ \\t]*(?://[ \\t]*(?<origin>.*))?");
@@ -33,7 +33,7 @@ final class Constants {
     }
 
     /** What is not as in the firmware, or says nothing of where it comes from; a line each. */
-    static List<String> differences(Document document, Firmware firmware) {
+    public static List<String> differences(Document document, Firmware firmware) {
         Constants constants = new Constants(document.file(), firmware);
         constants.compare(document.declarations());
         document.templates().stream().map(Template::declarations).forEach(constants::compare);

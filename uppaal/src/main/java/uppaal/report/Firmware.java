@@ -19,11 +19,11 @@ import uppaal.language.Term;
  *
  * @param sources the files' texts
  */
-record Firmware(List<String> sources) implements Names {
+public record Firmware(List<String> sources) implements Names {
     private static final String GIVEN = "(?:\\bu?int\\d+_t %1$s = ([^;,)]+)[;,)]|#define %1$s (\\w+))";
 
     /** @param folder {@code javino-firmware/src} */
-    static Firmware of(Path folder) {
+    public static Firmware of(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
             return new Firmware(files.filter(file -> file.toString().matches(".*\\.(h|cpp)")).sorted()
                     .map(Firmware::read).toList());

@@ -25,19 +25,19 @@ import uppaal.document.DocumentReader;
  * @param constants that are other than in the file
  * @param queries the files of its queries, in the order in which they are asked
  */
-record Scene(String name, String title, String model, Map<String, String> constants, List<String> queries) {
+public record Scene(String name, String title, String model, Map<String, String> constants, List<String> queries) {
 
-    static final Scene PAPER =
+    public static final Scene PAPER =
             new Scene("paper", "The network of the paper", "paper.xml", Map.of(), List.of("paper.q", "stronger.q"));
-    static final Scene QUIET = new Scene("quiet",
+    public static final Scene QUIET = new Scene("quiet",
             "The same, with a connection that stays online and senders that do not dawdle", "quiet.xml",
             Map.of(), List.of("quiet.q", "stronger.q"));
-    static final Scene RENEWAL =
+    public static final Scene RENEWAL =
             new Scene("renewal", "The renewal and the deletion of a key that three boards share", "renewal.xml",
                     Map.of(), List.of("renewal.q"));
 
     /** So that the boards come to an end: each takes up one message, of one attempt. */
-    static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
+    public static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
             Map.of("MESSAGES", "1", "ATTEMPTS", "1"), List.of("rollover.q"));
 
     /**
@@ -45,7 +45,7 @@ record Scene(String name, String title, String model, Map<String, String> consta
      * send to each other: so these have fewer. Where a packet's time on the air matters, it is that of the shortest
      * message, rounded up, and so is the patience.
      */
-    static final List<Scene> OF_DELIVERY = List.of(
+    public static final List<Scene> OF_DELIVERY = List.of(
             ofDelivery("unicast", "Two unicasts, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
             ofDelivery("repeats", "Two unicasts, with all attempts", Map.of()),
             ofDelivery("multicast", "Two multicasts, another group, and an attacker", Map.of()),
@@ -56,6 +56,10 @@ record Scene(String name, String title, String model, Map<String, String> consta
             ofDelivery("bound", "How long a unicast may take",
                     Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME", "28", "ACK_TIME", "19", "DEADLINE",
                             "1424")));
+
+    /** All of them. */
+    public static final List<Scene> ALL =
+            Stream.concat(Stream.of(PAPER, QUIET, RENEWAL, ROLLOVER), OF_DELIVERY.stream()).toList();
 
     private static final Pattern SYSTEM = Pattern.compile("<system>.*</system>", Pattern.DOTALL);
 
@@ -73,7 +77,12 @@ record Scene(String name, String title, String model, Map<String, String> consta
 
     /** The whole file. */
     String text(Path models) {
-        String text = read(models.resolve(model));
+        return text(read(models.resolve(model)), models);
+    }
+
+    /** The whole file, if this is the text of the model. */
+    public String text(String of, Path models) {
+        String text = of;
         Path system = models.resolve(name + ".system");
         if (Files.exists(system)) {
             String instances = read(system).replace("&", "&amp;").replace("<", "&lt;");
@@ -100,7 +109,7 @@ record Scene(String name, String title, String model, Map<String, String> consta
     }
 
     /** What is asked of it. */
-    List<Query> queries(Path models) {
+    public List<Query> queries(Path models) {
         return queries.stream().flatMap(file -> QueryFile.read(models.resolve(file)).stream()).toList();
     }
 

@@ -30,7 +30,7 @@ class FaultsTest {
     @CsvSource({
             "wrong guard, '', 'S1 S2 S8', 'Q1 Q2 Q3 Q4'", "no acknowledgement, '', 'S3 S13', 'Q1 Q4'",
             "binary channels, '', 'S2 S3 S12 S13 S15', 'Q1 Q3 Q4'", "lost unicast, P5, 'S1 S4 S11', 'Q1 Q2'",
-            "channel kept, '', '', Q1",
+            "channel kept, '', S16, Q1",
             "plain unicast, '', S14, ''"})
     void kill_fault_isNoticedByTheseProperties(String fault, String paper, String stronger, String quiet) {
         Kill kill =

@@ -1,0 +1,240 @@
+package mutation;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import javino.board.ReceivedMessage;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Outcome;
+
+/**
+ * Three boards that go all ways of the delivery in less than a minute of theirs: unicasts, multicasts and broadcasts,
+ * contents in pieces, partners that are there and one that is not, bits that are wrong on the air, a reset, and a loss
+ * of power. Their hosts never wait.
+ */
+final class Conversation {
+
+    /** Emulated seconds in which messages are offered, and until which all must have ended. */
+    private static final double SECONDS = 40;
+    private static final double END = 70;
+    private static final double RESET_AT = 14;
+    private static final double CUT_AT = 24;
+    private static final double CUT_SECONDS = 0.2;
+    private static final double BIT_ERRORS = 0.001;
+    private static final int WINDOW = 3;
+    /** Wall time, far more of the boards' time: after it boards that are silent are taken for dead. */
+    private static final long PATIENCE_SECONDS = 10;
+    private static final String GROUP = "//SU";
+    private static final String ALL = "////";
+    private static final String ABSENT = "SUDD";
+    private static final List<String> IDS = List.of("SUAA", "SUBB", "SUCC");
+    private static final int SHORT = 16;
+    private static final int PIECES = 100;
+
+    /** What came of it. */
+    enum End {
+        /** All was as it must be. */
+        FINE,
+        /** The replay has refused the trace. */
+        REFUSED,
+        /** The replay has accepted it, but hosts did not get what they must, or a program crashed. */
+        FAILED
+    }
+
+    /** @param why in one line; empty where all was fine */
+    record Result(End end, String why) {}
+
+    private final List<Talker> talkers = new ArrayList<>();
+    private double now;
+
+    private Conversation() {}
+
+    /**
+     * Lets boards run a program.
+     *
+     * @param seed   of the air
+     * @param folder for all that the run writes
+     * @param trace  takes each line of the trace
+     */
+    static Result run(Path program, long seed, Path folder, Consumer<String> trace)
+            throws IOException, InterruptedException {
+        return new Conversation().result(program, seed, folder, trace);
+    }
+
+    private Result result(Path program, long seed, Path folder, Consumer<String> trace)
+            throws IOException, InterruptedException {
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).speed("max").radio("bitErrorRate", BIT_ERRORS)
+                .forgetful().listener(event -> {
+                    trace.accept(event.line());
+                    hear(event);
+                });
+        for (String id : IDS) {
+            scenario.board(id, "Station", Map.of("firmware", program.toString()));
+        }
+        scenario.fault(RESET_AT, IDS.get(1), "reset");
+        scenario.fault(Map.of("t", CUT_AT, "board", IDS.get(2), "do", "power-cut", "duration", CUT_SECONDS));
+        String why = "";
+        try {
+            Emulator emulator = scenario.start(folder);
+            try {
+                why = talk(emulator);
+            } catch (AssertionError | RuntimeException failed) {
+                why = "hosts: " + failed.getMessage();
+            } finally {
+                talkers.forEach(Talker::close);
+                emulator.close();
+            }
+        } catch (AssertionError failed) {
+            return verdict(String.valueOf(failed.getMessage()).lines().findFirst().orElse(""));
+        }
+        return new Result(why.isEmpty() ? End.FINE : End.FAILED, why);
+    }
+
+    private static Result verdict(String message) throws IOException {
+        int kept = message.indexOf("; the lines before it are in ");
+        if (kept < 0) {
+            return new Result(End.FAILED, message);
+        }
+        Files.deleteIfExists(Path.of(message.substring(message.lastIndexOf(' ') + 1)));
+        return new Result(End.REFUSED, message.substring(0, kept));
+    }
+
+    private synchronized void hear(TraceEvent event) {
+        now = event.seconds();
+        notifyAll();
+    }
+
+    private synchronized double now() {
+        return now;
+    }
+
+    /** Has the hosts talk; what they did not get, in one line. */
+    private String talk(Emulator emulator) throws InterruptedException {
+        for (String id : IDS) {
+            Map<String, byte[]> keys = new LinkedHashMap<>();
+            IDS.stream().filter(other -> !other.equals(id)).forEach(other -> keys.put(other, TestKeys.PAIR));
+            keys.put(ABSENT, TestKeys.PAIR);
+            keys.put(GROUP, TestKeys.GROUP);
+            talkers.add(new Talker(id, Host.patient(emulator, id).as(id, keys)));
+        }
+        talkers.forEach(Talker::go);
+        long last = System.nanoTime();
+        double before = now();
+        while (!emulator.refusal().isPresent() && emulator.process().isAlive()) {
+            if (now() > SECONDS && talkers.stream().allMatch(Talker::ended)) {
+                return Optional.of(talkers.stream().map(this::wrong).filter(wrong -> !wrong.isEmpty()).toList())
+                        .filter(wrong -> !wrong.isEmpty()).map(List::toString).orElse("");
+            }
+            if (now() > before) {
+                before = now();
+                last = System.nanoTime();
+            }
+            if (now() > END) {
+                return "messages without an end";
+            }
+            if (System.nanoTime() - last > TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS)) {
+                return "the boards are silent";
+            }
+            // Idle boards trace nothing: then their time is not known.
+            TimeUnit.MILLISECONDS.sleep(20);
+        }
+        return "broken off";
+    }
+
+    /** What the other hosts have of a talker that they must not have, or lack. */
+    private String wrong(Talker from) {
+        for (Talker to : talkers) {
+            Set<String> seen = new HashSet<>();
+            for (ReceivedMessage message : to.host.messages()) {
+                String content = message.content().toString();
+                if (!message.from().toString().equals(from.id)) {
+                    continue;
+                }
+                if (!content.equals(from.sent.get(content.replaceAll("x*\"\\)", "")))) {
+                    return from.id + " never sent " + content;
+                }
+                if (!seen.add(content)) {
+                    return to.id + " has twice " + content;
+                }
+            }
+            synchronized (from) {
+                if (from.delivered.getOrDefault(to.id, Set.of()).stream()
+                        .anyMatch(content -> !seen.contains(content))) {
+                    return to.id + " lacks what is reported delivered";
+                }
+            }
+        }
+        synchronized (from) {
+            return from.delivered.values().stream().mapToInt(Set::size).sum() < 2 * WINDOW
+                    ? from.id + " got nearly nothing delivered" : "";
+        }
+    }
+
+    /** A host that sends as soon as an earlier message has ended. */
+    private final class Talker {
+        private final String id;
+        private final Host host;
+        /** Whole contents, by their beginnings. */
+        private final Map<String, String> sent = new HashMap<>();
+        private final Map<String, Set<String>> delivered = new HashMap<>();
+        private int open;
+        private int number;
+
+        Talker(String id, Host host) {
+            this.id = id;
+            this.host = host;
+        }
+
+        synchronized void go() {
+            while (open < WINDOW && now() < SECONDS) {
+                open++;
+                send(number++);
+            }
+        }
+
+        synchronized boolean ended() {
+            return open == 0;
+        }
+
+        private void send(int which) {
+            String next = IDS.get((IDS.indexOf(id) + 1) % IDS.size());
+            String other = IDS.get((IDS.indexOf(id) + 2) % IDS.size());
+            List<String> to = List.of(next, other, GROUP, next, other, ALL, next, other, next,
+                    id.equals(IDS.get(0)) ? ABSENT : other);
+            String destination = to.get(which % to.size());
+            boolean pieces = which % to.size() == 4 || which % to.size() == 8;
+            String begin = "tell;m(\"" + id + " " + which + " ";
+            String content = begin + "x".repeat(Math.max(0, (pieces ? PIECES : SHORT) - begin.length())) + "\")";
+            sent.put(begin, content);
+            host.board.transmit(Address.parse(destination), Content.parse(content)).end()
+                    .whenComplete((outcome, failure) -> end(destination, content, outcome));
+        }
+
+        private synchronized void end(String destination, String content, Outcome outcome) {
+            if (outcome == Outcome.DELIVERED) {
+                delivered.computeIfAbsent(destination, any -> new HashSet<>()).add(content);
+            }
+            open--;
+            go();
+        }
+
+        void close() {
+            host.close();
+        }
+    }
+}

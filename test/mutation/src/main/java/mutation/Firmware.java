@@ -1,0 +1,199 @@
+package mutation;
+
+import campaign.Report;
+import campaign.Table;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** How many mistakes in the firmware's delivery the replay of what its boards then do notices. */
+final class Firmware implements Part {
+
+    private static final double GOAL = 0.85;
+    private static final int USUAL = 60;
+    /** Of the air. A mistake that the first does not show has a second chance. */
+    private static final List<Long> SEEDS = List.of(1L, 2L);
+    /** The others decide how well a board hears, which no trace tells, or how its EEPROM keeps what it holds. */
+    private static final Pattern SOURCES = Pattern.compile(
+            "(delivery|secure)/.*|radio/(AskRadio|CarrierSense|RadioEncoder|RadioQueue)\\.cpp|storage/BootEpoch\\.cpp");
+
+    /** What became of a mistake. */
+    private enum Fate {
+        UNBUILT, UNREACHED, REFUSED, FAILED, SURVIVED
+    }
+
+    private record Judged(FirmwareMutant mutant, Fate fate, String why) {}
+
+    @Override
+    public String name() {
+        return "firmware";
+    }
+
+    @Override
+    public String section() {
+        return "mutants of the firmware, by replay";
+    }
+
+    @Override
+    public void run(Options options, Report report) throws Exception {
+        Path place = options.root().resolve("test/mutation/build/firmware");
+        List<FirmwareMutant> possible = FirmwareMutant.all(options.root()).stream()
+                .filter(mutant -> SOURCES.matcher(mutant.file()).matches()).toList();
+        List<FirmwareMutant> chosen = options.draw(possible, USUAL);
+        BlockingQueue<FirmwareBuild> builds = new LinkedBlockingQueue<>();
+        int workers = Runtime.getRuntime().availableProcessors();
+        for (int i = 0; i < workers; i++) {
+            builds.add(new FirmwareBuild(options.root(), place.resolve("" + i), FirmwareBuild.command()));
+        }
+        check(builds.peek());
+        ExecutorService threads = Executors.newFixedThreadPool(workers);
+        List<Judged> judged = new ArrayList<>();
+        try {
+            List<Future<Judged>> running = chosen.stream()
+                    .map(mutant -> threads.submit(() -> judged(mutant, builds, options.root()))).toList();
+            for (Future<Judged> each : running) {
+                judged.add(each.get());
+                report.progress("%d of %d: %s: %s %s", judged.size(), chosen.size(), each.get().mutant,
+                        each.get().fate, each.get().why);
+            }
+        } finally {
+            threads.shutdownNow();
+        }
+        describe(judged, possible.size(), options, report);
+    }
+
+    /** Without a mistake all must be fine, or nothing can be said of those with one. */
+    private static void check(FirmwareBuild build) throws IOException, InterruptedException {
+        Path program = build.build().orElseThrow(() -> new IOException("the firmware does not build"));
+        for (long seed : SEEDS) {
+            Conversation.Result result = converse(program, seed);
+            if (result.end() != Conversation.End.FINE) {
+                throw new IllegalStateException("without a mistake, with seed " + seed + ": " + result.why());
+            }
+        }
+    }
+
+    private static Conversation.Result converse(Path program, long seed) throws IOException, InterruptedException {
+        Path folder = Files.createTempDirectory("javino-mutate");
+        try {
+            return Conversation.run(program, seed, folder, line -> {});
+        } finally {
+            FirmwareBuild.delete(folder);
+        }
+    }
+
+    private static Judged judged(FirmwareMutant mutant, BlockingQueue<FirmwareBuild> builds, Path root)
+            throws IOException, InterruptedException {
+        FirmwareBuild build = builds.take();
+        try {
+            String source = mutant.source(root);
+            Optional<Path> program = build.with(mutant.file(), mutant.in(source));
+            if (program.isEmpty()) {
+                return new Judged(mutant, Fate.UNBUILT, "");
+            }
+            for (long seed : SEEDS) {
+                Conversation.Result result = converse(program.get(), seed);
+                if (result.end() != Conversation.End.FINE) {
+                    return new Judged(mutant, result.end() == Conversation.End.REFUSED ? Fate.REFUSED : Fate.FAILED,
+                            result.why());
+                }
+            }
+            return new Judged(mutant, isReached(mutant, source, build) ? Fate.SURVIVED : Fate.UNREACHED, "");
+        } finally {
+            builds.add(build);
+        }
+    }
+
+    /** Whether boards come to the line with the mistake; taken for granted where a trap cannot stand before it. */
+    private static boolean isReached(FirmwareMutant mutant, String source, FirmwareBuild build)
+            throws IOException, InterruptedException {
+        Optional<Path> program =
+                mutant.takesTrap() ? build.with(mutant.file(), mutant.trapIn(source)) : Optional.empty();
+        if (program.isEmpty()) {
+            return true;
+        }
+        for (long seed : SEEDS) {
+            if (converse(program.get(), seed).end() != Conversation.End.FINE) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static void describe(List<Judged> judged, int possible, Options options, Report report) {
+        report.text("""
+            Of %d possible mistakes in what decides when and what a board sends (another operator, a number greater or
+            less by one or twice as large, a negated condition, a removed statement, true for false), %d were drawn.
+            Each was planted alone into `Station`, which three emulated boards then ran, for less than a minute of
+            theirs, with a bit error rate of 0.001: unicasts, multicasts, broadcasts and contents in pieces, to partners
+            that are there and one that is not, with a reset and a loss of power. *Refused*: the replay of the trace
+            says that no board does this. *Only hosts*: the trace is accepted, but a message has no end, or has not come
+            although it was reported so, or a program crashed. *Not reached*: no board comes to the line.
+            """.formatted(possible, judged.size()));
+        Table table = new Table("folder", "drawn", "not built", "not reached", "refused", "only hosts", "neither",
+                "harmless", "refused of the others");
+        for (String folder : judged.stream().map(each -> each.mutant.folder()).distinct().sorted().toList()) {
+            row(table, folder, judged.stream().filter(each -> each.mutant.folder().equals(folder)).toList(), options);
+        }
+        row(table, "all", judged, options);
+        report.table(table);
+        survivors(judged, options.survivors(), report);
+        long harmful = harmful(judged, options);
+        report.aim(Table.text("at least %.0f %% of those that are reached and do harm refused", 100 * GOAL),
+                count(judged, Fate.REFUSED) >= GOAL * harmful);
+        report.never("survivors without a reason",
+                judged.stream().filter(each -> each.fate == Fate.SURVIVED && !isHarmless(each, options)).count());
+    }
+
+    private static void row(Table table, String name, List<Judged> judged, Options options) {
+        table.row(name, judged.size(), count(judged, Fate.UNBUILT), count(judged, Fate.UNREACHED),
+                count(judged, Fate.REFUSED), count(judged, Fate.FAILED), count(judged, Fate.SURVIVED),
+                judged.stream().filter(each -> isHarmless(each, options)).count(),
+                Table.percent(count(judged, Fate.REFUSED), harmful(judged, options)));
+    }
+
+    private static long count(List<Judged> judged, Fate fate) {
+        return judged.stream().filter(each -> each.fate == fate).count();
+    }
+
+    /** Those that boards come to, and nobody has said are harmless. */
+    private static long harmful(List<Judged> judged, Options options) {
+        return judged.stream().filter(each -> each.fate != Fate.UNBUILT && each.fate != Fate.UNREACHED)
+                .filter(each -> !isHarmless(each, options)).count();
+    }
+
+    private static boolean isHarmless(Judged judged, Options options) {
+        return judged.fate == Fate.SURVIVED && options.survivors().reason(judged.mutant.toString()).isPresent();
+    }
+
+    private static void survivors(List<Judged> judged, Survivors known, Report report) {
+        list("Accepted by the replay, but not by the hosts:\n\n| line and mistake | what hosts saw |", judged,
+                each -> each.fate == Fate.FAILED, each -> each.why, report);
+        list("Not noticed:\n\n| line and mistake | does no harm, since |", judged,
+                each -> each.fate == Fate.SURVIVED, each -> known.reason(each.mutant.toString()).orElse(""), report);
+    }
+
+    private static void list(String head, List<Judged> judged, Predicate<Judged> which,
+            Function<Judged, String> why, Report report) {
+        String rows = judged.stream().filter(which)
+                .map(each -> "| " + each.mutant.file() + ":" + each.mutant.line() + " "
+                        + Mutate.cell(each.mutant.right().strip()) + ", " + Mutate.cell(each.mutant.what()) + " | "
+                        + why.apply(each).replace("|", "\\|") + " |")
+                .sorted().collect(Collectors.joining("\n"));
+        if (!rows.isEmpty()) {
+            report.text(head + "\n| --- | --- |\n" + rows);
+        }
+    }
+}

@@ -1,0 +1,20 @@
+package mutation;
+
+import campaign.Report;
+
+/** A kind of thing that mistakes are put into. */
+interface Part {
+
+    /** One word, by which it can be asked for alone. */
+    String name();
+
+    /** The head of its section in docs/reliability.md. */
+    String section();
+
+    /**
+     * Tries, and reports what was noticed.
+     *
+     * @throws Exception where it could not be carried out
+     */
+    void run(Options options, Report report) throws Exception;
+}
