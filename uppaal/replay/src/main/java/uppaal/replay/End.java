@@ -114,7 +114,7 @@ final class End {
         if (told == Double.NEGATIVE_INFINITY || !isAwake()) {
             List<Ear.Sound> latest = ear.latest();
             if (!latest.isEmpty() && told < latest.get(0).seconds()) {
-                told = latest.get(0).seconds();
+                told = latest.get(0).seconds() - LONG_QUIET * ear.slot();
                 since = told;
                 slots = 0;
                 hear(latest.get(0));

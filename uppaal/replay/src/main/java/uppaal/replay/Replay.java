@@ -3,6 +3,7 @@ package uppaal.replay;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
+import com.google.gson.JsonPrimitive;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
@@ -35,6 +36,8 @@ public final class Replay {
 
     /** A packet that breaks off is not in the trace: so long it may have been, in seconds, before a board was reset. */
     private static final double BROKEN_OFF = 2;
+    /** With so many bit errors carriers are still heard. */
+    private static final double FEW_ERRORS = 0.002;
     /** What makes reception uncertain. */
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
@@ -173,10 +176,17 @@ public final class Replay {
     }
 
     private static boolean isUncertain(Event scenario) {
-        JsonElement radio = scenario.fields().get("radio");
-        return radio instanceof JsonObject numbers && UNCERTAIN.stream().map(numbers::get)
-                .anyMatch(value -> value != null && !value.isJsonNull()
-                        && !(value.isJsonPrimitive() && value.getAsString().matches("0(\\.0*)?(e.*)?|false")));
+        return scenario.fields().get("radio") instanceof JsonObject radio
+                && UNCERTAIN.stream()
+                        .anyMatch(key -> isMore(radio.get(key), key.equals("bitErrorRate") ? FEW_ERRORS : 0));
+    }
+
+    /** Whether a number is above another; what is no number says more than any. */
+    private static boolean isMore(JsonElement value, double number) {
+        if (value instanceof JsonPrimitive primitive && primitive.isNumber()) {
+            return primitive.getAsDouble() > number;
+        }
+        return value != null && !value.isJsonNull();
     }
 
     private void perform(double until) {
