@@ -41,7 +41,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             Map.of("MESSAGES", "1", "ATTEMPTS", "1"), List.of("rollover.q"));
 
     /**
-     * Those of delivery. With all attempts and an attacker there are 11.5 million states, and as many of two boards that
+     * Those of delivery. With all attempts and an attacker there are 11.5 million states, and more of two boards that
      * send to each other: so these have fewer. Where a packet's time on the air matters, it is that of the shortest
      * message, rounded up, and so is the patience.
      */

@@ -30,7 +30,7 @@ class DeliveryTest {
 
     /** Each scene is explored once: some have millions of states. */
     @Test
-    void deliver_ourModels_areAsExpected_andAsReadmeSays() throws IOException {
+    void deliver_ourModels_areAsReadmeSays() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         assertEquals(List.of(),
                 Main.deliver(MODELS, folder, new Report(new PrintStream(printed, true, StandardCharsets.UTF_8))));

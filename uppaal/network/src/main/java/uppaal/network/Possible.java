@@ -127,13 +127,14 @@ public final class Possible {
         }
     }
 
-    /** The names of the moves that can be seen next, in alphabetical order. */
+    /** The names of the moves that can be seen next, in alphabetical order; that time passes is none. */
     public Set<String> next() {
         synchronized (watch) {
             if (visible == null) {
                 visible = new TreeSet<>();
                 for (IntBuffer state : states) {
-                    watch.moves(state).forEach(move -> move.name.ifPresent(visible::add));
+                    watch.moves(state).forEach(
+                            move -> move.name.filter(name -> !name.equals(SLOT)).ifPresent(visible::add));
                 }
             }
             return Set.copyOf(visible);
