@@ -3,7 +3,9 @@ package uppaal.replay;
 import java.util.ArrayList;
 import java.util.List;
 
-/** When boards may hear what the trace does not tell, or not hear what it tells: noise, jams, packets that break off. */
+/**
+ * When boards may hear what the trace does not tell, or not hear what it tells: noise, jams, packets that break off.
+ */
 final class Disturbances {
     private record Span(double from, double to) {}
 

@@ -12,6 +12,7 @@ final class Ear {
     private static final int RATE = 2000;
     /** Where a board's bit rate is as far from that, times are not held to the model's numbers. */
     private static final double OTHER_RATE = 0.1;
+    private static final double HALF_A_BIT = 0.5;
 
     /**
      * A carrier begins or ends.
@@ -29,6 +30,8 @@ final class Ear {
     private double slot = (double) SLOT_BITS / RATE;
     private boolean timed = true;
     private int carriers;
+    /** Bits a second, once the board has sent; else no number. */
+    private double rate = Double.NaN;
 
     Ear(Disturbances disturbances) {
         this.disturbances = disturbances;
@@ -49,9 +52,14 @@ final class Ear {
         return disturbances.none(from, to);
     }
 
-    /** Its own packets tell how fast a board's clock runs. */
+    /** Whether a packet of the board's own is as long as its bits take, by the first one: up to a quarter of a bit. */
+    boolean fits(double bits, double seconds) {
+        return Double.isNaN(rate) || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;
+    }
+
+    /** Its own packets tell how fast a board's clock runs. The end of the last bit is not told. */
     void learn(double bits, double seconds) {
-        double rate = bits / seconds;
+        rate = (bits - 1) / seconds;
         timed = Math.abs(rate / RATE - 1) < OTHER_RATE;
         slot = SLOT_BITS / rate;
     }

@@ -5,7 +5,8 @@ import java.util.Set;
 import uppaal.network.Possible;
 
 /**
- * One end of a message, at its sender's board or at a receiver's: what its automata may be doing. It hears of all that is
+ * One end of a message, at its sender's board or at a receiver's: what its automata may be doing. It hears of all
+ * that is
  * on the air at its board, as long as anything is due.
  */
 final class End {

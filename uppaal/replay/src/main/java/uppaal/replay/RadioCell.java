@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -104,7 +105,7 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
-        checkAirtime(event, payload, board.isNamed());
+        checkAirtime(event, payload, board);
         board.ear.learn(event.number("bits"), event.number("end") - start);
         Packet packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), null,
                 List.of(), "");
@@ -130,18 +131,21 @@ final class RadioCell {
     }
 
     /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
-    private static void checkAirtime(Event event, Payload payload, boolean ours) throws RefusedException {
+    private static void checkAirtime(Event event, Payload payload, Station board) throws RefusedException {
         double bits = event.number("bits");
         int least = FRAMING_BITS + BITS_A_BYTE * (payload.hex().length() / 2);
+        boolean ours = board.isNamed();
         boolean trailed = event.fields().has("trailer");
         if (ours && (bits < least || bits > least && !trailed || bits > least + MOST_TRAILER_BITS)) {
             throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + least
                     + " for these bytes" + (trailed ? " and a trailer" : ""));
         }
-        double rate = bits / (event.number("end") - event.number("start"));
-        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE)) {
-            throw new RefusedException(event.board() + " sends with " + Math.round(rate)
-                    + " bit/s; expected a time on the air that fits its bits");
+        double seconds = event.number("end") - event.number("start");
+        double rate = (bits - 1) / seconds;
+        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && board.ear.fits(bits, seconds))) {
+            throw new RefusedException(String.format(Locale.ROOT,
+                    "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
+                    seconds));
         }
     }
 
@@ -359,7 +363,7 @@ final class RadioCell {
 
     /** What reaches a board takes as long as it was sent, but for a trailer. */
     private static void checkArrival(Event event, Packet packet) throws RefusedException {
-        if (!event.fields().has("end")) {
+        if (!event.fields().has("payload")) {
             return;
         }
         double end = event.number("end");

@@ -13,7 +13,8 @@ import java.util.PriorityQueue;
 import java.util.Set;
 
 /**
- * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed between boards and
+ * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed
+ * between boards and
  * hosts must be what the model allows. Takes the lines as they come; what it remembers does not grow with the trace.
  */
 public final class Replay {
@@ -68,7 +69,10 @@ public final class Replay {
         bytes = new Bytes(new Keys(keys));
     }
 
-    /** Boards may hear more than the trace tells, and less: no event is demanded of them, and none refused for its time. */
+    /**
+     * Boards may hear more than the trace tells, and less: no event is demanded of them, and none refused for its
+     * time.
+     */
     void doubtReception() {
         disturbances.add(0, Double.POSITIVE_INFINITY);
     }

@@ -21,13 +21,18 @@ import uppaal.network.NetworkBuilder;
 import uppaal.network.Possible;
 
 /**
- * The automata of {@code delivery.xml} in which the two ends of a message are replayed: its sender, or a receiver with its
- * answers, each with the air as its board hears it and with {@code Others}, who do what the trace says of the rest of the
+ * The automata of {@code delivery.xml} in which the two ends of a message are replayed: its sender, or a receiver
+ * with its
+ * answers, each with the air as its board hears it and with {@code Others}, who do what the trace says of the rest of
+ * the
  * world.
  */
 final class Scenes {
     private static final String FILE = "delivery.xml";
-    /** Moves that are seen as their channel. That somebody begins or ends is seen as what that is; the rest passes unseen. */
+    /**
+     * Moves that are seen as their channel. That somebody begins or ends is seen as what that is; the rest passes
+     * unseen.
+     */
     private static final Set<String> SEEN = Set.of("reseal", "sent", "delivered", "undelivered", "hand", "hand_again",
             "taking", "confirmed", "sender_reset", "receiver_reset", "receiver_power", "carrier", "silence",
             "own_message", "own_answer", "own_end", "crowd", "alone", "newer", "next", "message_comes",

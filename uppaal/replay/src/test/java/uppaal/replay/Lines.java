@@ -15,6 +15,8 @@ import java.util.function.Predicate;
 
 /** A trace that a test spoils. Lines count from 1, as refusals name them. */
 final class Lines {
+    /** So that all that tests make up is on the air for less than 0.3 s. */
+    private static final int RATE = 4000;
     private static final int FRAMING_BITS = 84;
     private static final int BITS_A_DIGIT = 6;
 
@@ -47,8 +49,10 @@ final class Lines {
                 line.addProperty(key, (String) value);
             }
         });
-        if (event.equals("rf-tx")) {
-            line.addProperty("bits", FRAMING_BITS + BITS_A_DIGIT * line.get("payload").getAsString().length());
+        if (event.equals("rf-tx") || event.equals("rf-rx")) {
+            int bits = FRAMING_BITS + BITS_A_DIGIT * line.get("payload").getAsString().length();
+            line.addProperty("bits", bits);
+            line.addProperty("end", line.get("start").getAsDouble() + (bits - 1.0) / RATE);
         }
         all.add(line);
         return this;

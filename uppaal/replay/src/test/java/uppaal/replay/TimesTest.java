@@ -114,6 +114,14 @@ class TimesTest {
     }
 
     @Test
+    void times_airtimeThatIsABitLonger_isRefused() {
+        Lines lines = Lines.of("partners");
+        int sent = packet(lines, "police", "unicast", 3);
+        lines.get(sent).addProperty("end", lines.get(sent).get("end").getAsDouble() + SLOT / 16);
+        assertTrue(refusal(lines).contains("expected a time on the air that fits them"), refusal(lines));
+    }
+
+    @Test
     void times_outcomeBeforeThePacketsEnd_isRefused() {
         Lines lines = Lines.of("highway");
         int told = lines.next(0, "support", "host-outcome");
