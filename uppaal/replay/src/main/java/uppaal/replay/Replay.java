@@ -14,8 +14,8 @@ import java.util.Set;
 
 /**
  * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed
- * between boards and
- * hosts must be what the model allows. Takes the lines as they come; what it remembers does not grow with the trace.
+ * between boards and hosts must be what the model allows. Takes the lines as they come; what it remembers does not
+ * grow with the trace.
  */
 public final class Replay {
     /**
