@@ -6,8 +6,7 @@ import uppaal.network.Possible;
 
 /**
  * One end of a message, at its sender's board or at a receiver's: what its automata may be doing. It hears of all
- * that is
- * on the air at its board, as long as anything is due.
+ * that is on the air at its board, as long as anything is due.
  */
 final class End {
     /** So many slots later than the model a board may do something: it writes to its EEPROM, or its sketch is busy. */

@@ -22,10 +22,8 @@ import uppaal.network.Possible;
 
 /**
  * The automata of {@code delivery.xml} in which the two ends of a message are replayed: its sender, or a receiver
- * with its
- * answers, each with the air as its board hears it and with {@code Others}, who do what the trace says of the rest of
- * the
- * world.
+ * with its answers, each with the air as its board hears it and with {@code Others}, who do what the trace says of
+ * the rest of the world.
  */
 final class Scenes {
     private static final String FILE = "delivery.xml";
