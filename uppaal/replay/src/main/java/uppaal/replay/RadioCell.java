@@ -424,6 +424,12 @@ final class RadioCell {
     void take(Event event, String step) throws RefusedException {
         Station board = board(event.board());
         int number = (int) event.number("number");
+        if (step.equals("taking")) {
+            board.take(number);
+        } else if (!board.confirm(number)) {
+            throw new RefusedException(board.name() + " confirms that its host has taken message " + number
+                    + "; expected that its host says so first");
+        }
         if (!board.handed.containsKey(number)) {
             return; // its board ignores that as well
         }

@@ -1,6 +1,7 @@
 package uppaal.replay;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -15,6 +16,7 @@ import java.util.stream.Stream;
 final class Station {
     /** Packets on the air at one time are few; so many of a board are never waited for. */
     private static final int PACKETS = 8;
+    private static final int LAST_NUMBER = 255;
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
 
@@ -32,6 +34,10 @@ final class Station {
     private final Map<String, Transmission> current = new HashMap<>();
     /** What it has cut last, by the ids of pieces. */
     private final Map<Integer, Message> cut = new HashMap<>();
+    /** Numbers that its host has said to have taken, as often as the board has not confirmed it. */
+    private final List<Integer> taking = new ArrayList<>();
+    /** The number of the last transmission; the first one has 0. */
+    private int last = LAST_NUMBER;
     private String id = "";
 
     /** What it hears. */
@@ -87,7 +93,13 @@ final class Station {
     }
 
     /** It has taken something over from its host to send. */
-    void transmit(Transmission transmission) {
+    void transmit(Transmission transmission) throws RefusedException {
+        int ahead = transmission.number - last & LAST_NUMBER;
+        if (ahead == 0 || ahead > LAST_NUMBER / 2) {
+            throw new RefusedException(name + " takes over transmission " + transmission.number
+                    + "; expected one after " + last);
+        }
+        last = transmission.number;
         waiting.add(transmission);
         numbered.put(transmission.number, transmission);
     }
@@ -112,6 +124,16 @@ final class Station {
         return Optional.ofNullable(cut.get(pieceId));
     }
 
+    /** Its host says that it has taken a message. */
+    void take(int number) {
+        taking.add(number);
+    }
+
+    /** It confirms that; returns false where its host has not said so. */
+    boolean confirm(int number) {
+        return taking.remove((Integer) number);
+    }
+
     Optional<Transmission> numbered(int number) {
         return Optional.ofNullable(numbered.get(number));
     }
@@ -131,6 +153,8 @@ final class Station {
 
     /** It begins anew: what it was to send and what it has not handed over is gone. */
     void reset() {
+        last = LAST_NUMBER;
+        taking.clear();
         waiting.clear();
         numbered.clear();
         handed.clear();

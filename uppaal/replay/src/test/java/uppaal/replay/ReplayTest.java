@@ -257,6 +257,22 @@ class ReplayTest {
     }
 
     @Test
+    void replay_confirmedWhatItsHostHasNotTaken_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int taken = lines.next(0, "hospital", "host-taken");
+        lines.get(taken).addProperty("number", 99);
+        assertRefused(lines, taken, "hospital confirms that its host has taken message 99; expected that its host");
+    }
+
+    @Test
+    void replay_transmissionOutOfOrder_isRefusedThere() {
+        Lines lines = Lines.of("partners");
+        int asked = lines.where(line -> lines.is(line, "police", "host-transmit")).get(1);
+        lines.get(asked).addProperty("number", 0);
+        assertRefused(lines, asked, "police takes over transmission 0; expected one after 0");
+    }
+
+    @Test
     void replay_timeThatRunsBackwards_isRefusedThere() {
         Lines lines = Lines.of("highway");
         lines.get(100).addProperty("t", 0.5);

@@ -140,6 +140,31 @@ class TimesTest {
         assertTrue(refusal(cut).startsWith("event"), refusal(cut));
     }
 
+    /** All that follows comes as much later. */
+    @Test
+    void times_acknowledgementThatComesLate_isRefusedOnceThatIsTooLate() {
+        for (int late : List.of(30, 60)) {
+            Lines lines = Lines.of("highway");
+            shiftAll(lines, packet(lines, "hospital", "acknowledgement", 0), late * SLOT);
+            assertEquals(late == 30, refusal(lines).equals("accepted"), refusal(lines));
+        }
+    }
+
+    /** A board that hears another's packet begins to send one slot after it, or later. */
+    @Test
+    void times_twoOnTheAirThoughBothHear_isRefusedFromTheSecondSlotOn() {
+        for (int slots : List.of(1, 3)) {
+            Lines lines = Lines.of("highway");
+            int first = packet(lines, "support", "unicast", 0);
+            int second = lines.where(line -> line > first && lines.is(line, "rf-tx")
+                    && !lines.is(line, "support", "rf-tx") && !lines.text(line, "kind").equals("acknowledgement"))
+                    .get(0);
+            shiftPacket(lines, second, lines.get(first).get("start").getAsDouble() + slots * SLOT
+                    - lines.get(second).get("start").getAsDouble());
+            assertEquals(slots > 1, refusal(lines).contains(", rf-tx)"), slots + ": " + refusal(lines));
+        }
+    }
+
     @Test
     void times_acknowledgementThatNeverComes_isRefused() {
         Lines lines = Lines.of("highway");
