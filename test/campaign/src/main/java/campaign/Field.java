@@ -39,6 +39,11 @@ final class Field implements AutoCloseable {
         Cell(String sketch, int boards) {
             this(sketch, Collections.nCopies(boards, Map.of()));
         }
+
+        /** Whether they run other than our firmware as it is: an older one, or one without carrier sense. */
+        boolean isOther() {
+            return sketch.equals("DeafStation") || boards.stream().anyMatch(board -> board.containsKey("firmware"));
+        }
     }
 
     /**
@@ -82,6 +87,9 @@ final class Field implements AutoCloseable {
     /** Adds the boards to a scenario and starts it. */
     static Field start(Emulator.Scenario scenario, List<Cell> cells) throws IOException, InterruptedException {
         List<List<Post>> posts = posts(cells);
+        if (cells.stream().anyMatch(Cell::isOther)) {
+            scenario.unmodelled();
+        }
         for (int cell = 0; cell < cells.size(); cell++) {
             for (int i = 0; i < posts.get(cell).size(); i++) {
                 Map<String, Object> more = new LinkedHashMap<>(cells.get(cell).boards.get(i));

@@ -50,14 +50,16 @@ public final class Emulator implements AutoCloseable {
     /** Written by the thread that reads the trace; read when that has ended. */
     private final Deque<String> latest = new ArrayDeque<>();
     private final Replay model;
+    private final boolean modelled;
     private Thread reader;
     private boolean keeping = true;
 
-    private Emulator(Path folder, Process process, Consumer<TraceEvent> listener) {
+    private Emulator(Path folder, Process process, Consumer<TraceEvent> listener, boolean modelled) {
         this.folder = folder;
         this.process = process;
         model = new Replay(keys(folder));
         this.listener = listener;
+        this.modelled = modelled;
     }
 
     /** What a test says of its scenario; the words are those of emulator/README.md. */
@@ -68,6 +70,7 @@ public final class Emulator implements AutoCloseable {
         private String speed = "1";
         private long seed = 1;
         private boolean keeping = true;
+        private boolean modelled = true;
         private Consumer<TraceEvent> listener = event -> {};
 
         public Scenario radio(String key, Object value) {
@@ -114,6 +117,12 @@ public final class Emulator implements AutoCloseable {
             return this;
         }
 
+        /** Its boards do not run our firmware as it is: the model does not say what they do. */
+        public Scenario unmodelled() {
+            modelled = false;
+            return this;
+        }
+
         public Scenario speed(String times) {
             speed = times;
             return this;
@@ -138,7 +147,7 @@ public final class Emulator implements AutoCloseable {
                     "" + seed, "--keys", keys(folder).toString())
                     .start();
             RUNNING.add(process);
-            Emulator emulator = new Emulator(folder, process, listener);
+            Emulator emulator = new Emulator(folder, process, listener, modelled);
             emulator.reader = read(process.inputReader(), emulator::traced);
             read(process.errorReader(), emulator::complained);
             emulator.awaitPower(boards);
@@ -176,7 +185,9 @@ public final class Emulator implements AutoCloseable {
 
     private void traced(String line) {
         TraceEvent event = TraceEvent.parse(line);
-        model.line(line);
+        if (modelled) {
+            model.line(line);
+        }
         if (model.refusal().isEmpty()) {
             remember(line);
         }

@@ -73,11 +73,6 @@ final class Ear {
         awake.add(end);
     }
 
-    /** The board begins anew, and with it what it hears. */
-    void forget() {
-        awake.clear();
-    }
-
     /** Somebody begins to send. */
     void begin(double seconds, String name, End owner) throws RefusedException {
         if (carriers++ == 0) {

@@ -157,8 +157,8 @@ final class RadioCell {
     }
 
     /** A board may hear somebody else from now on. */
-    void carrier(Event event) throws RefusedException {
-        board(event.board()).ear.begin(event.number("start"), "carrier", null);
+    void carrier(Event event, double seconds) throws RefusedException {
+        board(event.board()).ear.begin(seconds, "carrier", null);
     }
 
     /** And no longer. */

@@ -37,6 +37,8 @@ public final class Replay {
 
     /** A packet that breaks off is not in the trace: so long it may have been, in seconds, before a board was reset. */
     private static final double BROKEN_OFF = 2;
+    /** What disturbed before, in seconds, concerns nobody any more: all clocks are past what they are compared with. */
+    private static final double REMEMBERED = 30;
     /** With so many bit errors carriers are still heard. */
     private static final double FEW_ERRORS = 0.002;
     /** What makes reception uncertain. */
@@ -197,6 +199,7 @@ public final class Replay {
         while (refusal == null && !steps.isEmpty() && steps.peek().seconds() <= until) {
             Step step = steps.remove();
             Event event = step.event();
+            disturbances.forget(step.seconds() - REMEMBERED);
             try {
                 if (ended && isOfUnfinishedPacket(event)) {
                     steps.clear();
@@ -228,14 +231,16 @@ public final class Replay {
     private void perform(Step step) throws RefusedException {
         Event event = step.event();
         switch (step.part()) {
-            case CARRIER -> cell.carrier(event);
+            case CARRIER -> cell.carrier(event, step.seconds());
             case END -> cell.end(event);
             case SILENCE -> {
+                cell.silence(event, step.seconds());
                 double end = cell.end(event, step.seconds());
                 if (end > step.seconds()) {
-                    enter(end, event, Part.SILENCE); // its trailer
-                } else {
-                    cell.silence(event, step.seconds());
+                    // Its trailer: a board that handles the packet meanwhile may not hear it.
+                    disturbances.add(step.seconds(), end);
+                    cell.carrier(event, step.seconds());
+                    enter(end, event, Part.SILENCE);
                 }
             }
             default -> perform(event, step.seconds());
