@@ -12,7 +12,7 @@ import uppaal.language.Term;
 
 class PossibleTest {
     private static Possible of(Network network) {
-        return Possible.first(network, (state, move) -> move.channel().map(channel -> channel.name()));
+        return Possible.first(network, true, (state, move) -> move.channel().map(channel -> channel.name()));
     }
 
     private static Network doors() {

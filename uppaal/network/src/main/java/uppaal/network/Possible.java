@@ -3,6 +3,7 @@ package uppaal.network;
 import java.nio.IntBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
@@ -14,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BiFunction;
+import java.util.stream.Collectors;
 import uppaal.language.Term;
 
 /**
@@ -26,13 +28,13 @@ public final class Possible {
     public static final String SLOT = "slot";
 
     private final Watch watch;
-    private final Set<IntBuffer> states;
+    private final Set<Node> states;
     private final Map<String, Seen> after = new HashMap<>();
     private final Map<List<Integer>, Seen> elapsed = new HashMap<>();
     private final Map<Term, Boolean> certain = new HashMap<>();
     private Set<String> visible;
 
-    private Possible(Watch watch, Set<IntBuffer> states) {
+    private Possible(Watch watch, Set<Node> states) {
         this.watch = watch;
         this.states = states;
     }
@@ -50,11 +52,13 @@ public final class Possible {
     /**
      * What is known at first.
      *
+     * @param covering whether the edges of what passes unseen are wanted too, which takes its time
      * @param name what a move out of a state is seen as; nothing where it is not seen
      */
-    public static Possible first(Network network, BiFunction<int[], JointMove, Optional<String>> name) {
-        Watch watch = new Watch(network, name);
-        return watch.known(watch.closed(Set.of(IntBuffer.wrap(network.initial()))));
+    public static Possible first(Network network, boolean covering,
+            BiFunction<int[], JointMove, Optional<String>> name) {
+        Watch watch = new Watch(network, covering, name);
+        return watch.known(watch.closed(Set.of(watch.node(network.initial()))));
     }
 
     /** What is known once a move was seen; nothing where it cannot have been. */
@@ -104,9 +108,9 @@ public final class Possible {
     /** What is known where a move is made if it can be. */
     public Possible where(String name) {
         synchronized (watch) {
-            Set<IntBuffer> others = new HashSet<>();
-            for (IntBuffer state : states) {
-                if (watch.moves(state).stream().noneMatch(move -> move.name.filter(name::equals).isPresent())) {
+            Set<Node> others = new HashSet<>();
+            for (Node state : states) {
+                if (watch.after(state, name).length == 0) {
                     others.add(state);
                 }
             }
@@ -123,7 +127,7 @@ public final class Possible {
     public boolean isCertain(Term formula) {
         synchronized (watch) {
             return certain.computeIfAbsent(formula, term -> states.stream().allMatch(
-                    state -> term.holds(state.array())));
+                    state -> term.holds(state.values)));
         }
     }
 
@@ -132,7 +136,7 @@ public final class Possible {
         synchronized (watch) {
             if (visible == null) {
                 visible = new TreeSet<>();
-                for (IntBuffer state : states) {
+                for (Node state : states) {
                     watch.moves(state).forEach(
                             move -> move.name.filter(name -> !name.equals(SLOT)).ifPresent(visible::add));
                 }
@@ -142,30 +146,34 @@ public final class Possible {
     }
 
     private Seen find(String name) {
-        Set<IntBuffer> moved = new HashSet<>();
-        Set<IntBuffer> origins = new HashSet<>();
-        Set<String> edges = new HashSet<>();
-        for (IntBuffer state : states) {
-            for (Move move : watch.moves(state)) {
-                if (move.name.filter(name::equals).isPresent()) {
-                    moved.add(move.target);
-                    origins.add(state);
-                    edges.addAll(move.edges);
-                }
+        Set<Node> moved = new HashSet<>();
+        Set<Node> origins = new HashSet<>();
+        for (Node state : states) {
+            Node[] after = watch.after(state, name);
+            if (after.length != 0) {
+                origins.add(state);
+                moved.addAll(Arrays.asList(after));
             }
         }
         if (moved.isEmpty()) {
             return Seen.NEVER;
         }
-        edges.addAll(waysTo(origins));
-        return new Seen(Optional.of(watch.known(watch.closed(moved))), edges);
+        return new Seen(Optional.of(watch.known(moved)), watch.covering ? edges(name, origins) : Set.of());
+    }
+
+    private Set<String> edges(String name, Set<Node> origins) {
+        Set<String> edges = waysTo(origins);
+        for (Node state : origins) {
+            watch.moves(state).stream().filter(move -> move.isSeen(name)).forEach(move -> edges.addAll(move.edges));
+        }
+        return edges;
     }
 
     /** The edges on unseen ways that lead to some of these states. */
-    private Set<String> waysTo(Set<IntBuffer> wanted) {
-        Map<IntBuffer, List<IntBuffer>> before = new HashMap<>();
-        Map<IntBuffer, Set<String>> into = new HashMap<>();
-        for (IntBuffer state : states) {
+    private Set<String> waysTo(Set<Node> wanted) {
+        Map<Node, List<Node>> before = new HashMap<>();
+        Map<Node, Set<String>> into = new HashMap<>();
+        for (Node state : states) {
             for (Move move : watch.moves(state)) {
                 if (move.name.isEmpty()) {
                     before.computeIfAbsent(move.target, target -> new ArrayList<>()).add(state);
@@ -174,12 +182,12 @@ public final class Possible {
             }
         }
         Set<String> edges = new HashSet<>();
-        Set<IntBuffer> reached = new HashSet<>(wanted);
-        Deque<IntBuffer> open = new ArrayDeque<>(wanted);
+        Set<Node> reached = new HashSet<>(wanted);
+        Deque<Node> open = new ArrayDeque<>(wanted);
         while (!open.isEmpty()) {
-            IntBuffer state = open.remove();
+            Node state = open.remove();
             edges.addAll(into.getOrDefault(state, Set.of()));
-            for (IntBuffer earlier : before.getOrDefault(state, List.of())) {
+            for (Node earlier : before.getOrDefault(state, List.of())) {
                 if (reached.add(earlier)) {
                     open.add(earlier);
                 }
@@ -189,19 +197,36 @@ public final class Possible {
     }
 
     /** A move out of a state. */
-    private record Move(Optional<String> name, IntBuffer target, List<String> edges) {}
+    private record Move(Optional<String> name, Node target, List<String> edges) {
+        boolean isSeen(String wanted) {
+            return name.isPresent() && name.get().equals(wanted);
+        }
+    }
+
+    /** A state, of which there is one only: so it is told from others by what it is, and not by all its values. */
+    private static final class Node {
+        private final int[] values;
+        private final Map<String, Node[]> after = new HashMap<>();
+        private List<Move> moves;
+
+        Node(int[] values) {
+            this.values = values;
+        }
+    }
 
     /** What all that watch one network share. */
     private static final class Watch {
         private final Successors steps;
         private final BiFunction<int[], JointMove, Optional<String>> name;
+        private final boolean covering;
         private final Map<Transition, String> edges = new IdentityHashMap<>();
-        private final Map<IntBuffer, List<Move>> moves = new HashMap<>();
-        private final Map<Set<IntBuffer>, Possible> known = new HashMap<>();
+        private final Map<IntBuffer, Node> nodes = new HashMap<>();
+        private final Map<Set<Node>, Possible> known = new HashMap<>();
 
-        Watch(Network network, BiFunction<int[], JointMove, Optional<String>> name) {
+        Watch(Network network, boolean covering, BiFunction<int[], JointMove, Optional<String>> name) {
             this.steps = new Successors(network);
             this.name = name;
+            this.covering = covering;
             for (Automaton automaton : network.automata()) {
                 Map<String, Integer> numbers = new HashMap<>();
                 for (Transition transition : automaton.transitions()) {
@@ -212,26 +237,41 @@ public final class Possible {
             }
         }
 
-        Possible known(Set<IntBuffer> states) {
+        Possible known(Set<Node> states) {
             return known.computeIfAbsent(states, added -> new Possible(this, added));
         }
 
         Possible either(Collection<Possible> several) {
-            Set<IntBuffer> all = new HashSet<>();
+            Set<Node> all = new HashSet<>();
             several.forEach(possible -> all.addAll(possible.states));
             return known(all);
         }
 
-        List<Move> moves(IntBuffer state) {
-            return moves.computeIfAbsent(state, this::find);
+        /** The one that stands for a state. */
+        Node node(int[] values) {
+            return nodes.computeIfAbsent(IntBuffer.wrap(values), added -> new Node(values));
         }
 
-        private List<Move> find(IntBuffer state) {
+        /** Where it may be after a move, and what passes unseen then. */
+        Node[] after(Node state, String seen) {
+            return state.after.computeIfAbsent(seen, added -> closed(moves(state).stream()
+                    .filter(move -> move.isSeen(seen)).map(Move::target).collect(Collectors.toSet()))
+                    .toArray(Node[]::new));
+        }
+
+        List<Move> moves(Node state) {
+            if (state.moves == null) {
+                state.moves = find(state);
+            }
+            return state.moves;
+        }
+
+        private List<Move> find(Node state) {
             List<Move> found = new ArrayList<>();
-            boolean idle = steps.each(state.array(), (parts, target) -> {
+            boolean idle = steps.each(state.values, (parts, target) -> {
                 JointMove move = new JointMove(parts, target);
-                found.add(new Move(move.passesTime() ? Optional.of(SLOT) : name.apply(state.array(), move),
-                        IntBuffer.wrap(target), parts.stream().map(part -> edges.get(part.transition())).toList()));
+                found.add(new Move(move.passesTime() ? Optional.of(SLOT) : name.apply(state.values, move),
+                        node(target), parts.stream().map(part -> edges.get(part.transition())).toList()));
             });
             if (idle) {
                 found.add(new Move(Optional.of(SLOT), state, List.of()));
@@ -240,9 +280,9 @@ public final class Possible {
         }
 
         /** These states, and all to which moves lead from there that are not seen. */
-        Set<IntBuffer> closed(Set<IntBuffer> states) {
-            Set<IntBuffer> closed = new HashSet<>(states);
-            Deque<IntBuffer> open = new ArrayDeque<>(states);
+        Set<Node> closed(Set<Node> states) {
+            Set<Node> closed = new HashSet<>(states);
+            Deque<Node> open = new ArrayDeque<>(states);
             while (!open.isEmpty()) {
                 for (Move move : moves(open.remove())) {
                     if (move.name.isEmpty() && closed.add(move.target)) {

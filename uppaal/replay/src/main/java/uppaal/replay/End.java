@@ -26,7 +26,7 @@ final class End {
     private final String who;
     private final Scenes.Scene scene;
     private final Ear ear;
-    private final Set<String> covered;
+    private final Coverage covered;
     private Possible possible;
     /** Up to when its automata know what its board has heard. */
     private double told = Double.NEGATIVE_INFINITY;
@@ -45,7 +45,7 @@ final class End {
      * @param who the board's id
      * @param covered takes the edges that may have been taken
      */
-    End(Message message, String who, Scenes.Scene scene, Ear ear, Set<String> covered) {
+    End(Message message, String who, Scenes.Scene scene, Ear ear, Coverage covered) {
         this.message = message;
         this.who = who;
         this.scene = scene;
@@ -95,7 +95,7 @@ final class End {
     }
 
     private void cover(Possible.Seen seen) {
-        seen.edges().forEach(edge -> Scenes.edge(scene, edge).ifPresent(covered::add));
+        covered.add(scene, seen);
     }
 
     private void settle(Possible now) {

@@ -22,7 +22,7 @@ final class Message {
     private final int pieces;
     private final Map<Integer, String> sent = new HashMap<>();
     private final Map<String, Set<Integer>> reached = new HashMap<>();
-    private final Set<String> covered;
+    private final Coverage covered;
     private final Map<String, End> receivers = new HashMap<>();
     private boolean forged;
     /** Null where a stranger is the sender. */
@@ -32,7 +32,7 @@ final class Message {
      * @param whole the frame, or as much of it as its first piece holds
      * @param covered takes the edges of the model that may have been taken
      */
-    Message(Payload whole, int pieces, String content, Set<String> covered) {
+    Message(Payload whole, int pieces, String content, Coverage covered) {
         kind = whole.kind();
         origin = whole.origin();
         destination = whole.destination();

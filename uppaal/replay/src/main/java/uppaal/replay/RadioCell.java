@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 
 /** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
 final class RadioCell {
@@ -37,7 +36,7 @@ final class RadioCell {
     private static final double LATE = 0.5;
 
     private final Disturbances disturbances;
-    private final Set<String> covered = new TreeSet<>();
+    private final Coverage covered = new Coverage();
     private long broadcasts;
 
     RadioCell(Disturbances disturbances) {
@@ -46,7 +45,7 @@ final class RadioCell {
 
     /** The edges of the model that may have been taken. */
     Set<String> covered() {
-        return covered;
+        return covered.edges();
     }
 
     private Station board(String name) {

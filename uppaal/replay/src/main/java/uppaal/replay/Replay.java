@@ -131,7 +131,7 @@ public final class Replay {
 
     /** Edges of the model's automata that the trace may have taken, as {@link #edges} names them. */
     public synchronized Set<String> covered() {
-        return Set.copyOf(cell.covered());
+        return cell.covered();
     }
 
     /** All edges of the model's automata that a trace can take. */

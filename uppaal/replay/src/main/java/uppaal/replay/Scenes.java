@@ -38,6 +38,8 @@ final class Scenes {
     private static final Map<Integer, String> BEGUN = Map.of(1, "send", 2, "ack", 3, "pieces", 4, "stale", 5, "part");
     private static final Map<String, String> TEMPLATES =
             Map.of("Air", "Air", "Reply", "Answer", "Sender", "Sender", "Receiver", "Receiver");
+    /** A property of the JVM: whether the edges that traces take are wanted. */
+    static final String COVERING = "javino.coverage";
     private static final Map<String, Scene> KNOWN = new ConcurrentHashMap<>();
 
     private Scenes() {
@@ -83,7 +85,8 @@ final class Scenes {
     private static Scene first(String template, Document document, String system, String rest, String ended,
             String over) {
         Network network = NetworkBuilder.build(document.withSystem(system));
-        return new Scene(template, Possible.first(network, (state, move) -> name(network, move)),
+        return new Scene(template,
+                Possible.first(network, Boolean.getBoolean(COVERING), (state, move) -> name(network, move)),
                 Expressions.parse(rest, network, FILE), Expressions.parse(ended, network, FILE),
                 Expressions.parse(over, network, FILE));
     }
