@@ -17,11 +17,12 @@ final class Ear {
     /**
      * A carrier begins or ends.
      *
+     * @param number rises with each at a board
      * @param name as in delivery.xml
      * @param begins whether it begins
      * @param owner the end that sends, if one of this board does; else null
      */
-    record Sound(double seconds, String name, boolean begins, End owner) {}
+    record Sound(long number, double seconds, String name, boolean begins, End owner) {}
 
     private final Disturbances disturbances;
     /** All since the last quiet before the last carrier. */
@@ -30,6 +31,7 @@ final class Ear {
     private double slot = (double) SLOT_BITS / RATE;
     private boolean timed = true;
     private int carriers;
+    private long sounds;
     /** Bits a second, once the board has sent; else no number. */
     private double rate = Double.NaN;
 
@@ -78,14 +80,14 @@ final class Ear {
         if (carriers++ == 0) {
             prune();
         }
-        tell(new Sound(seconds, name, true, owner));
+        tell(new Sound(sounds++, seconds, name, true, owner));
     }
 
     /** Somebody has ended to send. */
     void end(double seconds, String name, End owner) throws RefusedException {
         if (carriers > 0) {
             carriers--;
-            tell(new Sound(seconds, name, false, owner));
+            tell(new Sound(sounds++, seconds, name, false, owner));
         }
     }
 

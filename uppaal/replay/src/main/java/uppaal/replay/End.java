@@ -32,8 +32,12 @@ final class End {
     private double told = Double.NEGATIVE_INFINITY;
     /** Since when its board's air is quiet, or busy. */
     private double since = Double.NEGATIVE_INFINITY;
+    /** The last carrier that it has heard begin or end. */
+    private long last = -1;
     private int carriers;
     private boolean overlapping;
+    /** Whether the present carrier may be unheard. */
+    private boolean doubtful;
     /** The most slots of that time that may have passed in the model. */
     private int slots;
     private boolean sending;
@@ -113,14 +117,14 @@ final class End {
         }
         if (told == Double.NEGATIVE_INFINITY || !isAwake()) {
             List<Ear.Sound> latest = ear.latest();
-            if (!latest.isEmpty() && told < latest.get(0).seconds()) {
+            if (!latest.isEmpty() && last < latest.get(0).number()) {
                 told = latest.get(0).seconds() - LONG_QUIET * ear.slot();
                 since = told;
                 slots = 0;
                 hear(latest.get(0));
             }
             for (Ear.Sound sound : latest) {
-                if (sound.seconds() > told) {
+                if (sound.number() > last) {
                     hear(sound);
                 }
             }
@@ -131,8 +135,11 @@ final class End {
 
     /** A carrier begins or ends at its board. */
     void hear(Ear.Sound sound) throws RefusedException {
+        last = sound.number();
         pass(sound.seconds());
-        boolean sure = !overlapping && (carriers == 0 || !sound.begins()) && ear.isSure(since, sound.seconds());
+        boolean sure = !overlapping && (carriers == 0 || !sound.begins() && !doubtful)
+                && ear.isSure(since, sound.seconds());
+        doubtful = sound.begins() && !sure;
         if (sound.owner() == this) {
             sending = sound.begins();
             if (!sending) {
@@ -157,6 +164,9 @@ final class End {
             since = sound.seconds();
             slots = 0;
             overlapping &= carriers != 0;
+            if (carriers == 0) {
+                settle(possible.only(scene.quiet()));
+            }
         }
     }
 

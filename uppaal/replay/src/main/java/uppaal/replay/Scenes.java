@@ -52,8 +52,9 @@ final class Scenes {
      * @param rest true where no time need be counted: nothing is due
      * @param ended true where its board has something to tell of it
      * @param over true where nothing more can become of it
+     * @param quiet true where nobody sends
      */
-    record Scene(String template, Possible first, Term rest, Term ended, Term over) {}
+    record Scene(String template, Possible first, Term rest, Term ended, Term over, Term quiet) {}
 
     /**
      * The sender's end.
@@ -88,7 +89,8 @@ final class Scenes {
         return new Scene(template,
                 Possible.first(network, Boolean.getBoolean(COVERING), (state, move) -> name(network, move)),
                 Expressions.parse(rest, network, FILE), Expressions.parse(ended, network, FILE),
-                Expressions.parse(over, network, FILE));
+                Expressions.parse(over, network, FILE),
+                Expressions.parse("Air.Quiet && World.There", network, FILE));
     }
 
     private static Optional<String> name(Network network, JointMove move) {
