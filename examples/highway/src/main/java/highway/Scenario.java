@@ -64,6 +64,7 @@ final class Scenario implements AutoCloseable {
     Scenario(Options options, Timeline timeline) {
         this.options = options;
         this.timeline = timeline;
+        model.doubtReception();
     }
 
     /** A line of the launcher itself. */

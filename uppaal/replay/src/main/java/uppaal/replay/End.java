@@ -170,6 +170,11 @@ final class End {
         }
     }
 
+    /** The next power of two: where little is known, few ways to wait are enough, and soon all are known. */
+    private static int coarse(int passed) {
+        return passed > LONG_QUIET + LATE ? MOST : passed == 1 ? 1 : Integer.highestOneBit(passed - 1) << 1;
+    }
+
     private void pass(double seconds) throws RefusedException {
         if (told == Double.NEGATIVE_INFINITY) {
             told = seconds - LONG_QUIET * ear.slot();
@@ -183,7 +188,7 @@ final class End {
         } else if (!ear.isTimed()) {
             seen = possible.elapse(0, MOST);
         } else if (overlapping || !ear.isSure(since, seconds)) {
-            seen = possible.elapse(0, Math.min(MOST, (int) passed + 1));
+            seen = possible.elapse(0, coarse((int) passed + 1));
         } else if (carriers > 0) {
             seen = all > HEARD ? possible.elapse(PACKET, PACKET) : possible.elapse(0, 1);
         } else {

@@ -72,10 +72,10 @@ public final class Replay {
     }
 
     /**
-     * Boards may hear more than the trace tells, and less: no event is demanded of them, and none refused for its
-     * time.
+     * Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its
+     * time. A board that writes to its EEPROM does not look at its radio for up to 0.2 s, and may miss a carrier.
      */
-    void doubtReception() {
+    public void doubtReception() {
         disturbances.add(0, Double.POSITIVE_INFINITY);
     }
 
