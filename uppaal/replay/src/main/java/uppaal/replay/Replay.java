@@ -116,6 +116,7 @@ public final class Replay {
     public synchronized void finish() {
         ended = true;
         perform(Double.POSITIVE_INFINITY);
+        Scenes.forget();
     }
 
     /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */

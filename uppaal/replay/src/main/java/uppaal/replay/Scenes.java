@@ -78,6 +78,11 @@ final class Scenes {
                 "Air.Quiet && Reply.Idle && !End.Taking && owed[1] == 0", "false", "false");
     }
 
+    /** What was found of the scenes may take hundreds of megabytes: whoever still replays keeps what it has. */
+    static void forget() {
+        KNOWN.clear();
+    }
+
     private static Scene known(String template, String system, String rest, String ended,
             String over) {
         return KNOWN.computeIfAbsent(system, added -> first(template, document(), added, rest, ended, over));
