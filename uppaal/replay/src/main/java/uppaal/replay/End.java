@@ -82,6 +82,10 @@ final class End {
     /** Something may have happened. */
     void perhaps(double seconds, String step) throws RefusedException {
         reach(seconds);
+        doubt(step);
+    }
+
+    private void doubt(String step) {
         cover(possible.see(step));
         settle(possible.perhaps(step));
     }
@@ -121,7 +125,6 @@ final class End {
                 told = latest.get(0).seconds() - LONG_QUIET * ear.slot();
                 since = told;
                 slots = 0;
-                hear(latest.get(0));
             }
             for (Ear.Sound sound : latest) {
                 if (sound.number() > last) {
@@ -152,8 +155,7 @@ final class End {
             if (sure || name.startsWith("own_")) {
                 take(possible.see(name), name);
             } else if (sound.begins()) {
-                cover(possible.see(name));
-                settle(possible.perhaps(name));
+                doubt(name);
             } else {
                 settle(possible.where(name));
             }

@@ -14,17 +14,10 @@ import java.util.Set;
  * @param reached the boards that it has reached
  */
 record Packet(String board, Payload payload, double start, double end, double bits, Message message,
-        List<Message> answered,
-        String answer, End owner,
-        Set<String> reached) {
+        List<Message> answered, String answer, End owner, Set<String> reached) {
+    /** One that has reached nobody yet. */
     Packet(String board, Payload payload, double start, double end, double bits, Message message,
-            List<Message> answered,
-            String answer) {
-        this(board, payload, start, end, bits, message, answered, answer, null, new HashSet<>());
-    }
-
-    /** The same, sent by an end of a message of ours. */
-    Packet of(End sender) {
-        return new Packet(board, payload, start, end, bits, message, answered, answer, sender, reached);
+            List<Message> answered, String answer, End owner) {
+        this(board, payload, start, end, bits, message, answered, answer, owner, new HashSet<>());
     }
 }

@@ -21,11 +21,6 @@ final class RadioCell {
     /** Bytes of a nonce that a message's id has: the last of the epoch, and the last two of the counter. */
     private static final int EPOCH_AT = 4;
     private static final int COUNTER_AT = 8;
-
-    private final Map<String, Station> boards = new LinkedHashMap<>();
-    private final Map<String, Message> messages = new Recent<>();
-    private final Map<String, Message> byPayload = new Recent<>();
-    private final Map<String, List<Message>> answers = new Recent<>();
     /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
     private static final int FRAMING_BITS = 84;
     private static final int BITS_A_BYTE = 12;
@@ -35,6 +30,10 @@ final class RadioCell {
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
     private static final double LATE = 0.5;
 
+    private final Map<String, Station> boards = new LinkedHashMap<>();
+    private final Map<String, Message> messages = new Recent<>();
+    private final Map<String, Message> byPayload = new Recent<>();
+    private final Map<String, List<Message>> answers = new Recent<>();
     private final Disturbances disturbances;
     private final Coverage covered = new Coverage();
     private long broadcasts;
@@ -106,27 +105,26 @@ final class RadioCell {
         }
         checkAirtime(event, payload, board);
         board.ear.learn(event.number("bits"), event.number("end") - start);
-        Packet packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), null,
-                List.of(), "");
+        Message message = null;
+        List<Message> answered = List.of();
+        String answer = "";
         End owner = null;
         if (payload.isData()) {
-            Message message = board.isNamed() ? own(start, board, payload) : strange(payload);
+            message = board.isNamed() ? own(start, board, payload) : strange(payload);
             owner = board.isNamed() ? message.sender() : null;
-            packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message,
-                    List.of(), "");
         } else if (payload.isAcknowledgement()) {
-            String answer = ANSWERS.getOrDefault(payload.message().length, "");
-            List<Message> answered = board.isNamed() ? acknowledge(start, board, payload, answer)
+            answer = ANSWERS.getOrDefault(payload.message().length, "");
+            answered = board.isNamed() ? acknowledge(start, board, payload, answer)
                     : answers.getOrDefault(payload.hex(), List.of());
             owner = board.isNamed() && answered.size() == 1 ? answered.get(0).receiver(board) : null;
-            packet = new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), null, answered,
-                    answer);
         } else if (board.isNamed()) {
             throw new RefusedException(
                     board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
         }
         board.ear.begin(start, payload.isData() ? "own_message" : "own_answer", owner);
-        board.send(packet.of(owner));
+        board.send(
+                new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message, answered,
+                        answer, owner));
     }
 
     /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
@@ -505,16 +503,5 @@ final class RadioCell {
                 .orElseThrow(() -> new RefusedException(board.name() + " reports " + outcome
                         + " while it sends the message anew"));
         next.message = ended.message;
-    }
-
-    /** A map that forgets what was put in first when it is full, so that hours of traffic do not fill the memory. */
-    private static final class Recent<K, V> extends LinkedHashMap<K, V> {
-        private static final long serialVersionUID = 1L;
-        private static final int MOST = 1024;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
-            return size() > MOST;
-        }
     }
 }
