@@ -1,14 +1,11 @@
 package uppaal.replay;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -16,15 +13,9 @@ import java.util.stream.Stream;
  * seal is opened if the run's keys are known. Strangers may send anything; it is only remembered.
  */
 final class Bytes {
-    /** Packets of which somebody may still hear the end. */
-    private static final int PACKETS = 64;
-    /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
-    private static final double LATENESS = 0.005;
     private static final int MOST_SHOWN = 40;
     /** Of a broadcast that is handed to a host. */
     private static final String NO_ID = "000000";
-
-    private record Packet(String board, Payload payload, double start) {}
 
     private final Opener opener;
     private final Map<String, Desk> desks = new LinkedHashMap<>();
@@ -32,7 +23,6 @@ final class Bytes {
     private final Map<String, Frame> frames = new Recent<>();
     /** What strangers have begun. */
     private final Map<String, Frame> strange = new Recent<>();
-    private final Deque<Packet> packets = new ArrayDeque<>();
     private int proofs;
 
     /** @param keys those of the run; null where they are not known */
@@ -94,10 +84,6 @@ final class Bytes {
         Payload payload = Payload.of(event);
         Desk desk = desk(event);
         Fields.check(event, payload);
-        packets.add(new Packet(desk.name, payload, event.number("start")));
-        if (packets.size() > PACKETS) {
-            packets.remove();
-        }
         if (payload.isAcknowledgement()) {
             answer(desk, payload, event.number("start"));
         } else if (!payload.isData()) {
@@ -207,18 +193,18 @@ final class Bytes {
         strange.put(payload.identity(), frame);
     }
 
-    /** A packet has come to a board, perhaps damaged. */
-    void reach(Event event) throws RefusedException {
+    /**
+     * A packet has come to a board, perhaps damaged.
+     *
+     * @param sent as its sender has sent it
+     */
+    void reach(Event event, Payload sent) throws RefusedException {
         if (event.fields().has("payload")) {
             Fields.check(event, Payload.of(event));
         }
-        double start = event.number("start");
-        String from = event.textOrEmpty("from");
-        Optional<Payload> piece = packets.stream().filter(packet -> Math.abs(packet.start() - start) < LATENESS
-                && (from.isEmpty() || packet.board().equals(from))).map(Packet::payload).filter(Payload::isPiece)
-                .findFirst();
-        piece.ifPresent(payload -> desk(event).pieces
-                .put(Answers.place(payload.origin(), payload.pieceId(), payload.index()), event.seconds()));
+        if (sent.isPiece()) {
+            desk(event).pieces.put(Answers.place(sent.origin(), sent.pieceId(), sent.index()), event.seconds());
+        }
     }
 
     /** A board acknowledges. */
@@ -268,11 +254,6 @@ final class Bytes {
 
     private static boolean isHanded(Frame frame, Event event) {
         return frame.origin.equals(event.text("origin")) && frame.destination.equals(event.text("destination"))
-                && event.text("id").equals(frame.isBroadcast() ? NO_ID : id(frame.nonceHex));
-    }
-
-    /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
-    private static String id(String nonce) {
-        return nonce.substring(4, 6) + nonce.substring(8);
+                && event.text("id").equals(frame.isBroadcast() ? NO_ID : Payload.id(frame.nonceHex));
     }
 }

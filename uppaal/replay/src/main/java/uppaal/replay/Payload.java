@@ -130,6 +130,11 @@ record Payload(String hex, String kind, String destination, String origin, byte[
         return digit(destination, 2) * DIGITS.length() + digit(destination, 3);
     }
 
+    /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
+    static String id(String nonce) {
+        return nonce.substring(4, 6) + nonce.substring(8);
+    }
+
     /** The last 12 bits of a nonce. */
     static int lastBits(String nonce) {
         return Integer.parseInt(nonce.substring(9), 16);

@@ -18,9 +18,6 @@ final class RadioCell {
     private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
     private static final double DISORDER = 0.002;
-    /** Bytes of a nonce that a message's id has: the last of the epoch, and the last two of the counter. */
-    private static final int EPOCH_AT = 4;
-    private static final int COUNTER_AT = 8;
     /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
     private static final int FRAMING_BITS = 84;
     private static final int BITS_A_BYTE = 12;
@@ -161,11 +158,6 @@ final class RadioCell {
     /** And no longer. */
     void silence(Event event, double seconds) throws RefusedException {
         board(event.board()).ear.end(seconds, "silence", null);
-    }
-
-    /** When who sends it has ended, with its trailer. */
-    double end(Event event, double unknown) {
-        return source(event).map(Packet::end).orElse(unknown);
     }
 
     /** A board tells its host something: before that, all that has ended. */
@@ -372,12 +364,8 @@ final class RadioCell {
         }
     }
 
-    /** Whether the trace has told who sends what somebody hears. */
-    boolean isSent(Event event) {
-        return source(event).isPresent();
-    }
-
-    private Optional<Packet> source(Event event) {
+    /** The packet that somebody hears; nothing where the trace has not told who sends it. */
+    Optional<Packet> source(Event event) {
         double start = event.number("start");
         Collection<Station> from = event.fields().has("from") ? List.of(board(event.text("from"))) : boards.values();
         return from.stream().flatMap(board -> board.sentAt(start).stream()).findFirst();
@@ -413,8 +401,7 @@ final class RadioCell {
             String content = HexFormat.of().formatHex(event.textOrEmpty("content").getBytes(StandardCharsets.UTF_8));
             return message.content.isEmpty() || content.isEmpty() || content.equals(message.content);
         }
-        return event.text("id")
-                .equals(message.nonce.substring(EPOCH_AT, EPOCH_AT + 2) + message.nonce.substring(COUNTER_AT));
+        return event.text("id").equals(Payload.id(message.nonce));
     }
 
     /** A host says that it has taken a message and those before it; or the board confirms that. */

@@ -220,7 +220,7 @@ public final class Replay {
     private boolean isOfUnfinishedPacket(Event event) {
         boolean mayHaveTrailer = event.name().equals("rf-damaged")
                 || event.name().equals("rf-rx") && List.of("unicast", "piece").contains(event.text("kind"));
-        return mayHaveTrailer && !cell.isSent(event)
+        return mayHaveTrailer && cell.source(event).isEmpty()
                 && event.seconds() + TRAILER * (event.seconds() - event.number("start")) > now;
     }
 
@@ -236,7 +236,7 @@ public final class Replay {
             case END -> cell.end(event);
             case SILENCE -> {
                 cell.silence(event, step.seconds());
-                double end = cell.end(event, step.seconds());
+                double end = cell.source(event).map(Packet::end).orElse(step.seconds());
                 if (end > step.seconds()) {
                     // Its trailer: a board that handles the packet meanwhile may not hear it.
                     disturbances.add(step.seconds(), end);
@@ -256,7 +256,7 @@ public final class Replay {
             }
             case "rf-rx", "rf-damaged" -> {
                 cell.reach(event, seconds);
-                bytes.reach(event);
+                bytes.reach(event, cell.source(event).map(Packet::payload).orElseThrow());
             }
             case "reset" -> {
                 cell.reset(event);
