@@ -24,7 +24,7 @@ class MediumAccess {
   /// Quiet slots since the last carrier, another's or our own, 0…255. To be read after update().
   uint8_t quietSlots() const { return quietSlots_; }
 
-  /// Whether another board's carrier is heard.
+  /// Whether another board's carrier is heard, or was since the update() before.
   bool hearsCarrier() const { return carrier_; }
 
   /// Whether a packet of ours is on the air.
@@ -35,7 +35,7 @@ class MediumAccess {
 
   /// Starts to send a packet; the air counts as busy from now on.
   /// @param trailer what follows it
-  /// @return false where the radio did not take it
+  /// @return false where another's carrier was heard since update(), or the radio did not take it
   bool send(const uint8_t *payload, uint8_t length, Trailer trailer = Trailer::NONE);
 
   /// The oldest packet that the radio holds; it belongs to the caller until release().

@@ -55,6 +55,7 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
     return false;
   }
   sending_ = true;
+  carrierHeard_ = false;
   encoder_.next();  // the first bit is a 0, as is the silence now
   nextBit_ = encoder_.next();
   lastBitOut_ = false;
@@ -67,6 +68,13 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
 bool AskRadio::carrier() const {
   askhardware::InterruptLock lock;
   return decoder_.carrier().isHeard();
+}
+
+bool AskRadio::carrierSinceLast() {
+  askhardware::InterruptLock lock;
+  const bool heard = carrierHeard_ || decoder_.carrier().isHeard();
+  carrierHeard_ = false;
+  return heard;
 }
 
 uint16_t AskRadio::airtimeMillis(uint8_t length) const {
@@ -145,6 +153,7 @@ void AskRadio::stopReceiving() {
 
 // Gives the decoder the bits of the time since the line was last looked at.
 void AskRadio::hear(uint16_t now) {
+  if (decoder_.carrier().isHeard()) carrierHeard_ = true;
   uint16_t ticks = static_cast<uint16_t>(now - heardUntil_);
   bool bit;
   while (bitClock_.advance(ticks, level_, bit)) {

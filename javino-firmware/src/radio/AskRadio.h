@@ -37,6 +37,7 @@ class AskRadio : public Radio {
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return sending_; }
   bool carrier() const override;
+  bool carrierSinceLast() override;
   uint8_t longestPayload() const override { return MAX_RADIO_PAYLOAD; }
   uint16_t airtimeMillis(uint8_t length) const override;
   uint8_t slotMillis() const override;
@@ -76,6 +77,7 @@ class AskRadio : public Radio {
   volatile bool sending_ JAVINO_ZEROED;
   bool nextBit_ JAVINO_ZEROED;         // computed ahead, so that the carrier switches first thing in the interrupt
   bool lastBitOut_ JAVINO_ZEROED;      // the last bit is on the air: the next alarm ends the packet
+  bool carrierHeard_ JAVINO_ZEROED;    // since carrierSinceLast() was called
   uint16_t alarm_ JAVINO_ZEROED;       // when the carrier switches next
   uint8_t silentAlarms_;               // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
   uint16_t heardUntil_ JAVINO_ZEROED;  // the time up to which the line has been heard

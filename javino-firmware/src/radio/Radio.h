@@ -66,6 +66,10 @@ class Radio {
   /// Safe to call with interrupts off.
   virtual bool carrier() const = 0;
 
+  /// @return whether another board's carrier is heard, or was since the last call or the last packet of our own. The loop may
+  /// be busy for longer than a packet lasts, for example with an EEPROM, so a driver that hears in interrupts remembers it.
+  virtual bool carrierSinceLast() { return carrier(); }
+
   /// @return the most bytes of a payload, MIN_RADIO_PAYLOAD…MAX_RADIO_PAYLOAD. It must be the same on all boards in
   /// range, as it sets the length of pieces (SPEC 7.1).
   virtual uint8_t longestPayload() const = 0;

@@ -55,6 +55,32 @@ TEST_F(BroadcasterTest, waits_while_a_carrier_is_heard) {
   EXPECT_EQ(1u, radio.sent.size());
 }
 
+TEST_F(BroadcasterTest, does_not_take_the_time_of_a_carrier_for_quiet_that_came_and_went_while_it_did_not_look) {
+  broadcaster.begin("CAFE");
+  pass(20);
+  broadcaster.send("Hello!");
+  radio.wasHeard = true;
+  clock.millis += 900;
+  broadcaster.run();
+  EXPECT_EQ(0u, radio.sent.size());
+  pass(500);
+  EXPECT_EQ(1u, radio.sent.size());
+}
+
+TEST_F(BroadcasterTest, looks_once_more_before_it_sends) {
+  static FakeRadio *air;
+  air = &radio;
+  broadcaster.begin("CAFE");
+  broadcaster.onHeard([](const char *, const char *) { air->wasHeard = true; });
+  pass(500);
+  broadcaster.send("Hello!");
+  radio.arrive(bytesOf("////BEEFAwHello!"));
+  broadcaster.run();
+  EXPECT_EQ(0u, radio.sent.size()) << "a carrier came and went while the sketch was told of a text";
+  pass(500);
+  EXPECT_EQ(1u, radio.sent.size());
+}
+
 TEST_F(BroadcasterTest, takes_one_text_while_the_one_before_is_on_the_air_and_no_more) {
   broadcaster.begin("CAFE");
   pass(500);

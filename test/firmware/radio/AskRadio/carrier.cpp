@@ -207,6 +207,37 @@ TEST(AskRadio, hearsNoCarrierInItsOwnSending) {
   EXPECT_TRUE(modem.radio.carrier());
 }
 
+TEST(AskRadio, remembersACarrierUntilItIsAskedForIt) {
+  Modem modem;
+  EXPECT_FALSE(modem.radio.carrierSinceLast());
+  modem.hardware.play(packetLine({1}).silence(200 * Modem::BIT));
+  EXPECT_FALSE(modem.radio.carrier());
+  EXPECT_TRUE(modem.radio.carrierSinceLast());
+  EXPECT_FALSE(modem.radio.carrierSinceLast());
+}
+
+TEST(AskRadio, saysThatACarrierIsHeardAsOftenAsItIsAsked) {
+  Modem modem;
+  const Bits bits = reference::packetBits(Bytes(40, 'x'));
+  modem.hardware.play(AirLine().bits(Bits(bits.begin(), bits.begin() + 80), Modem::BIT));
+  EXPECT_TRUE(modem.radio.carrierSinceLast());
+  EXPECT_TRUE(modem.radio.carrierSinceLast());
+}
+
+TEST(AskRadio, forgetsACarrierWhenItSends) {
+  Modem modem;
+  modem.hardware.play(packetLine({1}).silence(200 * Modem::BIT));
+  modem.send({1, 2, 3});
+  EXPECT_FALSE(modem.radio.carrierSinceLast());
+}
+
+TEST(AskRadio, remembersACarrierThoughItCouldNotSend) {
+  Modem modem;
+  modem.hardware.play(packetLine({1}).silence(200 * Modem::BIT));
+  EXPECT_FALSE(modem.radio.send(nullptr, 0));
+  EXPECT_TRUE(modem.radio.carrierSinceLast());
+}
+
 // Now and then bits in the midst of a packet look like the beginning of one, and hide the rest for a moment.
 TEST(AskRadio, hearsTheRestOfACarrierWhoseBeginningItSentOver) {
   std::mt19937 random(45);

@@ -64,7 +64,6 @@ final class Scenario implements AutoCloseable {
     Scenario(Options options, Timeline timeline) {
         this.options = options;
         this.timeline = timeline;
-        model.doubtReception();
     }
 
     /** A line of the launcher itself. */

@@ -60,7 +60,6 @@ public final class Emulator implements AutoCloseable {
         model = new Replay(keys(folder));
         this.listener = listener;
         this.modelled = modelled;
-        model.doubtReception();
     }
 
     /** What a test says of its scenario; the words are those of emulator/README.md. */

@@ -71,11 +71,8 @@ public final class Replay {
         bytes = new Bytes(new Keys(keys));
     }
 
-    /**
-     * Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its
-     * time. A board that writes to its EEPROM does not look at its radio for up to 0.2 s, and may miss a carrier.
-     */
-    public void doubtReception() {
+    /** Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its time. */
+    void doubtReception() {
         disturbances.add(0, Double.POSITIVE_INFINITY);
     }
 
