@@ -194,7 +194,8 @@ final class End {
         } else if (carriers > 0) {
             seen = all > HEARD ? possible.elapse(PACKET, PACKET) : possible.elapse(0, 1);
         } else {
-            int most = Math.min(MOST, (int) (all + EARLY)) - slots;
+            // The slot may have become a little longer, by a packet of the board's own.
+            int most = Math.max(0, Math.min(MOST, (int) (all + EARLY)) - slots);
             seen = possible.elapse(Math.min(most, Math.max(0, (int) (passed - LATE))), most);
             slots += most;
         }

@@ -74,7 +74,7 @@ final class RadioCell {
     void transmit(Event event) throws RefusedException {
         Station board = board(event.board());
         board.transmit(new Transmission((int) event.number("number"), event.text("destination")));
-        crowd(event.seconds(), board);
+        crowd(event.number("asked"), board);
     }
 
     /** Tells what its board sends whether that has other messages to send. */

@@ -181,4 +181,16 @@ class TimesTest {
         Lines cut = lines.without(line -> line == told);
         assertTrue(refusal(cut).contains("not how a message has ended"), refusal(cut));
     }
+
+    /** What its board sends meanwhile hears of both, in the order of their times. */
+    @Test
+    void times_requestThatIsAcceptedOnceACarrierHasBegun_isAccepted() {
+        Lines lines = Lines.of("partners");
+        List<Integer> asked = lines.where(line -> lines.is(line, "police", "host-transmit"));
+        int last = asked.get(asked.size() - 1);
+        double start = lines.get(lines.next(last, "police", "rf-rx")).get("start").getAsDouble();
+        lines.get(last).addProperty("asked", start - SLOT / 2);
+        lines.get(last).addProperty("t", start + SLOT);
+        assertEquals("accepted", refusal(lines));
+    }
 }
