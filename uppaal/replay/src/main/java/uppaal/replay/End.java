@@ -21,6 +21,8 @@ final class End {
     private static final int MOST = 300;
     /** Slots that a packet takes in the model. */
     private static final int PACKET = 2;
+    private static final String TAKING = "taking";
+    private static final String CONFIRMED = "confirmed";
 
     private final Message message;
     private final String who;
@@ -42,6 +44,8 @@ final class End {
     private int slots;
     private boolean sending;
     private boolean fresh = true;
+    /** Whether the host has said that it has taken it, and the board has not confirmed that. */
+    private boolean taking;
     /** Since when its board has something to tell of it. */
     private double ended = Double.POSITIVE_INFINITY;
 
@@ -77,6 +81,16 @@ final class End {
     void see(double seconds, String step) throws RefusedException {
         reach(seconds);
         take(possible.see(step), step);
+        taking &= !step.equals(CONFIRMED);
+    }
+
+    /** Its host says that it has taken it; its board may hear of that up to when it confirms it. */
+    void take(double seconds) throws RefusedException {
+        if (!may(seconds, TAKING)) {
+            see(seconds, TAKING);
+        }
+        perhaps(seconds, TAKING);
+        taking = true;
     }
 
     /** Something may have happened. */
@@ -159,6 +173,9 @@ final class End {
             } else {
                 settle(possible.where(name));
             }
+        }
+        if (taking) {
+            doubt(TAKING);
         }
         overlapping |= sound.begins() && carriers > 0;
         carriers += sound.begins() ? 1 : -1;

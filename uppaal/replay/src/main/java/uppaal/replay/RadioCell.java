@@ -160,13 +160,19 @@ final class RadioCell {
         board(event.board()).ear.end(seconds, "silence", null);
     }
 
-    /** A board tells its host something: before that, all that has ended. */
+    /**
+     * A board tells its host something: before that, all that has ended. It tells several outcomes in one reply, so that
+     * what one reply lacks is known with the next.
+     */
     void tell(Event event) throws RefusedException {
         Station board = board(event.board());
+        boolean outcome = event.name().equals("host-outcome");
+        double before = board.lastReply(event.seconds());
+        double reply = outcome ? before : event.seconds();
         for (Transmission transmission : board.open().toList()) {
-            boolean told = event.name().equals("host-outcome") && transmission.number == event.number("number");
+            boolean told = outcome && transmission.number == event.number("number");
             End sender = told || transmission.message == null ? null : transmission.message.sender();
-            if (sender != null && sender.ended() < event.seconds() - LATE) {
+            if (sender != null && sender.ended() < reply - LATE) {
                 throw new RefusedException(board.name() + " tells its host something, and not how a message has ended ("
                         + transmission.message + ")");
             }
@@ -425,7 +431,11 @@ final class RadioCell {
             }
         }
         for (Map.Entry<Integer, Message> each : taken.entrySet()) {
-            each.getValue().receiver(event.seconds(), board, step);
+            if (step.equals("taking")) {
+                each.getValue().receiver(board).take(event.seconds());
+            } else {
+                each.getValue().receiver(event.seconds(), board, step);
+            }
             if (step.equals("confirmed")) {
                 board.handed.remove(each.getKey());
                 overtake(event.seconds(), board, each.getValue());

@@ -39,6 +39,9 @@ final class Station {
     /** The number of the last transmission; the first one has 0. */
     private int last = LAST_NUMBER;
     private String id = "";
+    /** When it has told its host something, the last time and the time before. */
+    private double reply = Double.NEGATIVE_INFINITY;
+    private double replyBefore = Double.NEGATIVE_INFINITY;
 
     /** What it hears. */
     final Ear ear;
@@ -127,6 +130,15 @@ final class Station {
     /** Its host says that it has taken a message. */
     void take(int number) {
         taking.add(number);
+    }
+
+    /** When it has last told its host something before this time, at which it tells more. */
+    double lastReply(double seconds) {
+        if (seconds > reply) {
+            replyBefore = reply;
+            reply = seconds;
+        }
+        return replyBefore;
     }
 
     /** It confirms that; returns false where its host has not said so. */

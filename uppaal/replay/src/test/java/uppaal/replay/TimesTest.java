@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.google.gson.JsonObject;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** Genuine traces whose times are changed: what boards do earlier or later than the model allows is refused. */
@@ -192,5 +193,47 @@ class TimesTest {
         lines.get(last).addProperty("asked", start - SLOT / 2);
         lines.get(last).addProperty("t", start + SLOT);
         assertEquals("accepted", refusal(lines));
+    }
+
+    /** What its host has asked while the air was busy, a board may have done when that was over. */
+    @Test
+    void times_acknowledgementOfWhatTheHostTookAsACarrierEnded_isAcceptedAfterOneSlot() {
+        Lines lines = Lines.of("highway");
+        int acknowledged = packet(lines, "hospital", "acknowledgement", 1);
+        double start = lines.get(acknowledged).get("start").getAsDouble();
+        int taking = acknowledged;
+        while (!lines.is(taking, "hospital", "host-taking")) {
+            taking--;
+        }
+        double end = start - 1.2 * SLOT;
+        shift(lines, taking - 1, end - 2 * SLOT - lines.get(taking - 1).get("t").getAsDouble());
+        shift(lines, taking, end - SLOT / 4 - lines.get(taking).get("t").getAsDouble());
+        Map<String, Object> noise = Map.of("payload", "aa", "kind", "no frame", "from", "stranger", "start",
+                end - 95 / 4000.0);
+        lines.add(end, "stranger", "rf-tx", noise).add(end, "hospital", "rf-rx", noise);
+        assertEquals("accepted", refusal(lines));
+    }
+
+    @Test
+    void times_outcomesInOneReply_areAccepted() {
+        Talk talk = new Talk();
+        for (String said : List.of("tell;a", "tell;b")) {
+            talk.asks("////", said).sends("police", Talk.broadcast(said));
+        }
+        for (int number : List.of(0, 1)) {
+            talk.lines.add(60, "police", "host-outcome", Map.of("number", number, "outcome", "sent"));
+        }
+        assertEquals("accepted", refusal(talk.lines));
+    }
+
+    @Test
+    void times_outcomeThatIsNotToldInAReply_isRefusedWithTheNextOne() {
+        Talk talk = new Talk();
+        for (String said : List.of("tell;a", "tell;b", "tell;c")) {
+            talk.asks("////", said).sends("police", Talk.broadcast(said));
+        }
+        talk.lines.add(60, "police", "host-outcome", Map.of("number", 0, "outcome", "sent"));
+        talk.lines.add(61, "police", "host-outcome", Map.of("number", 1, "outcome", "sent"));
+        assertTrue(refusal(talk.lines).contains("not how a message has ended"), refusal(talk.lines));
     }
 }
