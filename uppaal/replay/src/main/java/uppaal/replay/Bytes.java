@@ -114,7 +114,8 @@ final class Bytes {
         }
         Desk.Asked asked = opener.asked(desk, frame);
         if (frame.isSealed()) {
-            desk.checkNonce(frame, asked.frame);
+            desk.checkNonce(frame,
+                    asked.frame != null || opener.hasKeys() ? asked.frame : desk.lastTo(frame.destination));
         }
         if (frame.pieceId >= 0) {
             desk.checkId(frame);

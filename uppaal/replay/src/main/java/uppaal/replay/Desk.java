@@ -102,6 +102,14 @@ final class Desk {
         }
     }
 
+    /**
+     * What it has sent there last, if a notice may have come that something is stale: without keys nobody can tell which
+     * message that was about, nor which of them was sealed anew. Else null.
+     */
+    Frame lastTo(String destination) {
+        return wasStale && current.containsKey(destination) ? current.get(destination).frame : null;
+    }
+
     /** One of its frames is known to be stale. It seals that anew, and then perhaps sends others before. */
     void goOnAbove(Frame frame) {
         frame.isStale = true;

@@ -296,6 +296,21 @@ class BytesTest {
         assertRefusedEvenWithoutKeys(delivered().unheard("police", anew), "refused at");
     }
 
+    /** A notice that answers an attacker seems to be about the first message, so that the second seems to be it, sealed anew. */
+    @Test
+    void sealedAnew_withoutKeys_isAcceptedWhicheverItIs() {
+        Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).resets("support", "power").pauses(10)
+                .greets("support", "SUPP", "000002").pauses(20)
+                .sends("stranger", sealed("SUPP", FIRST, HELP))
+                .unheard("support", acknowledgement(FIRST, "00000100001f00d2"))
+                .asks("SUPP", "tell;helq").asks("//SU", HELP).sends("police", sealed("SUPP", SECOND, "tell;helq"))
+                .sends("support", acknowledgement(SECOND, "00000100001f0100"))
+                .sends("police", sealed("//SU", "000001000021", HELP))
+                .sends("police", sealed("//SU", "000001000021", HELP))
+                .sends("police", sealed("SUPP", "000001000020", "tell;helq"));
+        assertEquals("model: trace accepted (" + talk.lines.all.size() + " events)", talk.verdictWithoutKeys());
+    }
+
     @Test
     void handed_anotherContentThanWasSent_isRefusedByName() {
         byte[] frame = sealed("SUPP", FIRST, HELP);
