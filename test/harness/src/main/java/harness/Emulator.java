@@ -42,6 +42,7 @@ public final class Emulator implements AutoCloseable {
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
      */
     private static final int LATEST_LINES = 10_000;
+    private static final StackWalker WALKER = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
     static {
@@ -313,6 +314,15 @@ public final class Emulator implements AutoCloseable {
         }
     }
 
+    /** Leaves the edges of the model that this run may have taken where those of all runs are put together. */
+    private void writeEdges(String run) throws IOException {
+        String edges = System.getProperty("javino.edges");
+        if (edges != null && modelled) {
+            Path all = Files.createDirectories(Path.of(edges));
+            Files.write(Files.createTempFile(all, run + "-", ""), model.covered());
+        }
+    }
+
     /**
      * Ends the emulator; EEPROM contents stay in the folder.
      *
@@ -332,9 +342,12 @@ public final class Emulator implements AutoCloseable {
                 throw new AssertionError("the emulator ended with " + status + ": " + complaints);
             }
             model.finish();
+            writeEdges(WALKER.getCallerClass().getSimpleName());
             if (model.refusal().isPresent()) {
                 throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
             }
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }
