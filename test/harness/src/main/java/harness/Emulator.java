@@ -4,6 +4,11 @@ import com.google.gson.Gson;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -28,6 +33,8 @@ import uppaal.replay.Replay;
 public final class Emulator implements AutoCloseable {
 
     private static final String MEGA = "mega";
+    /** In the emulator's own folder, as the path of a socket must be short. */
+    private static final String CONTROL = "control";
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Wall time after which what a test awaits is taken to be lost; far above what anything takes. */
     private static final long PATIENCE_SECONDS = 60;
@@ -35,6 +42,7 @@ public final class Emulator implements AutoCloseable {
      * So much of a trace is kept for whoever wants to know why the model has refused it: some minutes of two boards.
      */
     private static final int LATEST_LINES = 10_000;
+    private static final StackWalker WALKER = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE);
     private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
 
     static {
@@ -134,7 +142,8 @@ public final class Emulator implements AutoCloseable {
         }
 
         /** Starts the emulator in a folder, where EEPROM files of earlier runs are taken up. */
-        public Emulator start(Path folder) throws IOException, InterruptedException {
+        public Emulator start(Path where) throws IOException, InterruptedException {
+            Path folder = where.toAbsolutePath();
             Map<String, Object> scenario = new LinkedHashMap<>(Map.of("radio", radio, "boards", boards));
             if (!faults.isEmpty()) {
                 scenario.put("faults", faults);
@@ -144,8 +153,8 @@ public final class Emulator implements AutoCloseable {
             Files.writeString(file, new Gson().toJson(scenario));
             Process process = new ProcessBuilder(ROOT.resolve("emulator/build/javino-emulator").toString(),
                     file.toString(), "--directory", folder.toString(), "--trace", "-", "--speed", speed, "--seed",
-                    "" + seed, "--keys", keys(folder).toString())
-                    .start();
+                    "" + seed, "--keys", keys(folder).toString(), "--control", CONTROL)
+                    .directory(folder.toFile()).start();
             RUNNING.add(process);
             Emulator emulator = new Emulator(folder, process, listener, modelled);
             emulator.reader = read(process.inputReader(), emulator::traced);
@@ -278,6 +287,19 @@ public final class Emulator implements AutoCloseable {
         }
     }
 
+    /** Gives the emulator a command, in the words of emulator/README.md, and waits until it has taken effect. */
+    public void command(Map<String, Object> command) {
+        try (SocketChannel socket = SocketChannel.open(UnixDomainSocketAddress.of(folder.resolve(CONTROL)))) {
+            socket.write(ByteBuffer.wrap((new Gson().toJson(command) + "\n").getBytes(StandardCharsets.UTF_8)));
+            String answer = new BufferedReader(Channels.newReader(socket, StandardCharsets.UTF_8)).readLine();
+            if (!"{\"ok\":true}".equals(answer)) {
+                throw new AssertionError(command + ": " + answer);
+            }
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+    }
+
     /** The packets that a board has sent, as the sniffer read them. */
     public List<TraceEvent> sentBy(String board) {
         return trace().stream().filter(event -> event.is("rf-tx", board)).toList();
@@ -289,6 +311,15 @@ public final class Emulator implements AutoCloseable {
             return Files.write(Files.createTempFile("javino-refused", ".jsonl"), latest);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
+        }
+    }
+
+    /** Leaves the edges of the model that this run may have taken where those of all runs are put together. */
+    private void writeEdges(String run) throws IOException {
+        String edges = System.getProperty("javino.edges");
+        if (edges != null && modelled) {
+            Path all = Files.createDirectories(Path.of(edges));
+            Files.write(Files.createTempFile(all, run + "-", ""), model.covered());
         }
     }
 
@@ -311,9 +342,12 @@ public final class Emulator implements AutoCloseable {
                 throw new AssertionError("the emulator ended with " + status + ": " + complaints);
             }
             model.finish();
+            writeEdges(WALKER.getCallerClass().getSimpleName());
             if (model.refusal().isPresent()) {
                 throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
             }
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }

@@ -64,6 +64,17 @@ class PossibleTest {
     }
 
     @Test
+    void only_knowsWhereAFormulaIsTrue_andTellsTheWaysThere() {
+        Network doors = doors();
+        Possible.Seen locked = of(doors).only(Expressions.parse("Door.Locked", doors, "test"));
+        assertEquals(Set.of("ring"), locked.possible().orElseThrow().next());
+        assertEquals(Set.of("Door: Shut -> Locked, 1"), locked.edges());
+        Possible.Seen ajar = of(doors).only(Expressions.parse("Door.Ajar", doors, "test"));
+        assertEquals(Set.of("open", "ring"), ajar.possible().orElseThrow().next());
+        assertEquals(Set.of(), ajar.edges());
+    }
+
+    @Test
     void see_tellsTheEdgesThatMayHaveBeenTaken() {
         assertEquals(Set.of("Door: Shut -> Ajar, 1"), door().see("open").edges());
         assertEquals(Set.of("Door: Shut -> Locked, 1", "Door: Locked -> Locked, 1"), door().see("ring").edges());

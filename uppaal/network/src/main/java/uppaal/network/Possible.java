@@ -32,7 +32,7 @@ public final class Possible {
     private final Map<String, Seen> after = new HashMap<>();
     private final Map<List<Integer>, Seen> elapsed = new HashMap<>();
     private final Map<Term, Boolean> certain = new HashMap<>();
-    private final Map<Term, Possible> only = new HashMap<>();
+    private final Map<Term, Seen> only = new HashMap<>();
     private Set<String> visible;
 
     private Possible(Watch watch, Set<Node> states) {
@@ -125,11 +125,12 @@ public final class Possible {
     }
 
     /** What is known where a formula is true; as before, where it cannot be. */
-    public Possible only(Term formula) {
+    public Seen only(Term formula) {
         synchronized (watch) {
             return only.computeIfAbsent(formula, term -> {
                 Set<Node> kept = states.stream().filter(state -> term.holds(state.values)).collect(Collectors.toSet());
-                return kept.isEmpty() ? this : watch.known(kept);
+                return kept.isEmpty() ? new Seen(Optional.of(this), Set.of())
+                        : new Seen(Optional.of(watch.known(kept)), watch.covering ? waysTo(kept) : Set.of());
             });
         }
     }

@@ -38,6 +38,8 @@ final class Scenes {
     private static final Map<Integer, String> BEGUN = Map.of(1, "send", 2, "ack", 3, "pieces", 4, "stale", 5, "part");
     private static final Map<String, String> TEMPLATES =
             Map.of("Air", "Air", "Reply", "Answer", "Sender", "Sender", "Receiver", "Receiver");
+    /** A message is known from the moment when it is on the air, and so never while it is new. */
+    private static final String NEVER = "Sender: New -> Over, 1";
     /** A property of the JVM: whether the edges that traces take are wanted. */
     static final String COVERING = "javino.coverage";
     private static final Map<String, Scene> KNOWN = new ConcurrentHashMap<>();
@@ -125,7 +127,10 @@ final class Scenes {
         }
     }
 
-    /** The edges of the automata that a trace can show: {@code template: source -> target, number among these}. */
+    /**
+     * The edges of the automata that a trace can show: {@code template: source -> target, number among these}. No trace
+     * takes those of other scenes, in which losses are few or hosts prompt.
+     */
     static Set<String> edges() {
         Set<String> edges = new TreeSet<>();
         for (Template template : document().templates()) {
@@ -138,6 +143,7 @@ final class Scenes {
                 }
             }
         }
+        edges.remove(NEVER);
         return edges;
     }
 

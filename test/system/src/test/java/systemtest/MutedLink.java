@@ -1,0 +1,60 @@
+package systemtest;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import javino.link.Link;
+import javino.link.LinkException;
+import javino.link.LinkOpener;
+import javino.link.SerialLink;
+
+/** A real link whose host is not heard any more once it has heard a word: it gets a message, and never says so. */
+final class MutedLink implements Link {
+
+    private final Link link;
+    private final String word;
+    private final StringBuilder heard = new StringBuilder();
+
+    private MutedLink(Link link, String word) {
+        this.link = link;
+        this.word = word;
+    }
+
+    static LinkOpener opener(String port, String word) {
+        LinkOpener opener = SerialLink.opener(port);
+        return new LinkOpener() {
+            @Override
+            public Link open() throws LinkException {
+                return new MutedLink(opener.open(), word);
+            }
+
+            @Override
+            public String name() {
+                return opener.name();
+            }
+        };
+    }
+
+    @Override
+    public void write(byte[] bytes) throws LinkException {
+        if (heard.indexOf(word) < 0) {
+            link.write(bytes);
+        }
+    }
+
+    @Override
+    public int read(byte[] into, Duration timeout) throws LinkException {
+        int count = link.read(into, timeout);
+        heard.append(new String(into, 0, count, StandardCharsets.ISO_8859_1));
+        return count;
+    }
+
+    @Override
+    public void wake() {
+        link.wake();
+    }
+
+    @Override
+    public void close() {
+        link.close();
+    }
+}

@@ -1,0 +1,51 @@
+package uppaal.replay;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+
+/** {@code gradle :test:system:edges}: which edges of the model many runs together may have taken, and which not. */
+public final class Edges {
+    private static final int ALL = 100;
+
+    private Edges() {
+    }
+
+    /**
+     * Ends with 0 where they have taken enough, else with 1.
+     *
+     * @param arguments a folder with a file for each run, called after a test, a dash and anything, in which each line
+     *                  is an edge; and how many percent are enough
+     */
+    public static void main(String[] arguments) throws IOException {
+        System.exit(run(Path.of(arguments[0]), Integer.parseInt(arguments[1])));
+    }
+
+    static int run(Path folder, int enough) throws IOException {
+        Set<String> missing = new TreeSet<>(Replay.edges());
+        int all = missing.size();
+        Map<String, List<Integer>> counts = new TreeMap<>();
+        List<Path> runs;
+        try (Stream<Path> files = Files.list(folder)) {
+            runs = files.toList();
+        }
+        for (Path run : runs) {
+            List<String> taken = Files.readAllLines(run);
+            missing.removeAll(taken);
+            String test = run.getFileName().toString().replaceFirst("-.*", "");
+            counts.computeIfAbsent(test, added -> new ArrayList<>()).add(taken.size());
+        }
+        counts.forEach((test, edges) -> System.out.println("model: edges taken by " + test + ": " + edges));
+        missing.forEach(edge -> System.out.println("model: not taken: " + edge));
+        int taken = all - missing.size();
+        System.out.println("model: " + runs.size() + " runs may have taken " + taken + " of its " + all + " edges");
+        return taken * ALL >= enough * all ? 0 : 1;
+    }
+}
