@@ -31,7 +31,7 @@ final class Conversation {
 
     /** Emulated seconds in which messages are offered, and until which all must have ended. */
     private static final double SECONDS = 40;
-    private static final double END = 70;
+    private static final double END = 100;
     private static final double RESET_AT = 14;
     private static final double CUT_AT = 24;
     private static final double CUT_SECONDS = 0.2;

@@ -103,8 +103,8 @@ final class Desk {
     }
 
     /**
-     * What it has sent there last, if a notice may have come that something is stale: without keys nobody can tell which
-     * message that was about, nor which of them was sealed anew. Else null.
+     * What it has sent there last, if a notice may have come that something is stale: without keys nobody can tell
+     * which message that was about, nor which of them was sealed anew. Else null.
      */
     Frame lastTo(String destination) {
         return wasStale && current.containsKey(destination) ? current.get(destination).frame : null;

@@ -161,8 +161,8 @@ final class RadioCell {
     }
 
     /**
-     * A board tells its host something: before that, all that has ended. It tells several outcomes in one reply, so that
-     * what one reply lacks is known with the next.
+     * A board tells its host something: before that, all that has ended. It tells several outcomes in one reply, so
+     * that what one reply lacks is known with the next.
      */
     void tell(Event event) throws RefusedException {
         Station board = board(event.board());

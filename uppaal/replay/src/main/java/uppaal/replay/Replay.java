@@ -71,7 +71,7 @@ public final class Replay {
         bytes = new Bytes(new Keys(keys));
     }
 
-    /** Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its time. */
+    /** Boards may hear more than the trace tells, and less: nothing is demanded, and little refused for its time. */
     void doubtReception() {
         disturbances.add(0, Double.POSITIVE_INFINITY);
     }
