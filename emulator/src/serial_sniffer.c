@@ -138,8 +138,9 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
     memcpy(s->request.epoch, packet->message + 1, SERIAL_EPOCH_LENGTH);
   if ((command == 'K' || command == 'N') && packet->length == 1 + ADDRESS_LENGTH + KEY_LENGTH)
     write_key(s, packet->message + 1, packet->message + 1 + ADDRESS_LENGTH);
-  if (command == 'I' && packet->length == 1 + ADDRESS_LENGTH)
+  if (command != 0 && strchr("IKNUFD", command) && packet->length >= 1 + ADDRESS_LENGTH)
     memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
+  if (command == 'R' && packet->length == 2) s->request.open = packet->message[1] == 1;
   if (command == 'P' && packet->length == 8) {
     s->request.taken = packet->message[7];
     if (s->request.taken == s->taken)
@@ -218,6 +219,22 @@ static void write_transmission(serial_sniffer *s, const serial_request *request,
   trace_end(s->out);
 }
 
+// The check value tells whether two boards have the same key, and nothing more (SPEC 5.2).
+static void write_key_step(serial_sniffer *s, const serial_request *request, const char *step, const uint8_t *check,
+                           size_t length, cycles_t at) {
+  begin(s, at, "host-key");
+  trace_utf8(s->out, "address", request->address, ADDRESS_LENGTH);
+  trace_text(s->out, "step", step);
+  if (length != 0) trace_hex(s->out, "check", check, length);
+  trace_end(s->out);
+}
+
+static void write_radio(serial_sniffer *s, bool open, cycles_t at) {
+  begin(s, at, "host-radio");
+  trace_text(s->out, "radio", open ? "open" : "blocked");
+  trace_end(s->out);
+}
+
 // What the board has performed; `body` is the reply's, behind its status.
 static void performed(serial_sniffer *s, const serial_request *request, const uint8_t *body, size_t length,
                       cycles_t at) {
@@ -238,6 +255,12 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
       memcpy(s->epoch, request->epoch, SERIAL_EPOCH_LENGTH);
       write_id(s, at);
       break;
+    case 'K': write_key_step(s, request, "set", body, length, at); break;
+    case 'N': write_key_step(s, request, "renew", body, length, at); break;
+    case 'U': write_key_step(s, request, "use", body, length, at); break;
+    case 'F': write_key_step(s, request, "finish", body, length, at); break;
+    case 'D': write_key_step(s, request, "delete", body, length, at); break;
+    case 'R': write_radio(s, request->open, at); break;
     case 'P':
       if (request->taken >= 0) {
         s->taken = request->taken;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host,
-// how transmissions ended and what the board perceives: host-id, host-transmit, host-handed, host-taking, host-taken,
-// host-outcome and percepts events. Keys that the host gives go to a file of their own.
+// how transmissions ended, what the board perceives, and what the host changes: host-id, host-key, host-radio, host-transmit,
+// host-handed, host-taking, host-taken, host-outcome and percepts events. Keys that the host gives go to a file of their own.
 #ifndef JAVINO_SERIAL_SNIFFER_H
 #define JAVINO_SERIAL_SNIFFER_H
 
@@ -30,7 +30,8 @@ typedef struct {
   uint16_t crc;
   char command;                        // 0: a frame to be transmitted
   int taken;                           // of a poll that says something new, or -1
-  uint8_t address[4];                  // that becomes the RF id, or that is to be sent to
+  uint8_t address[4];                  // that becomes the RF id, has a key, or is to be sent to
+  bool open;                           // of a request for the radio
   uint8_t epoch[SERIAL_EPOCH_LENGTH];  // that the boot epoch is to be raised to
   cycles_t at;
   uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent

@@ -64,7 +64,8 @@ class Line {
   std::vector<Event> events(const std::string &event) { return run.events(event); }
   size_t all() {
     size_t count = 0;
-    for (const char *event : {"host-id", "host-transmit", "host-handed", "host-taking", "host-taken", "host-outcome"})
+    for (const char *event : {"host-id", "host-key", "host-radio", "host-transmit", "host-handed", "host-taking",
+                              "host-taken", "host-outcome"})
       count += events(event).size();
     return count;
   }
@@ -95,6 +96,42 @@ Bytes message(uint8_t number, const std::string &addresses, const Bytes &id, con
 Bytes poll_reply(const std::vector<Bytes> &records) { return joined({{0, 0}, joined(records)}); }
 
 }  // namespace
+
+TEST(SerialSniffer, tells_what_the_host_does_with_keys_and_the_check_value_that_the_board_says) {
+  Line line;
+  line.greet();
+  uint8_t sequence = 2;
+  for (char command : {'K', 'N', 'U', 'F', 'D'}) {
+    const bool given = command == 'K' || command == 'N';
+    Bytes request = joined({{static_cast<uint8_t>(command)}, bytes("SUPP"), Bytes(given ? 16 : 0, 7)});
+    line.host(sequence, TO_BOARD, request);
+    line.board(sequence++, given ? Bytes{0, 1, 2, 3} : Bytes{0});
+  }
+  line.host(sequence, TO_BOARD, joined({bytes("DSUPO")}));
+  line.board(sequence, {11});  // it has none
+  const char *steps[] = {"set", "renew", "use", "finish", "delete"};
+  auto keys = line.events("host-key");
+  ASSERT_EQ(keys.size(), 5u);
+  for (size_t i = 0; i < keys.size(); i++) {
+    EXPECT_EQ(keys[i].text("address"), "SUPP");
+    EXPECT_EQ(keys[i].text("step"), steps[i]);
+    EXPECT_EQ(json_object_get(keys[i].fields, "check") != nullptr, i < 2);
+  }
+  EXPECT_EQ(keys[0].text("check"), "010203");
+}
+
+TEST(SerialSniffer, tells_whether_the_host_opens_or_blocks_the_radio) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'R', 1});
+  line.board(2, {0});
+  line.host(3, TO_BOARD, {'R', 0});
+  line.board(3, {0});
+  auto radio = line.events("host-radio");
+  ASSERT_EQ(radio.size(), 2u);
+  EXPECT_EQ(radio[0].text("radio"), "open");
+  EXPECT_EQ(radio[1].text("radio"), "blocked");
+}
 
 TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given) {
   Line line;
