@@ -2,17 +2,35 @@ package uppaal.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import uppaal.ModelException;
+import uppaal.RandomNetworks;
 import uppaal.Sketch;
 import uppaal.language.Expressions;
 import uppaal.language.Term;
 
 class PossibleTest {
+    private static final int DEPTH = 3;
+
     private static Possible of(Network network) {
-        return Possible.first(network, true, (state, move) -> move.channel().map(channel -> channel.name()));
+        return of(network, true);
+    }
+
+    private static Possible of(Network network, boolean covering) {
+        return Possible.first(network, covering, List.of(),
+                (state, move) -> move.channel().map(channel -> channel.name()));
     }
 
     private static Network doors() {
@@ -61,6 +79,100 @@ class PossibleTest {
     void where_movesThoseThatCan_andKeepsTheOthers() {
         assertEquals(Set.of("close", "ring"), door().where("open").next());
         assertEquals(door().next(), door().where("close").next());
+    }
+
+    /** All that can be seen in so many steps, as sequences. */
+    private static Set<String> seen(Possible possible, int steps) {
+        Set<String> sequences = new TreeSet<>();
+        Map<String, Possible> next = new TreeMap<>();
+        for (String name : possible.next()) {
+            next.put(name, possible.after(name).orElseThrow());
+            next.put("perhaps " + name, possible.perhaps(name));
+        }
+        possible.elapse(1, 1).possible().ifPresent(later -> next.put("1", later));
+        possible.elapse(0, 2).possible().ifPresent(later -> next.put("0-2", later));
+        next.forEach((name, then) -> {
+            sequences.add(name);
+            if (steps > 1) {
+                seen(then, steps - 1).forEach(more -> sequences.add(name + ", " + more));
+            }
+        });
+        return sequences;
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void first_withoutStatesThatOthersStandFor_allowsTheSame(long seed) {
+        Network network = RandomNetworks.network(seed);
+        assertEquals(seen(of(network, true), DEPTH), seen(of(network, false), DEPTH));
+    }
+
+    private static LongStream seeds() {
+        return LongStream.range(0, 300);
+    }
+
+    private static Possible coarse(Sketch sketch) {
+        return of(sketch.network(), false);
+    }
+
+    private static Sketch clocked() {
+        return Sketch.of("broadcast chan go, late, early; urgent broadcast chan hurry; clock x;");
+    }
+
+    @Test
+    void elapse_upToABound_keepsWhatHasMostTimeLeft() {
+        Possible first = coarse(clocked().template("Clock", "A{x<=9} -> B; sync late!"));
+        assertSame(first, first.elapse(0, 4).possible().orElseThrow());
+        assertTrue(first.elapse(9, 9).possible().isPresent());
+        assertFalse(first.elapse(10, 10).possible().isPresent());
+    }
+
+    @Test
+    void elapse_upToWhatMayBeWaitedFor_keepsTheLatest() {
+        Possible waited = coarse(clocked().template("Clock", "A -> B; guard x >= 3; sync late!")).elapse(0, 3)
+                .possible().orElseThrow();
+        assertTrue(waited.after("late").isPresent());
+    }
+
+    @Test
+    void elapse_upToABroadcastThatMustBeHeard_keepsWhoIsTooLateForIt() {
+        Possible waited = coarse(clocked().template("Caller", "A -> B; sync go!")
+                .template("Clock", "C -> D; guard x <= 1; sync go?", "C -> C; sync late!", "D -> D; sync early!"))
+                .elapse(0, 2).possible().orElseThrow();
+        assertEquals(Set.of("early", "late"), waited.after("go").orElseThrow().next());
+    }
+
+    @Test
+    void elapse_upToAnUrgentStep_keepsWhoIsTooLateForIt() {
+        Possible waited = coarse(clocked().template("Clock", "A -> B; sync go!", "B -> C{x<=1}; sync hurry!"))
+                .elapse(0, 2).possible().orElseThrow();
+        assertTrue(waited.after("go").orElseThrow().elapse(9, 9).possible().isPresent());
+    }
+
+    @Test
+    void elapse_whereAClockIsComparedLater_counts() {
+        Possible first = coarse(clocked().local("clock y;").template("Clock", "A -> B{y<=3}; sync go!"));
+        assertTrue(first.elapse(3, 3).possible().orElseThrow().after("go").isPresent());
+        assertFalse(first.elapse(4, 4).possible().orElseThrow().after("go").isPresent());
+    }
+
+    @Test
+    void elapse_whereAClockIsResetBeforeItIsCompared_doesNotCount() {
+        Possible first = coarse(Sketch.of("broadcast chan go;").local("clock y;")
+                .template("Clock", "A -> B{y<=3}; sync go!; set y = 0"));
+        assertSame(first, first.elapse(4, 4).possible().orElseThrow());
+    }
+
+    @Test
+    void first_variableThatNobodyAsksFor_isNotCounted() {
+        Sketch sketch = Sketch.of("broadcast chan ring; int[0,1] rung, known;")
+                .template("Door", "Shut -> Shut; sync ring!; set rung++, known = rung");
+        Possible once = of(sketch.network()).after("ring").orElseThrow();
+        assertTrue(once.after("ring").isPresent());
+        Possible asked = Possible.first(sketch.network(), false,
+                List.of(Expressions.parse("known", sketch.network(), "here")),
+                (state, move) -> move.channel().map(channel -> channel.name()));
+        assertThrows(ModelException.class, () -> asked.after("ring"));
     }
 
     @Test

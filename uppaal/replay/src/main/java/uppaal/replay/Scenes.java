@@ -3,11 +3,13 @@ package uppaal.replay;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import uppaal.ModelException;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
@@ -91,11 +93,11 @@ final class Scenes {
     private static Scene first(String template, Document document, String system, String rest, String ended,
             String over) {
         Network network = NetworkBuilder.build(document.withSystem(system));
+        List<Term> asked = Stream.of(rest, ended, over, "Air.Quiet && World.There")
+                .map(text -> Expressions.parse(text, network, FILE)).toList();
         return new Scene(template,
-                Possible.first(network, Boolean.getBoolean(COVERING), (state, move) -> name(network, move)),
-                Expressions.parse(rest, network, FILE), Expressions.parse(ended, network, FILE),
-                Expressions.parse(over, network, FILE),
-                Expressions.parse("Air.Quiet && World.There", network, FILE));
+                Possible.first(network, Boolean.getBoolean(COVERING), asked, (state, move) -> name(network, move)),
+                asked.get(0), asked.get(1), asked.get(2), asked.get(3));
     }
 
     private static Optional<String> name(Network network, JointMove move) {
