@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import uppaal.language.Term;
 import uppaal.network.Watch.Move;
@@ -27,15 +28,19 @@ public final class Possible {
     public static final String SLOT = "slot";
 
     private final Watch watch;
+    /** All that were found; where no edges are wanted, no more than those that stand for all. */
+    private final Set<Node> all;
+    /** Those that stand for all. */
     private final Set<Node> states;
     private final Map<String, Seen> after = new HashMap<>();
     private final Map<List<Integer>, Seen> elapsed = new HashMap<>();
     private final Map<Term, Boolean> certain = new HashMap<>();
-    private final Map<Term, Possible> only = new HashMap<>();
+    private final Map<Term, Seen> only = new HashMap<>();
     private Set<String> visible;
 
-    Possible(Watch watch, Set<Node> states) {
+    Possible(Watch watch, Set<Node> all, Set<Node> states) {
         this.watch = watch;
+        this.all = all;
         this.states = states;
     }
 
@@ -52,14 +57,14 @@ public final class Possible {
     /**
      * What is known at first.
      *
-     * @param covering whether edges are wanted, which takes its time
+     * @param covering whether edges are wanted
      * @param observed all formulas that are asked of what is known
      * @param name what a move out of a state is seen as; nothing where it is not seen
      */
     public static Possible first(Network network, boolean covering, Collection<Term> observed,
             BiFunction<int[], JointMove, Optional<String>> name) {
         Watch watch = new Watch(Slice.of(network, observed), covering, name);
-        return watch.known(watch.closed(List.of(watch.node(network.initial()))));
+        return watch.known(List.of(watch.closed(List.of(watch.node(network.initial())))));
     }
 
     /** What is known once a move was seen; nothing where it cannot have been. */
@@ -83,12 +88,16 @@ public final class Possible {
 
     private Seen wait(int least, int most) {
         Front found = new Front(watch);
+        List<Set<Node>> several = new ArrayList<>();
         Set<String> edges = new HashSet<>();
         Possible now = this;
         for (int units = 0; units <= most; units++) {
             // Where nothing new was found, no later time finds more.
             if (units >= least && !found.add(now.states)) {
                 break;
+            }
+            if (units >= least) {
+                several.add(now.all);
             }
             Seen next = now.see(SLOT);
             if (next.possible().isEmpty()) {
@@ -97,35 +106,37 @@ public final class Possible {
             edges.addAll(next.edges());
             now = next.possible().get();
         }
-        Set<Node> all = found.states();
-        return all.isEmpty() ? Seen.NEVER : new Seen(Optional.of(watch.known(all)), edges);
+        return several.isEmpty() ? Seen.NEVER : new Seen(Optional.of(watch.known(several)), edges);
     }
 
     /** What is known where a move may have been made, or not. */
     public Possible perhaps(String name) {
         synchronized (watch) {
-            return after(name).map(moved -> watch.known(watch.only(List.of(states, moved.states)))).orElse(this);
+            return after(name).map(moved -> watch.known(List.of(all, moved.all))).orElse(this);
         }
     }
 
     /** What is known where a move is made if it can be; no clock may decide about that. */
     public Possible where(String name) {
         synchronized (watch) {
-            Set<Node> moved = after(name).map(possible -> possible.states).orElse(Set.of());
-            List<Node> others = states.stream().filter(state -> watch.after(state, name).isEmpty()).toList();
-            return watch.known(watch.only(List.of(moved, others)));
+            Set<Node> moved = after(name).map(possible -> possible.all).orElse(Set.of());
+            return watch.known(List.of(moved, kept(state -> watch.after(state, name).isEmpty())));
         }
     }
 
     /** What is known where a formula is true; as before, where it cannot be. */
-    public Possible only(Term formula) {
+    public Seen only(Term formula) {
         synchronized (watch) {
             return only.computeIfAbsent(formula, term -> {
-                Set<Node> kept =
-                        states.stream().filter(state -> term.holds(state.values())).collect(Collectors.toSet());
-                return kept.isEmpty() ? this : watch.known(kept);
+                Set<Node> kept = kept(state -> term.holds(state.values()));
+                return kept.isEmpty() ? new Seen(Optional.of(this), Set.of())
+                        : new Seen(Optional.of(watch.known(List.of(kept))), waysTo(kept));
             });
         }
+    }
+
+    private Set<Node> kept(Predicate<Node> wanted) {
+        return all.stream().filter(wanted).collect(Collectors.toSet());
     }
 
     /** Whether a formula is true in all these states. */
@@ -151,15 +162,16 @@ public final class Possible {
     }
 
     private Seen find(String name) {
-        Set<Node> moved = watch.only(states.stream().map(state -> watch.after(state, name)).toList());
-        if (moved.isEmpty()) {
-            return Seen.NEVER;
-        }
-        return new Seen(Optional.of(watch.known(moved)), watch.isCovering() ? edges(name) : Set.of());
+        List<Set<Node>> moved = new ArrayList<>();
+        states.stream().map(state -> watch.after(state, name)).filter(after -> !after.isEmpty()).forEach(moved::add);
+        return moved.isEmpty() ? Seen.NEVER : new Seen(Optional.of(watch.known(moved)), edges(name));
     }
 
     private Set<String> edges(String name) {
-        List<Node> origins = states.stream().filter(state -> !watch.after(state, name).isEmpty()).toList();
+        if (!watch.isCovering()) {
+            return Set.of();
+        }
+        Set<Node> origins = kept(state -> !watch.after(state, name).isEmpty());
         Set<String> edges = waysTo(origins);
         for (Node state : origins) {
             watch.moves(state).stream().filter(move -> move.isSeen(name))
@@ -169,10 +181,13 @@ public final class Possible {
     }
 
     /** The edges on unseen ways that lead to some of these states. */
-    private Set<String> waysTo(List<Node> wanted) {
+    private Set<String> waysTo(Set<Node> wanted) {
+        if (!watch.isCovering()) {
+            return Set.of();
+        }
         Map<Node, List<Node>> before = new HashMap<>();
         Map<Node, Set<String>> into = new HashMap<>();
-        for (Node state : states) {
+        for (Node state : all) {
             for (Move move : watch.moves(state)) {
                 if (move.name().isEmpty()) {
                     before.computeIfAbsent(move.target(), target -> new ArrayList<>()).add(state);

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.stream.Collectors;
 
 /** What all that watch one network share: its states and their moves, as far as they were looked at. */
 final class Watch {
@@ -70,13 +71,16 @@ final class Watch {
         }
     }
 
-    /** Whether the edges of what passes unseen are wanted too. Then no state may be left out. */
+    /** Whether it is wanted which edges may have been taken. */
     boolean isCovering() {
         return covering;
     }
 
-    Possible known(Set<Node> states) {
-        return known.computeIfAbsent(states, added -> new Possible(this, added));
+    /** What is known where each of some states is possible. */
+    Possible known(Collection<? extends Collection<Node>> several) {
+        Set<Node> states = only(several);
+        Set<Node> all = covering ? several.stream().flatMap(Collection::stream).collect(Collectors.toSet()) : states;
+        return known.computeIfAbsent(all, added -> new Possible(this, added, states));
     }
 
     /** The one that stands for a state. */
@@ -85,9 +89,9 @@ final class Watch {
                 added -> new Node(values, rests.computeIfAbsent(order.rest(values), rest -> new Object())));
     }
 
-    /** Whether a state allows all that another with the same rest does, so that the other may be left out. */
+    /** Whether a state allows all that another with the same rest does. */
     boolean allows(Node state, Node other) {
-        return covering ? state == other : order.allows(state.values, other.values);
+        return order.allows(state.values, other.values);
     }
 
     /** Where it may be after a move, and what passes unseen then. */
@@ -116,7 +120,7 @@ final class Watch {
         return found;
     }
 
-    /** These states, and all to which moves lead from there that are not seen; as few as allow the same. */
+    /** These states, and all to which moves lead from there that are not seen. */
     Set<Node> closed(Collection<Node> states) {
         Set<Node> closed = new HashSet<>(states);
         Deque<Node> open = new ArrayDeque<>(closed);
@@ -127,20 +131,21 @@ final class Watch {
                 }
             }
         }
-        // All that the others lead to is there.
-        List<Node> lasting = closed.stream().filter(state -> covering || isLasting(state)).toList();
-        return only(List.of(lasting.isEmpty() ? closed : lasting));
+        return covering ? closed : only(List.of(closed));
+    }
+
+    /** Those that stand for all of these: nothing can be seen in the others, or others allow the same. */
+    private Set<Node> only(Collection<? extends Collection<Node>> several) {
+        Front front = new Front(this);
+        several.forEach(states -> front.add(states.stream().filter(this::isLasting).toList()));
+        if (front.states().isEmpty()) {
+            several.forEach(front::add);
+        }
+        return front.states();
     }
 
     /** Whether something can be seen in a state before it is left. */
     private boolean isLasting(Node state) {
         return moves(state).isEmpty() || moves(state).stream().anyMatch(move -> move.name.isPresent());
-    }
-
-    /** Some states together; as few as allow the same. */
-    Set<Node> only(Collection<? extends Collection<Node>> several) {
-        Front front = new Front(this);
-        several.forEach(front::add);
-        return front.states();
     }
 }

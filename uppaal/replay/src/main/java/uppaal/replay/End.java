@@ -171,6 +171,7 @@ final class End {
             } else if (sound.begins()) {
                 doubt(name);
             } else {
+                cover(possible.see(name));
                 settle(possible.where(name));
             }
         }
@@ -184,7 +185,9 @@ final class End {
             slots = 0;
             overlapping &= carriers != 0;
             if (carriers == 0) {
-                settle(possible.only(scene.quiet()));
+                Possible.Seen quiet = possible.only(scene.quiet());
+                cover(quiet);
+                settle(quiet.possible().orElseThrow());
             }
         }
     }
