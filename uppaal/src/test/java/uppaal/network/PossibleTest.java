@@ -29,12 +29,11 @@ class PossibleTest {
     private static final int DEPTH = 3;
 
     private static Possible of(Network network) {
-        return of(network, true);
+        return Possible.first(network, List.of(), (state, move) -> move.channel().map(channel -> channel.name()));
     }
 
-    private static Possible of(Network network, boolean covering) {
-        return Possible.first(network, covering, List.of(),
-                (state, move) -> move.channel().map(channel -> channel.name()));
+    private static Possible of(Sketch sketch) {
+        return of(sketch.network());
     }
 
     private static Network doors() {
@@ -164,15 +163,11 @@ class PossibleTest {
     @MethodSource("seeds")
     void first_ofRandomNetworks_knowsWhatAllStatesTogetherAllow(long seed) {
         Network network = RandomNetworks.network(seed);
-        compare("", Plain.of(network), of(network, seed % 2 == 0), DEPTH);
+        compare("", Plain.of(network), of(network), DEPTH);
     }
 
     private static LongStream seeds() {
         return LongStream.range(0, 300);
-    }
-
-    private static Possible coarse(Sketch sketch) {
-        return of(sketch.network(), false);
     }
 
     private static Sketch clocked() {
@@ -181,7 +176,7 @@ class PossibleTest {
 
     @Test
     void elapse_upToABound_keepsWhatHasMostTimeLeft() {
-        Possible first = coarse(clocked().template("Clock", "A{x<=9} -> B; sync late!"));
+        Possible first = of(clocked().template("Clock", "A{x<=9} -> B; sync late!"));
         assertSame(first, first.elapse(0, 4).possible().orElseThrow());
         assertTrue(first.elapse(9, 9).possible().isPresent());
         assertFalse(first.elapse(10, 10).possible().isPresent());
@@ -189,14 +184,14 @@ class PossibleTest {
 
     @Test
     void elapse_upToWhatMayBeWaitedFor_keepsTheLatest() {
-        Possible waited = coarse(clocked().template("Clock", "A -> B; guard x >= 3; sync late!")).elapse(0, 3)
+        Possible waited = of(clocked().template("Clock", "A -> B; guard x >= 3; sync late!")).elapse(0, 3)
                 .possible().orElseThrow();
         assertTrue(waited.after("late").isPresent());
     }
 
     @Test
     void elapse_upToABroadcastThatMustBeHeard_keepsWhoIsTooLateForIt() {
-        Possible waited = coarse(clocked().template("Caller", "A -> B; sync go!")
+        Possible waited = of(clocked().template("Caller", "A -> B; sync go!")
                 .template("Clock", "C -> D; guard x <= 1; sync go?", "C -> C; sync late!", "D -> D; sync early!"))
                 .elapse(0, 2).possible().orElseThrow();
         assertEquals(Set.of("early", "late"), waited.after("go").orElseThrow().next());
@@ -204,21 +199,21 @@ class PossibleTest {
 
     @Test
     void elapse_upToAnUrgentStep_keepsWhoIsTooLateForIt() {
-        Possible waited = coarse(clocked().template("Clock", "A -> B; sync go!", "B -> C{x<=1}; sync hurry!"))
+        Possible waited = of(clocked().template("Clock", "A -> B; sync go!", "B -> C{x<=1}; sync hurry!"))
                 .elapse(0, 2).possible().orElseThrow();
         assertTrue(waited.after("go").orElseThrow().elapse(9, 9).possible().isPresent());
     }
 
     @Test
     void elapse_whereAClockIsComparedLater_counts() {
-        Possible first = coarse(clocked().local("clock y;").template("Clock", "A -> B{y<=3}; sync go!"));
+        Possible first = of(clocked().local("clock y;").template("Clock", "A -> B{y<=3}; sync go!"));
         assertTrue(first.elapse(3, 3).possible().orElseThrow().after("go").isPresent());
         assertFalse(first.elapse(4, 4).possible().orElseThrow().after("go").isPresent());
     }
 
     @Test
     void elapse_whereAClockIsResetBeforeItIsCompared_doesNotCount() {
-        Possible first = coarse(Sketch.of("broadcast chan go;").local("clock y;")
+        Possible first = of(Sketch.of("broadcast chan go;").local("clock y;")
                 .template("Clock", "A -> B{y<=3}; sync go!; set y = 0"));
         assertSame(first, first.elapse(4, 4).possible().orElseThrow());
     }
@@ -229,7 +224,7 @@ class PossibleTest {
                 .template("Door", "Shut -> Shut; sync ring!; set rung++, known = rung");
         Possible once = of(sketch.network()).after("ring").orElseThrow();
         assertTrue(once.after("ring").isPresent());
-        Possible asked = Possible.first(sketch.network(), false,
+        Possible asked = Possible.first(sketch.network(),
                 List.of(Expressions.parse("known", sketch.network(), "here")),
                 (state, move) -> move.channel().map(channel -> channel.name()));
         assertThrows(ModelException.class, () -> asked.after("ring"));

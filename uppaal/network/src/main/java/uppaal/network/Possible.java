@@ -28,7 +28,7 @@ public final class Possible {
     public static final String SLOT = "slot";
 
     private final Watch watch;
-    /** All that were found; where no edges are wanted, no more than those that stand for all. */
+    /** All that were found. */
     private final Set<Node> all;
     /** Those that stand for all. */
     private final Set<Node> states;
@@ -57,13 +57,12 @@ public final class Possible {
     /**
      * What is known at first.
      *
-     * @param covering whether edges are wanted
      * @param observed all formulas that are asked of what is known
      * @param name what a move out of a state is seen as; nothing where it is not seen
      */
-    public static Possible first(Network network, boolean covering, Collection<Term> observed,
+    public static Possible first(Network network, Collection<Term> observed,
             BiFunction<int[], JointMove, Optional<String>> name) {
-        Watch watch = new Watch(Slice.of(network, observed), covering, name);
+        Watch watch = new Watch(Slice.of(network, observed), name);
         return watch.known(List.of(watch.closed(List.of(watch.node(network.initial())))));
     }
 
@@ -74,16 +73,12 @@ public final class Possible {
 
     /** As {@link #after}, with the edges. */
     public Seen see(String name) {
-        synchronized (watch) {
-            return after.computeIfAbsent(name, this::find);
-        }
+        return after.computeIfAbsent(name, this::find);
     }
 
     /** What is known after so many units of time, from the least to the most; nothing where they cannot have passed. */
     public Seen elapse(int least, int most) {
-        synchronized (watch) {
-            return elapsed.computeIfAbsent(List.of(least, most), key -> wait(least, most));
-        }
+        return elapsed.computeIfAbsent(List.of(least, most), key -> wait(least, most));
     }
 
     private Seen wait(int least, int most) {
@@ -111,28 +106,22 @@ public final class Possible {
 
     /** What is known where a move may have been made, or not. */
     public Possible perhaps(String name) {
-        synchronized (watch) {
-            return after(name).map(moved -> watch.known(List.of(all, moved.all))).orElse(this);
-        }
+        return after(name).map(moved -> watch.known(List.of(all, moved.all))).orElse(this);
     }
 
     /** What is known where a move is made if it can be; no clock may decide about that. */
     public Possible where(String name) {
-        synchronized (watch) {
-            Set<Node> moved = after(name).map(possible -> possible.all).orElse(Set.of());
-            return watch.known(List.of(moved, kept(state -> watch.after(state, name).isEmpty())));
-        }
+        Set<Node> moved = after(name).map(possible -> possible.all).orElse(Set.of());
+        return watch.known(List.of(moved, kept(state -> watch.after(state, name).isEmpty())));
     }
 
     /** What is known where a formula is true; as before, where it cannot be. */
     public Seen only(Term formula) {
-        synchronized (watch) {
-            return only.computeIfAbsent(formula, term -> {
-                Set<Node> kept = kept(state -> term.holds(state.values()));
-                return kept.isEmpty() ? new Seen(Optional.of(this), Set.of())
-                        : new Seen(Optional.of(watch.known(List.of(kept))), waysTo(kept));
-            });
-        }
+        return only.computeIfAbsent(formula, term -> {
+            Set<Node> kept = kept(state -> term.holds(state.values()));
+            return kept.isEmpty() ? new Seen(Optional.of(this), Set.of())
+                    : new Seen(Optional.of(watch.known(List.of(kept))), waysTo(kept));
+        });
     }
 
     private Set<Node> kept(Predicate<Node> wanted) {
@@ -141,24 +130,20 @@ public final class Possible {
 
     /** Whether a formula is true in all these states. */
     public boolean isCertain(Term formula) {
-        synchronized (watch) {
-            return certain.computeIfAbsent(formula, term -> states.stream().allMatch(
-                    state -> term.holds(state.values())));
-        }
+        return certain.computeIfAbsent(formula, term -> states.stream().allMatch(
+                state -> term.holds(state.values())));
     }
 
     /** The names of the moves that can be seen next, in alphabetical order; that time passes is none. */
     public Set<String> next() {
-        synchronized (watch) {
-            if (visible == null) {
-                visible = new TreeSet<>();
-                for (Node state : states) {
-                    watch.moves(state).forEach(
-                            move -> move.name().filter(name -> !name.equals(SLOT)).ifPresent(visible::add));
-                }
+        if (visible == null) {
+            visible = new TreeSet<>();
+            for (Node state : states) {
+                watch.moves(state).forEach(
+                        move -> move.name().filter(name -> !name.equals(SLOT)).ifPresent(visible::add));
             }
-            return Set.copyOf(visible);
         }
+        return Set.copyOf(visible);
     }
 
     private Seen find(String name) {
@@ -168,9 +153,6 @@ public final class Possible {
     }
 
     private Set<String> edges(String name) {
-        if (!watch.isCovering()) {
-            return Set.of();
-        }
         Set<Node> origins = kept(state -> !watch.after(state, name).isEmpty());
         Set<String> edges = waysTo(origins);
         for (Node state : origins) {
@@ -182,9 +164,6 @@ public final class Possible {
 
     /** The edges on unseen ways that lead to some of these states. */
     private Set<String> waysTo(Set<Node> wanted) {
-        if (!watch.isCovering()) {
-            return Set.of();
-        }
         Map<Node, List<Node>> before = new HashMap<>();
         Map<Node, Set<String>> into = new HashMap<>();
         for (Node state : all) {

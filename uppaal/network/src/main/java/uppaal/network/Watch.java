@@ -20,18 +20,16 @@ final class Watch {
     private final Successors steps;
     private final Order order;
     private final BiFunction<int[], JointMove, Optional<String>> name;
-    private final boolean covering;
     private final Map<Transition, String> edges = new IdentityHashMap<>();
     private final Map<IntBuffer, Node> nodes = new HashMap<>();
     private final Map<IntBuffer, Object> rests = new HashMap<>();
     private final Map<Set<Node>, Possible> known = new HashMap<>();
 
     /** @see Possible#first */
-    Watch(Network network, boolean covering, BiFunction<int[], JointMove, Optional<String>> name) {
+    Watch(Network network, BiFunction<int[], JointMove, Optional<String>> name) {
         this.steps = new Successors(network);
         this.order = new Order(network);
         this.name = name;
-        this.covering = covering;
         for (Automaton automaton : network.automata()) {
             Map<String, Integer> numbers = new HashMap<>();
             for (Transition transition : automaton.transitions()) {
@@ -71,16 +69,10 @@ final class Watch {
         }
     }
 
-    /** Whether it is wanted which edges may have been taken. */
-    boolean isCovering() {
-        return covering;
-    }
-
     /** What is known where each of some states is possible. */
     Possible known(Collection<? extends Collection<Node>> several) {
-        Set<Node> states = only(several);
-        Set<Node> all = covering ? several.stream().flatMap(Collection::stream).collect(Collectors.toSet()) : states;
-        return known.computeIfAbsent(all, added -> new Possible(this, added, states));
+        Set<Node> all = several.stream().flatMap(Collection::stream).collect(Collectors.toSet());
+        return known.computeIfAbsent(all, added -> new Possible(this, added, only(added)));
     }
 
     /** The one that stands for a state. */
@@ -131,15 +123,14 @@ final class Watch {
                 }
             }
         }
-        return covering ? closed : only(List.of(closed));
+        return closed;
     }
 
     /** Those that stand for all of these: nothing can be seen in the others, or others allow the same. */
-    private Set<Node> only(Collection<? extends Collection<Node>> several) {
+    private Set<Node> only(Collection<Node> states) {
         Front front = new Front(this);
-        several.forEach(states -> front.add(states.stream().filter(this::isLasting).toList()));
-        if (front.states().isEmpty()) {
-            several.forEach(front::add);
+        if (!front.add(states.stream().filter(this::isLasting).toList())) {
+            front.add(states);
         }
         return front.states();
     }

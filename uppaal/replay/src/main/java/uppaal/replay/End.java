@@ -28,7 +28,7 @@ final class End {
     private final String who;
     private final Scenes.Scene scene;
     private final Ear ear;
-    private final Coverage covered;
+    private final Scenes scenes;
     private Possible possible;
     /** Up to when its automata know what its board has heard. */
     private double told = Double.NEGATIVE_INFINITY;
@@ -51,14 +51,14 @@ final class End {
 
     /**
      * @param who the board's id
-     * @param covered takes the edges that may have been taken
+     * @param scenes take the edges that may have been taken
      */
-    End(Message message, String who, Scenes.Scene scene, Ear ear, Coverage covered) {
+    End(Message message, String who, Scenes scenes, Scenes.Scene scene, Ear ear) {
         this.message = message;
         this.who = who;
         this.scene = scene;
         this.ear = ear;
-        this.covered = covered;
+        this.scenes = scenes;
         this.possible = scene.first();
     }
 
@@ -117,7 +117,7 @@ final class End {
     }
 
     private void cover(Possible.Seen seen) {
-        covered.add(scene, seen);
+        scenes.cover(scene, seen);
     }
 
     private void settle(Possible now) {

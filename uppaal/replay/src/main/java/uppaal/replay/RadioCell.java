@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
 final class RadioCell {
@@ -32,16 +31,12 @@ final class RadioCell {
     private final Map<String, Message> byPayload = new Recent<>();
     private final Map<String, List<Message>> answers = new Recent<>();
     private final Disturbances disturbances;
-    private final Coverage covered = new Coverage();
+    private final Scenes scenes;
     private long broadcasts;
 
-    RadioCell(Disturbances disturbances) {
+    RadioCell(Disturbances disturbances, Scenes scenes) {
         this.disturbances = disturbances;
-    }
-
-    /** The edges of the model that may have been taken. */
-    Set<String> covered() {
-        return covered.edges();
+        this.scenes = scenes;
     }
 
     private Station board(String name) {
@@ -219,7 +214,7 @@ final class RadioCell {
     private Message entered(double start, Payload payload, String prefix) throws RefusedException {
         Payload whole = payload.whole();
         String content = payload.isPiece() ? "" : HexFormat.of().formatHex(payload.message());
-        Message message = new Message(whole, payload.pieces(), content, covered);
+        Message message = new Message(whole, payload.pieces(), content, scenes);
         messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
         for (Station board : boards.values()) {
             String highest = board.highest.get(message.origin + message.destination);

@@ -49,7 +49,8 @@ public final class Replay {
             new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index())
                     .thenComparing(Step::part));
     private final Disturbances disturbances = new Disturbances();
-    private final RadioCell cell = new RadioCell(disturbances);
+    private final Scenes scenes = new Scenes();
+    private final RadioCell cell = new RadioCell(disturbances, scenes);
     private final Bytes bytes;
     private int lines;
     private int events;
@@ -113,7 +114,6 @@ public final class Replay {
     public synchronized void finish() {
         ended = true;
         perform(Double.POSITIVE_INFINITY);
-        Scenes.forget();
     }
 
     /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */
@@ -129,7 +129,7 @@ public final class Replay {
 
     /** Edges of the model's automata that the trace may have taken, as {@link #edges} names them. */
     public synchronized Set<String> covered() {
-        return cell.covered();
+        return scenes.covered();
     }
 
     /** All edges of the model's automata that a trace can take. */
