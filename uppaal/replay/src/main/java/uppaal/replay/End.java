@@ -155,7 +155,7 @@ final class End {
         last = sound.number();
         pass(sound.seconds());
         boolean sure = !overlapping && (carriers == 0 || !sound.begins() && !doubtful)
-                && ear.isSure(since, sound.seconds());
+                && ear.isSure(sound.begins() ? sound.seconds() : since, sound.seconds());
         doubtful = sound.begins() && !sure;
         if (sound.owner() == this) {
             sending = sound.begins();

@@ -50,6 +50,11 @@ record Payload(String hex, String kind, String destination, String origin, byte[
         return DIGITS.indexOf(address.charAt(at));
     }
 
+    /** How many bytes cross the air. */
+    int length() {
+        return hex.length() / 2;
+    }
+
     boolean isPiece() {
         return kind.equals("piece");
     }

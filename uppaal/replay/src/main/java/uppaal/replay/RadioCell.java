@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
 final class RadioCell {
@@ -20,11 +21,17 @@ final class RadioCell {
     /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
     private static final int FRAMING_BITS = 84;
     private static final int BITS_A_BYTE = 12;
-    private static final int MOST_TRAILER_BITS = 12 * 17;
+    private static final int MARK_BITS = 12;
+    private static final int PARITY_BITS = 12 * 17;
+    private static final int SHORT_PARITY_BITS = 12 * 13;
+    /** The most bytes of payload whose parity is short. */
+    private static final int SHORT_PAYLOAD = 45;
     private static final int LEAST_RATE = 90;
     private static final int MOST_RATE = 11_000;
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
     private static final double LATE = 0.5;
+    /** And how much later that it knows what its host has taken: what it has just said may have been on its way. */
+    private static final double UNCONFIRMED = 2;
 
     private final Map<String, Station> boards = new LinkedHashMap<>();
     private final Map<String, Message> messages = new Recent<>();
@@ -122,12 +129,14 @@ final class RadioCell {
     /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
     private static void checkAirtime(Event event, Payload payload, Station board) throws RefusedException {
         double bits = event.number("bits");
-        int least = FRAMING_BITS + BITS_A_BYTE * (payload.hex().length() / 2);
+        String trailer = event.textOrEmpty("trailer");
+        int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
+        int all = least + trailerBits(trailer, payload.length());
         boolean ours = board.isNamed();
-        boolean trailed = event.fields().has("trailer");
-        if (ours && (bits < least || bits > least && !trailed || bits > least + MOST_TRAILER_BITS)) {
-            throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + least
-                    + " for these bytes" + (trailed ? " and a trailer" : ""));
+        boolean brokenOff = bits >= least && bits < all && !board.ear.isSure(event.number("start"), event.seconds());
+        if (ours && bits != all && !brokenOff) {
+            throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
+                    + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));
         }
         double seconds = event.number("end") - event.number("start");
         double rate = (bits - 1) / seconds;
@@ -136,6 +145,14 @@ final class RadioCell {
                     "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
                     seconds));
         }
+    }
+
+    private static int trailerBits(String trailer, int length) {
+        return switch (trailer) {
+            case "mark" -> MARK_BITS;
+            case "parity" -> length <= SHORT_PAYLOAD ? SHORT_PARITY_BITS : PARITY_BITS;
+            default -> 0;
+        };
     }
 
     /** It has ended to send. */
@@ -164,6 +181,11 @@ final class RadioCell {
         boolean outcome = event.name().equals("host-outcome");
         double before = board.lastReply(event.seconds());
         double reply = outcome ? before : event.seconds();
+        OptionalInt unconfirmed = board.taking(event.seconds() - UNCONFIRMED);
+        if (unconfirmed.isPresent()) {
+            throw new RefusedException(board.name() + " tells its host something, and not that it has taken message "
+                    + unconfirmed.getAsInt());
+        }
         for (Transmission transmission : board.open().toList()) {
             boolean told = outcome && transmission.number == event.number("number");
             End sender = told || transmission.message == null ? null : transmission.message.sender();
@@ -358,7 +380,7 @@ final class RadioCell {
         }
         double end = event.number("end");
         double bit = (packet.end() - packet.start()) / packet.bits();
-        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * (packet.payload().hex().length() / 2) - 2);
+        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * packet.payload().length() - 2);
         if (end < Math.min(least, packet.end()) - DISORDER || end > packet.end() + DISORDER) {
             throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
                     + " its sender has ended it");
@@ -391,7 +413,7 @@ final class RadioCell {
             message = sent.get(i).mayDo(event.seconds(), board, "hand") ? sent.get(i) : message;
         }
         message.receiver(event.seconds(), board, "hand");
-        board.handed.put(number, message);
+        board.hand(number, message);
     }
 
     private static boolean isHanded(Message message, Event event) {
@@ -410,13 +432,13 @@ final class RadioCell {
         Station board = board(event.board());
         int number = (int) event.number("number");
         if (step.equals("taking")) {
-            board.take(number);
+            board.take(number, event.seconds());
         } else if (!board.confirm(number)) {
             throw new RefusedException(board.name() + " confirms that its host has taken message " + number
                     + "; expected that its host says so first");
         }
         if (!board.handed.containsKey(number)) {
-            return; // its board ignores that as well
+            return; // it is confirmed already
         }
         Map<Integer, Message> taken = new LinkedHashMap<>();
         for (Map.Entry<Integer, Message> each : board.handed.entrySet()) {
@@ -469,7 +491,7 @@ final class RadioCell {
         }
         transmission.outcome = outcome;
         if (transmission.message == null) {
-            unsent(board, outcome);
+            unsent(board, transmission);
         } else if (transmission.before != null && !transmission.message.mayDo(event.seconds(), outcome)
                 && transmission.before.mayDo(event.seconds(), outcome)) {
                     split(event.seconds(), board, transmission, outcome);
@@ -479,12 +501,12 @@ final class RadioCell {
         crowd(event.seconds(), board);
     }
 
-    private static void unsent(Station board, String outcome) throws RefusedException {
-        if (!outcome.equals("undelivered")) {
-            throw new RefusedException(
-                    board.name() + " reports " + outcome
-                            + " for a message that was never on the air; expected: undelivered");
+    private static void unsent(Station board, Transmission transmission) throws RefusedException {
+        if (!transmission.outcome.equals("undelivered")) {
+            throw new RefusedException(board.name() + " reports " + transmission.outcome
+                    + " for a message that was never on the air; expected: undelivered");
         }
+        board.giveUp(transmission);
     }
 
     /** What was taken for the same message under a new nonce was the next one to the same device. */

@@ -28,9 +28,12 @@ public final class Replay {
     /** How far lines may be out of order: some bits of the slowest air, in seconds. */
     private static final double DISORDER = 0.05;
 
-    /** What a line tells of: all of it, or that a carrier begins or ends at its board, or that its packet ends. */
+    /**
+     * What a line tells of: that its packet begins, which others may hear at that very moment, or ends; that a carrier
+     * begins or ends at its board; or all of it.
+     */
     private enum Part {
-        CARRIER, EVENT, END, SILENCE
+        BEGIN, CARRIER, EVENT, END, SILENCE
     }
 
     private record Step(double seconds, Event event, Part part) {}
@@ -46,8 +49,9 @@ public final class Replay {
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
 
     private final PriorityQueue<Step> steps =
-            new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index())
-                    .thenComparing(Step::part));
+            new PriorityQueue<>(
+                    Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.part() != Part.BEGIN)
+                            .thenComparing(step -> step.event().index()).thenComparing(Step::part));
     private final Disturbances disturbances = new Disturbances();
     private final Scenes scenes = new Scenes();
     private final RadioCell cell = new RadioCell(disturbances, scenes);
@@ -140,7 +144,7 @@ public final class Replay {
     private void enter(Event event) {
         switch (event.name()) {
             case "rf-tx" -> {
-                enter(event.number("start"), event, Part.EVENT);
+                enter(event.number("start"), event, Part.BEGIN);
                 enter(event.number("end"), event, Part.END);
             }
             case "host-transmit" -> enter(event.number("asked"), event, Part.EVENT);
@@ -204,7 +208,8 @@ public final class Replay {
                     return;
                 }
                 perform(step);
-                events += step.part() == Part.EVENT && !event.name().equals("percepts") ? 1 : 0;
+                events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && !event.name().equals("percepts")
+                        ? 1 : 0;
             } catch (RefusedException refused) {
                 refuse(event, refused.getMessage());
             } catch (JsonParseException wrong) {
@@ -229,6 +234,10 @@ public final class Replay {
     private void perform(Step step) throws RefusedException {
         Event event = step.event();
         switch (step.part()) {
+            case BEGIN -> {
+                bytes.begin(event);
+                cell.begin(event);
+            }
             case CARRIER -> cell.carrier(event, step.seconds());
             case END -> cell.end(event);
             case SILENCE -> {
@@ -247,10 +256,6 @@ public final class Replay {
 
     private void perform(Event event, double seconds) throws RefusedException {
         switch (event.name()) {
-            case "rf-tx" -> {
-                bytes.begin(event);
-                cell.begin(event);
-            }
             case "rf-rx", "rf-damaged" -> {
                 cell.reach(event, seconds);
                 bytes.reach(event, cell.source(event).map(Packet::payload).orElseThrow());
