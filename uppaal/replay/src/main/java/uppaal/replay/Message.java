@@ -64,9 +64,14 @@ final class Message {
         return kind.equals("broadcast");
     }
 
-    /** Whether this is the payload that this piece has had whenever it was sent; the first time, it is. */
+    /** It is sent, or a piece of it. */
+    void send(Payload payload) {
+        sent.putIfAbsent(payload.index(), payload.identity());
+    }
+
+    /** Whether this is the payload that this piece has had when it was sent first. */
     boolean isSame(Payload payload) {
-        return sent.computeIfAbsent(payload.index(), index -> payload.identity()).equals(payload.identity());
+        return sent.getOrDefault(payload.index(), payload.identity()).equals(payload.identity());
     }
 
     /** The sender's board does something. */

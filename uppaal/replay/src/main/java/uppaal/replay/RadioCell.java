@@ -6,28 +6,20 @@ import java.util.Collection;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
+/**
+ * All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. Their
+ * packets are those that {@link Bytes} has let pass.
+ */
 final class RadioCell {
     private static final Map<String, String> COMES =
             Map.of("ack", "ack_comes", "pieces", "pieces_come", "stale", "stale_comes");
     private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
-    private static final double DISORDER = 0.002;
-    /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
-    private static final int FRAMING_BITS = 84;
-    private static final int BITS_A_BYTE = 12;
-    private static final int MARK_BITS = 12;
-    private static final int PARITY_BITS = 12 * 17;
-    private static final int SHORT_PARITY_BITS = 12 * 13;
-    /** The most bytes of payload whose parity is short. */
-    private static final int SHORT_PAYLOAD = 45;
-    private static final int LEAST_RATE = 90;
-    private static final int MOST_RATE = 11_000;
+    static final double DISORDER = 0.002;
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
     private static final double LATE = 0.5;
     /** And how much later that it knows what its host has taken: what it has just said may have been on its way. */
@@ -102,7 +94,7 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
-        checkAirtime(event, payload, board);
+        Airtime.check(event, payload, board);
         board.ear.learn(event.number("bits"), event.number("end") - start);
         Message message = null;
         List<Message> answered = List.of();
@@ -111,6 +103,9 @@ final class RadioCell {
         if (payload.isData()) {
             message = board.isNamed() ? own(start, board, payload) : strange(payload);
             owner = board.isNamed() ? message.sender() : null;
+            if (message != null) {
+                message.send(payload);
+            }
         } else if (payload.isAcknowledgement()) {
             answer = ANSWERS.getOrDefault(payload.message().length, "");
             answered = board.isNamed() ? acknowledge(start, board, payload, answer)
@@ -124,35 +119,6 @@ final class RadioCell {
         board.send(
                 new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message, answered,
                         answer, owner));
-    }
-
-    /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
-    private static void checkAirtime(Event event, Payload payload, Station board) throws RefusedException {
-        double bits = event.number("bits");
-        String trailer = event.textOrEmpty("trailer");
-        int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
-        int all = least + trailerBits(trailer, payload.length());
-        boolean ours = board.isNamed();
-        boolean brokenOff = bits >= least && bits < all && !board.ear.isSure(event.number("start"), event.seconds());
-        if (ours && bits != all && !brokenOff) {
-            throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
-                    + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));
-        }
-        double seconds = event.number("end") - event.number("start");
-        double rate = (bits - 1) / seconds;
-        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && board.ear.fits(bits, seconds))) {
-            throw new RefusedException(String.format(Locale.ROOT,
-                    "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
-                    seconds));
-        }
-    }
-
-    private static int trailerBits(String trailer, int length) {
-        return switch (trailer) {
-            case "mark" -> MARK_BITS;
-            case "parity" -> length <= SHORT_PAYLOAD ? SHORT_PARITY_BITS : PARITY_BITS;
-            default -> 0;
-        };
     }
 
     /** It has ended to send. */
@@ -173,8 +139,8 @@ final class RadioCell {
     }
 
     /**
-     * A board tells its host something: before that, all that has ended. It tells several outcomes in one reply, so that
-     * what one reply lacks is known with the next.
+     * A board tells its host something: before that, all that has ended. It tells several outcomes in one reply, so
+     * that what one reply lacks is known with the next.
      */
     void tell(Event event) throws RefusedException {
         Station board = board(event.board());
@@ -202,10 +168,6 @@ final class RadioCell {
         if (message == null) {
             message = begun(start, board, payload);
         }
-        if (!message.isSame(payload)) {
-            throw new RefusedException(board.name()
-                    + " sends other bytes under the nonce of an earlier message; expected: " + message);
-        }
         byPayload.put(payload.identity(), message);
         if (payload.isPiece() && payload.index() == 0) {
             board.begin(payload.pieceId(), message);
@@ -216,7 +178,7 @@ final class RadioCell {
     }
 
     /** The message that this is, or is a piece of; null where it is a new one. */
-    private Message known(Station board, Payload payload) throws RefusedException {
+    private Message known(Station board, Payload payload) {
         if (payload.index() == 0) {
             Payload whole = payload.whole();
             if (!whole.kind().equals("broadcast")) {
@@ -225,8 +187,7 @@ final class RadioCell {
             return board.current(whole.destination()).map(transmission -> transmission.message)
                     .filter(message -> payload.isPiece() && message == byPayload.get(payload.identity())).orElse(null);
         }
-        return board.cut(payload.pieceId()).orElseThrow(() -> new RefusedException(board.name()
-                + " sends a piece of a message that it has not begun; expected a first piece"));
+        return board.cut(payload.pieceId()).orElseThrow();
     }
 
     private static String key(Payload whole) {
@@ -251,11 +212,6 @@ final class RadioCell {
     private Message begun(double start, Station board, Payload payload) throws RefusedException {
         Payload whole = payload.whole();
         Transmission current = board.current(whole.destination()).orElse(null);
-        String last = current == null || current.message == null ? "" : current.message.nonce;
-        if (!whole.kind().equals("broadcast") && whole.nonce().compareTo(last) <= 0) {
-            throw new RefusedException(board.name() + " seals a message to " + whole.destination() + " under nonce "
-                    + whole.nonce() + "; expected one above " + last);
-        }
         boolean anew = current != null && current.message != null && current.before == null && current.outcome.isEmpty()
                 && current.destination.equals(whole.destination()) && current.message.mayDo(start, "reseal");
         if (anew) {
@@ -356,7 +312,7 @@ final class RadioCell {
         if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
-        checkArrival(event, packet);
+        Airtime.checkArrival(event, packet);
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
             throw new RefusedException(board.name()
                     + " hears a packet again or from itself; expected that each comes once to each other board");
@@ -370,20 +326,6 @@ final class RadioCell {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
             }
-        }
-    }
-
-    /** What reaches a board takes as long as it was sent, but for a trailer. */
-    private static void checkArrival(Event event, Packet packet) throws RefusedException {
-        if (!event.fields().has("payload")) {
-            return;
-        }
-        double end = event.number("end");
-        double bit = (packet.end() - packet.start()) / packet.bits();
-        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * packet.payload().length() - 2);
-        if (end < Math.min(least, packet.end()) - DISORDER || end > packet.end() + DISORDER) {
-            throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
-                    + " its sender has ended it");
         }
     }
 
@@ -488,6 +430,11 @@ final class RadioCell {
                         + "; expected what it had reported: " + transmission.outcome);
             }
             return; // a host that comes is told again
+        }
+        Transmission oldest = board.oldest(transmission);
+        if (transmission.message != null && oldest != transmission) {
+            throw new RefusedException(board.name() + " reports " + outcome + " for message " + transmission.number
+                    + "; expected what has become of message " + oldest.number + ", which was before it");
         }
         transmission.outcome = outcome;
         if (transmission.message == null) {

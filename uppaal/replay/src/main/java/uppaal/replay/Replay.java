@@ -53,8 +53,9 @@ public final class Replay {
                     Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.part() != Part.BEGIN)
                             .thenComparing(step -> step.event().index()).thenComparing(Step::part));
     private final Disturbances disturbances = new Disturbances();
-    private final Scenes scenes = new Scenes();
-    private final RadioCell cell = new RadioCell(disturbances, scenes);
+    private final Keys keys;
+    private final Scenes scenes;
+    private final RadioCell cell;
     private final Bytes bytes;
     private int lines;
     private int events;
@@ -64,7 +65,7 @@ public final class Replay {
 
     /** Where the run's keys are not known: what is sealed is not opened. */
     public Replay() {
-        bytes = new Bytes(null);
+        this(null, new Scenes());
     }
 
     /**
@@ -73,10 +74,24 @@ public final class Replay {
      * @param keys a keyring, or what the emulator's {@code --keys} writes; it may come to be while the trace does
      */
     public Replay(Path keys) {
-        bytes = new Bytes(new Keys(keys));
+        this(new Keys(keys), new Scenes());
     }
 
-    /** Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its time. */
+    private Replay(Keys keys, Scenes scenes) {
+        this.keys = keys;
+        this.scenes = scenes;
+        cell = new RadioCell(disturbances, scenes);
+        bytes = new Bytes(keys);
+    }
+
+    /** A replay of a trace much like this one, by the same thread: it knows what this one has found of the model. */
+    public Replay another() {
+        return new Replay(keys, scenes);
+    }
+
+    /**
+     * Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its time.
+     */
     void doubtReception() {
         disturbances.add(0, Double.POSITIVE_INFINITY);
     }

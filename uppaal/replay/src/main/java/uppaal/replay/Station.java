@@ -25,7 +25,8 @@ final class Station {
     private final Deque<Packet> packets = new ArrayDeque<>();
     /** Transmissions of which nothing was on the air yet, in the order in which its host gave them. */
     private final Deque<Transmission> waiting = new ArrayDeque<>();
-    private final Map<Integer, Transmission> numbered = new HashMap<>();
+    /** By their numbers, the oldest first. */
+    private final Map<Integer, Transmission> numbered = new LinkedHashMap<>();
     /** Messages that the host has not taken, by their numbers, in the order in which they were handed over. */
     final Map<Integer, Message> handed = new LinkedHashMap<>();
     /** The highest nonce that the host has taken, for each origin and destination. */
@@ -108,12 +109,19 @@ final class Station {
                     name + " takes over transmission " + transmission.number + "; expected " + last);
         }
         waiting.add(transmission);
+        numbered.remove(transmission.number);
         numbered.put(transmission.number, transmission);
     }
 
     /** Messages to a partner are under way one after the other; all that goes to many has one turn together. */
     private static String partner(String destination) {
         return destination.startsWith("//") ? "//" : destination;
+    }
+
+    /** The oldest that has not been told to have ended, of those to the like of this one; itself where it is that. */
+    Transmission oldest(Transmission transmission) {
+        return open().filter(each -> partner(each.destination).equals(partner(transmission.destination))).findFirst()
+                .orElse(transmission);
     }
 
     /** What it has sent last to a destination, or to its like. */

@@ -305,6 +305,16 @@ class ReplayTest {
     }
 
     @Test
+    void replay_outcomeBeforeThatOfAnOlderMessageToTheSame_isRefusedThere() {
+        Lines lines = Lines.of("partners");
+        List<Integer> ended = lines.where(line -> lines.is(line, "police", "host-outcome"));
+        int older = ended.get(ended.size() - 2);
+        lines.get(older).addProperty("number", 2);
+        assertRefused(lines, ended.get(ended.size() - 1),
+                "police reports undelivered for message 3; expected what has become of message 1, which was before it");
+    }
+
+    @Test
     void replay_sentAfterItWasReportedUndelivered_isRefusedThere() {
         Lines lines = severalAsked("SUPP");
         outcome(lines, 2, 0, "undelivered");
