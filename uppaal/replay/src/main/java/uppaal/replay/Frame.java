@@ -97,7 +97,7 @@ final class Frame {
                 && Arrays.equals(later.computeIfAbsent(index, k -> piece), piece);
     }
 
-    /** Whether a piece may be sent now: a later one each time, up to one that asks; of a frame to many up to the last. */
+    /** Whether a piece may be sent now: each time a later one, up to one that asks, or to many up to the last. */
     boolean isNext(Payload piece) {
         boolean over = last == null || last.asks() || !isUnicast() && last.index() == pieces() - 1;
         return over || piece.index() > last.index();

@@ -90,7 +90,8 @@ public final class Replay {
     }
 
     /**
-     * Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its time.
+     * Boards may hear more than the trace tells, and less: nothing is demanded of them, and little refused for its
+     * time.
      */
     void doubtReception() {
         disturbances.add(0, Double.POSITIVE_INFINITY);
