@@ -163,6 +163,10 @@ final class End {
                 take(possible.see("end"), "end");
             }
         } else {
+            if (sound.begins() && carriers > 0 && !overlapping && !sending) {
+                // From here on the bits of both together may be no carrier to its board.
+                doubt("silence");
+            }
             // The turn of its board's messages concerns a sender, once it waits for its own.
             boolean turn = fresh || !scene.template().equals("Sender");
             String name = sound.name().equals("own_message") && turn ? "own_answer" : sound.name();

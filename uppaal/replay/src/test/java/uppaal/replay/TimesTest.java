@@ -186,6 +186,23 @@ class TimesTest {
                 refusal(cut));
     }
 
+    /** Bits of several packets together may be no carrier to a board, though it has heard the first one begin. */
+    @Test
+    void times_attemptSoonAfterCarriersThatOverlapped_isAccepted() {
+        for (int strangers : List.of(1, 2)) {
+            Lines lines = Lines.of("highway");
+            double start = lines.get(packet(lines, "support", "unicast", 0)).get("start").getAsDouble();
+            for (int stranger = 1; stranger <= strangers; stranger++) {
+                double begin = start - (5 + 0.5 * stranger) * SLOT;
+                Map<String, Object> noise =
+                        Map.of("payload", "a" + stranger, "kind", "no frame", "from", "stranger" + stranger, "start", begin);
+                lines.add(begin + 3 * SLOT, "stranger" + stranger, "rf-tx", noise)
+                        .add(begin + 3 * SLOT, "support", "rf-rx", noise);
+            }
+            assertEquals(strangers == 2, refusal(lines).equals("accepted"), refusal(lines));
+        }
+    }
+
     @Test
     void times_outcomeBeforeThePacketsEnd_isRefused() {
         Lines lines = Lines.of("highway");
@@ -244,7 +261,7 @@ class TimesTest {
         Lines lines = Lines.of("partners");
         int told = lines.next(0, "police", "host-outcome");
         Lines cut = lines.without(line -> line == told);
-        assertTrue(refusal(cut).contains("not how a message has ended"), refusal(cut));
+        assertTrue(refusal(cut).contains("expected what has become of message 4"), refusal(cut));
     }
 
     /** What its board sends meanwhile hears of both, in the order of their times. */
