@@ -20,6 +20,7 @@ public final class Sketch {
 
     private final String declarations;
     private final List<Template> templates = new ArrayList<>();
+    private String local = "";
 
     private Sketch(String declarations) {
         this.declarations = declarations;
@@ -28,6 +29,12 @@ public final class Sketch {
     /** A network with these global declarations. */
     public static Sketch of(String declarations) {
         return new Sketch(declarations);
+    }
+
+    /** What each template declares that is added from now on. */
+    public Sketch local(String declared) {
+        local = declared;
+        return this;
     }
 
     /**
@@ -48,7 +55,7 @@ public final class Sketch {
             parsed.add(new Edge(location(edge.group(1), locations), location(edge.group(2), locations),
                     text(edge.group(3)), text(edge.group(4)), text(edge.group(5))));
         }
-        templates.add(new Template(name, "", "", List.copyOf(locations.values()),
+        templates.add(new Template(name, "", local, List.copyOf(locations.values()),
                 locations.values().iterator().next().name(), parsed));
         return this;
     }
@@ -63,7 +70,8 @@ public final class Sketch {
     public String xml() {
         StringBuilder xml = new StringBuilder("<nta><declaration>" + escaped(declarations) + "</declaration>");
         for (Template template : templates) {
-            xml.append("<template><name>").append(template.name()).append("</name>");
+            xml.append("<template><name>").append(template.name()).append("</name><declaration>")
+                    .append(escaped(template.declarations())).append("</declaration>");
             for (Location location : template.locations()) {
                 xml.append("<location id='").append(location.name()).append("'><name>").append(location.name())
                         .append("</name>").append(label("invariant", location.invariant()))

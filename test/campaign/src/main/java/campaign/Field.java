@@ -35,19 +35,14 @@ final class Field implements AutoCloseable {
      */
     record Cell(String sketch, List<Map<String, Object>> boards) {
 
-        private static final int MOST_REPLAYED = 5;
-
         /** So many boards that are all alike. */
         Cell(String sketch, int boards) {
             this(sketch, Collections.nCopies(boards, Map.of()));
         }
 
-        /**
-         * Whether their trace is not replayed: they run an older firmware, or one without carrier sense, or are more
-         * than the replay can keep up with.
-         */
+        /** Whether their trace is not replayed: they run an older firmware, or one without carrier sense. */
         boolean isOther() {
-            return boards.size() > MOST_REPLAYED || sketch.equals("DeafStation")
+            return sketch.equals("DeafStation")
                     || boards.stream().anyMatch(board -> board.containsKey("firmware"));
         }
     }

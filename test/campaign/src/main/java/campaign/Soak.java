@@ -50,8 +50,7 @@ final class Soak implements Campaign {
     public void run(Settings settings, Report report) throws Exception {
         try (Closing closing = new Closing()) {
             Emulator.Scenario scenario =
-                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).forgetful()
-                            .unmodelled();
+                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).forgetful();
             Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
             Field.Post one = field.cell(0).get(0);
             Field.Post two = field.cell(0).get(1);

@@ -43,16 +43,19 @@ final class Traces implements Part {
         Map<String, List<Judged>> byOperator = new LinkedHashMap<>();
         List<Genuine> traces = traces(options);
         for (Genuine trace : traces) {
-            if (refused(trace.lines, trace.keys)) {
+            if (refused(trace.lines, new Replay(trace.keys))) {
                 wronglyRefused++;
                 report.progress("%s is refused as it is", trace.name);
                 continue;
             }
             Map<String, List<TraceMutant>> mutants = TraceMutants.of(trace.lines, options.seed()).stream()
                     .collect(Collectors.groupingBy(TraceMutant::operator, LinkedHashMap::new, Collectors.toList()));
+            // Each thread finds once what all mutants have in common.
+            ThreadLocal<Replay> like = ThreadLocal.withInitial(() -> new Replay(trace.keys));
             mutants.forEach((operator, all) -> byOperator.computeIfAbsent(operator, any -> new ArrayList<>())
                     .addAll(options.draw(all, USUAL).parallelStream()
-                            .map(mutant -> new Judged(mutant, trace.name, refused(mutant.lines().get(), trace.keys)))
+                            .map(mutant -> new Judged(mutant, trace.name,
+                                    refused(mutant.lines().get(), like.get().another())))
                             .toList()));
             report.progress("%s done", trace.name);
         }
@@ -88,8 +91,7 @@ final class Traces implements Part {
     }
 
     /** Whether the replay says no; a line that is none of a trace is refused too. */
-    private static boolean refused(List<String> lines, Path keys) {
-        Replay replay = new Replay(keys);
+    private static boolean refused(List<String> lines, Replay replay) {
         try {
             lines.forEach(replay::line);
             replay.finish();

@@ -54,13 +54,6 @@ public final class Clocks {
 
     /** Whether any clock is in a term. */
     public static boolean isIn(Term term) {
-        if (term instanceof Term.Binary binary) {
-            return isIn(binary.left()) || isIn(binary.right());
-        } else if (term instanceof Term.Choice choice) {
-            return isIn(choice.condition()) || isIn(choice.yes()) || isIn(choice.no());
-        } else if (term instanceof Term.Not not) {
-            return isIn(not.operand());
-        }
-        return term instanceof Term.Negative negative ? isIn(negative.operand()) : term instanceof Term.Clock;
+        return term instanceof Term.Clock || term.operands().stream().anyMatch(Clocks::isIn);
     }
 }

@@ -1,5 +1,7 @@
 package uppaal.language;
 
+import java.util.List;
+
 /** An expression whose names have been resolved to places in a state. Truth is any number but 0. */
 public sealed interface Term {
     /** Always true: the guard of an edge without a guard. */
@@ -11,6 +13,11 @@ public sealed interface Term {
     /** Whether it is true in a state. */
     default boolean holds(int[] state) {
         return value(state) != 0;
+    }
+
+    /** What it is made of. */
+    default List<Term> operands() {
+        return List.of();
     }
 
     /** A number, a named constant or a parameter. */
@@ -51,6 +58,11 @@ public sealed interface Term {
         public int value(int[] state) {
             return operand.value(state) == 0 ? 1 : 0;
         }
+
+        @Override
+        public List<Term> operands() {
+            return List.of(operand);
+        }
     }
 
     /** {@code -operand} */
@@ -58,6 +70,11 @@ public sealed interface Term {
         @Override
         public int value(int[] state) {
             return Math.negateExact(operand.value(state));
+        }
+
+        @Override
+        public List<Term> operands() {
+            return List.of(operand);
         }
     }
 
@@ -67,6 +84,11 @@ public sealed interface Term {
         public int value(int[] state) {
             return condition.holds(state) ? yes.value(state) : no.value(state);
         }
+
+        @Override
+        public List<Term> operands() {
+            return List.of(condition, yes, no);
+        }
     }
 
     /** {@code left operator right}; both sides are always evaluated, since no term has an effect. */
@@ -74,6 +96,11 @@ public sealed interface Term {
         @Override
         public int value(int[] state) {
             return operator.apply(left.value(state), right.value(state));
+        }
+
+        @Override
+        public List<Term> operands() {
+            return List.of(left, right);
         }
     }
 }

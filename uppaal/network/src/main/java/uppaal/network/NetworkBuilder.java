@@ -76,7 +76,8 @@ public final class NetworkBuilder {
                 .map(edge -> transition(edge, locations, scope, where + ", edge " + edge.path())).toList();
         Set<Integer> clocks = IntStream.range(slot, slots.size()).filter(i -> slots.get(i).clock()).boxed()
                 .collect(Collectors.toSet());
-        return new Automaton(instance.name(), slot, template.locations(), invariants, clocks, transitions, scope);
+        return new Automaton(instance.name(), slot, template.locations(), invariants, clocks, transitions, scope,
+                new ClockRanges(slots, document.file())::greatest);
     }
 
     private static Transition transition(Edge edge, List<String> locations, Scope scope, String where) {

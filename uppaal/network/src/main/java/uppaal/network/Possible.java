@@ -1,22 +1,22 @@
 package uppaal.network;
 
-import java.nio.IntBuffer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import uppaal.language.Term;
+import uppaal.network.Watch.Move;
+import uppaal.network.Watch.Node;
 
 /**
  * What who watches a network knows of it: all states in which it may be after what was seen. Some moves are seen, by a
@@ -28,6 +28,9 @@ public final class Possible {
     public static final String SLOT = "slot";
 
     private final Watch watch;
+    /** All that were found. */
+    private final Set<Node> all;
+    /** Those that stand for all. */
     private final Set<Node> states;
     private final Map<String, Seen> after = new HashMap<>();
     private final Map<List<Integer>, Seen> elapsed = new HashMap<>();
@@ -35,8 +38,9 @@ public final class Possible {
     private final Map<Term, Seen> only = new HashMap<>();
     private Set<String> visible;
 
-    private Possible(Watch watch, Set<Node> states) {
+    Possible(Watch watch, Set<Node> all, Set<Node> states) {
         this.watch = watch;
+        this.all = all;
         this.states = states;
     }
 
@@ -53,13 +57,13 @@ public final class Possible {
     /**
      * What is known at first.
      *
-     * @param covering whether the edges of what passes unseen are wanted too, which takes its time
+     * @param observed all formulas that are asked of what is known
      * @param name what a move out of a state is seen as; nothing where it is not seen
      */
-    public static Possible first(Network network, boolean covering,
+    public static Possible first(Network network, Collection<Term> observed,
             BiFunction<int[], JointMove, Optional<String>> name) {
-        Watch watch = new Watch(network, covering, name);
-        return watch.known(watch.closed(Set.of(watch.node(network.initial()))));
+        Watch watch = new Watch(Slice.of(network, observed), name);
+        return watch.known(List.of(watch.closed(List.of(watch.node(network.initial())))));
     }
 
     /** What is known once a move was seen; nothing where it cannot have been. */
@@ -69,114 +73,91 @@ public final class Possible {
 
     /** As {@link #after}, with the edges. */
     public Seen see(String name) {
-        synchronized (watch) {
-            return after.computeIfAbsent(name, this::find);
-        }
+        return after.computeIfAbsent(name, this::find);
     }
 
     /** What is known after so many units of time, from the least to the most; nothing where they cannot have passed. */
     public Seen elapse(int least, int most) {
-        synchronized (watch) {
-            return elapsed.computeIfAbsent(List.of(least, most), key -> wait(least, most));
-        }
+        return elapsed.computeIfAbsent(List.of(least, most), key -> wait(least, most));
     }
 
     private Seen wait(int least, int most) {
-        List<Possible> found = new ArrayList<>();
+        Front found = new Front(watch);
+        List<Set<Node>> several = new ArrayList<>();
         Set<String> edges = new HashSet<>();
         Possible now = this;
         for (int units = 0; units <= most; units++) {
+            // Where nothing new was found, no later time finds more.
+            if (units >= least && !found.add(now.states)) {
+                break;
+            }
             if (units >= least) {
-                found.add(now);
+                several.add(now.all);
             }
             Seen next = now.see(SLOT);
-            if (next.possible().isEmpty() || next.possible().get() == now && units >= least) {
+            if (next.possible().isEmpty()) {
                 break;
             }
             edges.addAll(next.edges());
             now = next.possible().get();
         }
-        return found.isEmpty() ? Seen.NEVER : new Seen(Optional.of(watch.either(found)), edges);
+        return several.isEmpty() ? Seen.NEVER : new Seen(Optional.of(watch.known(several)), edges);
     }
 
     /** What is known where a move may have been made, or not. */
     public Possible perhaps(String name) {
-        synchronized (watch) {
-            return after(name).map(moved -> watch.either(List.of(this, moved))).orElse(this);
-        }
+        return after(name).map(moved -> watch.known(List.of(all, moved.all))).orElse(this);
     }
 
-    /** What is known where a move is made if it can be. */
+    /** What is known where a move is made if it can be; no clock may decide about that. */
     public Possible where(String name) {
-        synchronized (watch) {
-            Set<Node> others = new HashSet<>();
-            for (Node state : states) {
-                if (watch.after(state, name).length == 0) {
-                    others.add(state);
-                }
-            }
-            List<Possible> both = new ArrayList<>();
-            after(name).ifPresent(both::add);
-            if (!others.isEmpty()) {
-                both.add(watch.known(others));
-            }
-            return watch.either(both);
-        }
+        Set<Node> moved = after(name).map(possible -> possible.all).orElse(Set.of());
+        return watch.known(List.of(moved, kept(state -> watch.after(state, name).isEmpty())));
     }
 
     /** What is known where a formula is true; as before, where it cannot be. */
     public Seen only(Term formula) {
-        synchronized (watch) {
-            return only.computeIfAbsent(formula, term -> {
-                Set<Node> kept = states.stream().filter(state -> term.holds(state.values)).collect(Collectors.toSet());
-                return kept.isEmpty() ? new Seen(Optional.of(this), Set.of())
-                        : new Seen(Optional.of(watch.known(kept)), watch.covering ? waysTo(kept) : Set.of());
-            });
-        }
+        return only.computeIfAbsent(formula, term -> {
+            Set<Node> kept = kept(state -> term.holds(state.values()));
+            return kept.isEmpty() ? new Seen(Optional.of(this), Set.of())
+                    : new Seen(Optional.of(watch.known(List.of(kept))), waysTo(kept));
+        });
+    }
+
+    private Set<Node> kept(Predicate<Node> wanted) {
+        return all.stream().filter(wanted).collect(Collectors.toSet());
     }
 
     /** Whether a formula is true in all these states. */
     public boolean isCertain(Term formula) {
-        synchronized (watch) {
-            return certain.computeIfAbsent(formula, term -> states.stream().allMatch(
-                    state -> term.holds(state.values)));
-        }
+        return certain.computeIfAbsent(formula, term -> states.stream().allMatch(
+                state -> term.holds(state.values())));
     }
 
     /** The names of the moves that can be seen next, in alphabetical order; that time passes is none. */
     public Set<String> next() {
-        synchronized (watch) {
-            if (visible == null) {
-                visible = new TreeSet<>();
-                for (Node state : states) {
-                    watch.moves(state).forEach(
-                            move -> move.name.filter(name -> !name.equals(SLOT)).ifPresent(visible::add));
-                }
+        if (visible == null) {
+            visible = new TreeSet<>();
+            for (Node state : states) {
+                watch.moves(state).forEach(
+                        move -> move.name().filter(name -> !name.equals(SLOT)).ifPresent(visible::add));
             }
-            return Set.copyOf(visible);
         }
+        return Set.copyOf(visible);
     }
 
     private Seen find(String name) {
-        Set<Node> moved = new HashSet<>();
-        Set<Node> origins = new HashSet<>();
-        for (Node state : states) {
-            Node[] after = watch.after(state, name);
-            if (after.length != 0) {
-                origins.add(state);
-                moved.addAll(Arrays.asList(after));
-            }
-        }
-        if (moved.isEmpty()) {
-            return Seen.NEVER;
-        }
-        return new Seen(Optional.of(watch.known(moved)), watch.covering ? edges(name, origins) : Set.of());
+        List<Set<Node>> moved = new ArrayList<>();
+        states.stream().map(state -> watch.after(state, name)).filter(after -> !after.isEmpty()).forEach(moved::add);
+        return moved.isEmpty() ? Seen.NEVER : new Seen(Optional.of(watch.known(moved)), edges(name));
     }
 
-    private Set<String> edges(String name, Set<Node> origins) {
+    private Set<String> edges(String name) {
+        Set<Node> origins = kept(state -> !watch.after(state, name).isEmpty());
         Set<String> edges = waysTo(origins);
         for (Node state : origins) {
-            watch.moves(state).stream().filter(move -> move.isSeen(name)).forEach(move -> edges.addAll(move.edges));
+            watch.moves(state).stream().filter(move -> move.isSeen(name))
+                    .forEach(move -> edges.addAll(move.edges()));
         }
         return edges;
     }
@@ -185,11 +166,11 @@ public final class Possible {
     private Set<String> waysTo(Set<Node> wanted) {
         Map<Node, List<Node>> before = new HashMap<>();
         Map<Node, Set<String>> into = new HashMap<>();
-        for (Node state : states) {
+        for (Node state : all) {
             for (Move move : watch.moves(state)) {
-                if (move.name.isEmpty()) {
-                    before.computeIfAbsent(move.target, target -> new ArrayList<>()).add(state);
-                    into.computeIfAbsent(move.target, target -> new HashSet<>()).addAll(move.edges);
+                if (move.name().isEmpty()) {
+                    before.computeIfAbsent(move.target(), target -> new ArrayList<>()).add(state);
+                    into.computeIfAbsent(move.target(), target -> new HashSet<>()).addAll(move.edges());
                 }
             }
         }
@@ -206,103 +187,5 @@ public final class Possible {
             }
         }
         return edges;
-    }
-
-    /** A move out of a state. */
-    private record Move(Optional<String> name, Node target, List<String> edges) {
-        boolean isSeen(String wanted) {
-            return name.isPresent() && name.get().equals(wanted);
-        }
-    }
-
-    /** A state, of which there is one only: so it is told from others by what it is, and not by all its values. */
-    private static final class Node {
-        private final int[] values;
-        private final Map<String, Node[]> after = new HashMap<>();
-        private List<Move> moves;
-
-        Node(int[] values) {
-            this.values = values;
-        }
-    }
-
-    /** What all that watch one network share. */
-    private static final class Watch {
-        private final Successors steps;
-        private final BiFunction<int[], JointMove, Optional<String>> name;
-        private final boolean covering;
-        private final Map<Transition, String> edges = new IdentityHashMap<>();
-        private final Map<IntBuffer, Node> nodes = new HashMap<>();
-        private final Map<Set<Node>, Possible> known = new HashMap<>();
-
-        Watch(Network network, boolean covering, BiFunction<int[], JointMove, Optional<String>> name) {
-            this.steps = new Successors(network);
-            this.name = name;
-            this.covering = covering;
-            for (Automaton automaton : network.automata()) {
-                Map<String, Integer> numbers = new HashMap<>();
-                for (Transition transition : automaton.transitions()) {
-                    String path = automaton.locations().get(transition.source()).name() + " -> "
-                            + automaton.locations().get(transition.target()).name();
-                    edges.put(transition, automaton.name() + ": " + path + ", " + numbers.merge(path, 1, Integer::sum));
-                }
-            }
-        }
-
-        Possible known(Set<Node> states) {
-            return known.computeIfAbsent(states, added -> new Possible(this, added));
-        }
-
-        Possible either(Collection<Possible> several) {
-            Set<Node> all = new HashSet<>();
-            several.forEach(possible -> all.addAll(possible.states));
-            return known(all);
-        }
-
-        /** The one that stands for a state. */
-        Node node(int[] values) {
-            return nodes.computeIfAbsent(IntBuffer.wrap(values), added -> new Node(values));
-        }
-
-        /** Where it may be after a move, and what passes unseen then. */
-        Node[] after(Node state, String seen) {
-            return state.after.computeIfAbsent(seen, added -> closed(moves(state).stream()
-                    .filter(move -> move.isSeen(seen)).map(Move::target).collect(Collectors.toSet()))
-                    .toArray(Node[]::new));
-        }
-
-        List<Move> moves(Node state) {
-            if (state.moves == null) {
-                state.moves = find(state);
-            }
-            return state.moves;
-        }
-
-        private List<Move> find(Node state) {
-            List<Move> found = new ArrayList<>();
-            boolean idle = steps.each(state.values, (parts, target) -> {
-                JointMove move = new JointMove(parts, target);
-                found.add(new Move(move.passesTime() ? Optional.of(SLOT) : name.apply(state.values, move),
-                        node(target), parts.stream().map(part -> edges.get(part.transition())).toList()));
-            });
-            if (idle) {
-                found.add(new Move(Optional.of(SLOT), state, List.of()));
-            }
-            return found;
-        }
-
-        /** These states, and all to which moves lead from there that are not seen. */
-        Set<Node> closed(Set<Node> states) {
-            Set<Node> closed = new HashSet<>(states);
-            Deque<Node> open = new ArrayDeque<>(states);
-            while (!open.isEmpty()) {
-                for (Move move : moves(open.remove())) {
-                    if (move.name.isEmpty() && closed.add(move.target)) {
-                        open.add(move.target);
-                    }
-                }
-            }
-            return closed;
-        }
     }
 }

@@ -2,6 +2,7 @@ package uppaal.network;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import uppaal.language.Labels;
 import uppaal.language.Symbol;
 import uppaal.language.Term;
@@ -22,6 +23,12 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
         assignments = List.copyOf(assignments);
     }
 
+    /** As it is, but that it sets no other slots than these. */
+    Transition setting(Set<Integer> slots) {
+        return new Transition(source, target, guard, synchronisation,
+                assignments.stream().filter(assignment -> slots.contains(assignment.slot())).toList());
+    }
+
     /** Whether it needs no other automaton. */
     public boolean internal() {
         return synchronisation.isEmpty();
@@ -35,6 +42,11 @@ public record Transition(int source, int target, Term guard, Optional<Labels.Syn
     /** Whether no time passes while it can be taken. */
     boolean urgent() {
         return synchronisation.isPresent() && synchronisation.get().channel().urgent();
+    }
+
+    /** Whether it cannot be left out where its guard is true and its channel is used. */
+    boolean mustHear() {
+        return synchronisation.isPresent() && !sends() && synchronisation.get().channel().broadcast();
     }
 
     /** Whether it has {@code channel?}. */

@@ -95,6 +95,17 @@ final class Bytes {
         } else {
             first(desk, new Frame(payload, event.number("start")), payload);
         }
+        if (payload.isPiece() && desk.cut.containsKey(payload.pieceId())) {
+            order(desk, desk.cut.get(payload.pieceId()), payload);
+        }
+    }
+
+    private static void order(Desk desk, Frame frame, Payload piece) throws RefusedException {
+        if (!frame.isNext(piece)) {
+            throw new RefusedException(desk.name + " sends piece " + piece.index() + " of " + frame + " after piece "
+                    + frame.last.index() + "; expected a later one");
+        }
+        frame.last = piece;
     }
 
     /** A board of ours sends a frame, or its first piece. */

@@ -28,12 +28,12 @@ final class Ear {
     /** All since the last quiet before the last carrier. */
     private final Deque<Sound> latest = new ArrayDeque<>();
     private final Set<End> awake = new LinkedHashSet<>();
-    private double slot = (double) SLOT_BITS / RATE;
-    private boolean timed = true;
     private int carriers;
     private long sounds;
-    /** Bits a second, once the board has sent; else no number. */
-    private double rate = Double.NaN;
+    /** Bits a second. */
+    private double rate = RATE;
+    /** Whether it has sent, so that its rate is known. */
+    private boolean known;
 
     Ear(Disturbances disturbances) {
         this.disturbances = disturbances;
@@ -41,12 +41,12 @@ final class Ear {
 
     /** Seconds a slot. */
     double slot() {
-        return slot;
+        return SLOT_BITS / rate;
     }
 
     /** Whether the board's times are those of the model. */
     boolean isTimed() {
-        return timed;
+        return Math.abs(rate / RATE - 1) < OTHER_RATE;
     }
 
     /** Whether all is known of what the board has heard between two moments. */
@@ -56,14 +56,13 @@ final class Ear {
 
     /** Whether a packet of the board's own is as long as its bits take, by the first one: up to a quarter of a bit. */
     boolean fits(double bits, double seconds) {
-        return Double.isNaN(rate) || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;
+        return !known || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;
     }
 
     /** Its own packets tell how fast a board's clock runs. The end of the last bit is not told. */
     void learn(double bits, double seconds) {
         rate = (bits - 1) / seconds;
-        timed = Math.abs(rate / RATE - 1) < OTHER_RATE;
-        slot = SLOT_BITS / rate;
+        known = true;
     }
 
     List<Sound> latest() {

@@ -28,7 +28,7 @@ final class End {
     private final String who;
     private final Scenes.Scene scene;
     private final Ear ear;
-    private final Coverage covered;
+    private final Scenes scenes;
     private Possible possible;
     /** Up to when its automata know what its board has heard. */
     private double told = Double.NEGATIVE_INFINITY;
@@ -51,14 +51,14 @@ final class End {
 
     /**
      * @param who the board's id
-     * @param covered takes the edges that may have been taken
+     * @param scenes take the edges that may have been taken
      */
-    End(Message message, String who, Scenes.Scene scene, Ear ear, Coverage covered) {
+    End(Message message, String who, Scenes scenes, Scenes.Scene scene, Ear ear) {
         this.message = message;
         this.who = who;
         this.scene = scene;
         this.ear = ear;
-        this.covered = covered;
+        this.scenes = scenes;
         this.possible = scene.first();
     }
 
@@ -117,7 +117,7 @@ final class End {
     }
 
     private void cover(Possible.Seen seen) {
-        covered.add(scene, seen);
+        scenes.cover(scene, seen);
     }
 
     private void settle(Possible now) {
@@ -155,7 +155,7 @@ final class End {
         last = sound.number();
         pass(sound.seconds());
         boolean sure = !overlapping && (carriers == 0 || !sound.begins() && !doubtful)
-                && ear.isSure(since, sound.seconds());
+                && ear.isSure(sound.begins() ? sound.seconds() : since, sound.seconds());
         doubtful = sound.begins() && !sure;
         if (sound.owner() == this) {
             sending = sound.begins();
@@ -163,6 +163,10 @@ final class End {
                 take(possible.see("end"), "end");
             }
         } else {
+            if (sound.begins() && carriers > 0 && !overlapping && !sending) {
+                // From here on the bits of both together may be no carrier to its board.
+                doubt("silence");
+            }
             // The turn of its board's messages concerns a sender, once it waits for its own.
             boolean turn = fresh || !scene.template().equals("Sender");
             String name = sound.name().equals("own_message") && turn ? "own_answer" : sound.name();

@@ -35,6 +35,8 @@ final class Frame {
     /** Whether somebody has answered that it is stale. */
     boolean isStale;
     private final Map<Integer, byte[]> later = new HashMap<>();
+    /** The piece that was sent last; null where none was. */
+    Payload last;
 
     /** @param first the first packet's payload */
     Frame(Payload first, double begun) {
@@ -93,6 +95,12 @@ final class Frame {
         }
         return piece.length == to - from
                 && Arrays.equals(later.computeIfAbsent(index, k -> piece), piece);
+    }
+
+    /** Whether a piece may be sent now: each time a later one, up to one that asks, or to many up to the last. */
+    boolean isNext(Payload piece) {
+        boolean over = last == null || last.asks() || !isUnicast() && last.index() == pieces() - 1;
+        return over || piece.index() > last.index();
     }
 
     @Override

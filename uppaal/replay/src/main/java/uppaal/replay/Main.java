@@ -31,7 +31,6 @@ public final class Main {
             System.err.println("model: " + keys + ": there are no keys that you may read");
             return 2;
         }
-        System.setProperty(Scenes.COVERING, "true");
         Replay replay = keys == null ? new Replay() : new Replay(keys);
         try (BufferedReader lines = Files.newBufferedReader(file)) {
             lines.lines().forEach(replay::line);

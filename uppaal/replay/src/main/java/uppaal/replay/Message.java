@@ -22,7 +22,7 @@ final class Message {
     private final int pieces;
     private final Map<Integer, String> sent = new HashMap<>();
     private final Map<String, Set<Integer>> reached = new HashMap<>();
-    private final Coverage covered;
+    private final Scenes scenes;
     private final Map<String, End> receivers = new HashMap<>();
     private boolean forged;
     /** Null where a stranger is the sender. */
@@ -30,21 +30,21 @@ final class Message {
 
     /**
      * @param whole the frame, or as much of it as its first piece holds
-     * @param covered takes the edges of the model that may have been taken
+     * @param scenes those in which its ends are replayed
      */
-    Message(Payload whole, int pieces, String content, Coverage covered) {
+    Message(Payload whole, int pieces, String content, Scenes scenes) {
         kind = whole.kind();
         origin = whole.origin();
         destination = whole.destination();
         nonce = isBroadcast() ? "" : whole.nonce();
         this.content = content;
         this.pieces = pieces;
-        this.covered = covered;
+        this.scenes = scenes;
     }
 
     /** A board of ours is its sender. */
     void sentBy(Station board) {
-        sender = new End(this, origin, Scenes.sender(kind, pieces > 1), board.ear, covered);
+        sender = new End(this, origin, scenes, scenes.sender(kind, pieces > 1), board.ear);
     }
 
     /** Nobody can have it: an attacker has made it up. */
@@ -64,9 +64,14 @@ final class Message {
         return kind.equals("broadcast");
     }
 
-    /** Whether this is the payload that this piece has had whenever it was sent; the first time, it is. */
+    /** It is sent, or a piece of it. */
+    void send(Payload payload) {
+        sent.putIfAbsent(payload.index(), payload.identity());
+    }
+
+    /** Whether this is the payload that this piece has had when it was sent first. */
     boolean isSame(Payload payload) {
-        return sent.computeIfAbsent(payload.index(), index -> payload.identity()).equals(payload.identity());
+        return sent.getOrDefault(payload.index(), payload.identity()).equals(payload.identity());
     }
 
     /** The sender's board does something. */
@@ -96,8 +101,7 @@ final class Message {
     /** Its end at a board that is not the sender's. */
     End receiver(Station board) {
         return receivers.computeIfAbsent(board.name(),
-                name -> new End(this, board.name(), Scenes.receiver(kind), board.ear,
-                        covered));
+                name -> new End(this, board.name(), scenes, scenes.receiver(kind), board.ear));
     }
 
     /** Whether something of it has come there. */

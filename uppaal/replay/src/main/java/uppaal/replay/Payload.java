@@ -14,11 +14,7 @@ import java.util.HexFormat;
 record Payload(String hex, String kind, String destination, String origin, byte[] message) {
 
     private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    private static final int HEADER = 10;
     private static final int SIZE_AT = 8;
-    private static final int NONCE = 6;
-    /** Nonce and tag: no sealed message is shorter. */
-    private static final int SEAL = 14;
     /** The longest piece. */
     static final int PART = 67;
     private static final int ASKS = 8;
@@ -36,9 +32,9 @@ record Payload(String hex, String kind, String destination, String origin, byte[
     }
 
     private static Payload of(String hex, String kind, byte[] bytes) {
-        boolean frame = !kind.equals("no frame") && bytes.length >= HEADER;
+        boolean frame = !kind.equals("no frame") && bytes.length >= Frame.HEADER;
         return new Payload(hex, frame ? kind : "no frame", frame ? text(bytes, 0) : "", frame ? text(bytes, 4) : "",
-                frame ? Arrays.copyOfRange(bytes, HEADER, bytes.length) : bytes);
+                frame ? Arrays.copyOfRange(bytes, Frame.HEADER, bytes.length) : bytes);
     }
 
     private static String text(byte[] bytes, int at) {
@@ -48,6 +44,11 @@ record Payload(String hex, String kind, String destination, String origin, byte[
     /** The value of a digit of an address. */
     static int digit(String address, int at) {
         return DIGITS.indexOf(address.charAt(at));
+    }
+
+    /** How many bytes cross the air. */
+    int length() {
+        return hex.length() / 2;
     }
 
     boolean isPiece() {
@@ -80,7 +81,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** What it is a part of: itself, or of a first piece the frame whose header it holds, as far as it is there. */
     Payload whole() {
-        if (!isPiece() || message.length < HEADER) {
+        if (!isPiece() || message.length < Frame.HEADER) {
             return this;
         }
         String to = text(message, 0);
@@ -90,11 +91,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** How many pieces the frame has whose header this first piece holds. */
     int pieces() {
-        if (!isPiece() || message.length < HEADER) {
-            return 1;
-        }
-        int bits = DIGITS.indexOf(message[8]) * DIGITS.length() + DIGITS.indexOf(message[9]);
-        return (HEADER + bits / BITS + PART - 1) / PART;
+        return isPiece() ? Math.max(1, (lengthIn(message) + PART - 1) / PART) : 1;
     }
 
     /** The frame, or of a first piece as much of the frame as it holds. */
@@ -104,13 +101,13 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** How long the frame is whose header stands here; 0 where none does. */
     static int lengthIn(byte[] frame) {
-        for (int at = 0; at < HEADER; at++) {
-            if (frame.length < HEADER || DIGITS.indexOf(frame[at]) < 0) {
+        for (int at = 0; at < Frame.HEADER; at++) {
+            if (frame.length < Frame.HEADER || DIGITS.indexOf(frame[at]) < 0) {
                 return 0;
             }
         }
         int bits = DIGITS.indexOf(frame[SIZE_AT]) * DIGITS.length() + DIGITS.indexOf(frame[SIZE_AT + 1]);
-        return bits % BITS == 0 ? HEADER + bits / BITS : 0;
+        return bits % BITS == 0 ? Frame.HEADER + bits / BITS : 0;
     }
 
     /** The header of a frame whose message has so many bytes. */
@@ -122,7 +119,8 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** Of a unicast or multicast: its nonce in hexadecimal digits; empty where there is no room for nonce and tag. */
     String nonce() {
-        return message.length < SEAL ? "" : HexFormat.of().formatHex(message, 0, NONCE);
+        return message.length < SharedKey.NONCE + SharedKey.TAG ? ""
+                : HexFormat.of().formatHex(message, 0, SharedKey.NONCE);
     }
 
     /** Of an acknowledgement: the last 12 bits of the nonce that it answers. */

@@ -6,42 +6,36 @@ import java.util.Collection;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.OptionalInt;
 
-/** All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. */
+/**
+ * All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. Their
+ * packets are those that {@link Bytes} has let pass.
+ */
 final class RadioCell {
     private static final Map<String, String> COMES =
             Map.of("ack", "ack_comes", "pieces", "pieces_come", "stale", "stale_comes");
     private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
-    private static final double DISORDER = 0.002;
-    /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
-    private static final int FRAMING_BITS = 84;
-    private static final int BITS_A_BYTE = 12;
-    private static final int MOST_TRAILER_BITS = 12 * 17;
-    private static final int LEAST_RATE = 90;
-    private static final int MOST_RATE = 11_000;
+    static final double DISORDER = 0.002;
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
     private static final double LATE = 0.5;
+    /** And how much later that it knows what its host has taken: what it has just said may have been on its way. */
+    private static final double UNCONFIRMED = 2;
 
     private final Map<String, Station> boards = new LinkedHashMap<>();
     private final Map<String, Message> messages = new Recent<>();
     private final Map<String, Message> byPayload = new Recent<>();
     private final Map<String, List<Message>> answers = new Recent<>();
     private final Disturbances disturbances;
-    private final Coverage covered = new Coverage();
+    private final Scenes scenes;
     private long broadcasts;
 
-    RadioCell(Disturbances disturbances) {
+    RadioCell(Disturbances disturbances, Scenes scenes) {
         this.disturbances = disturbances;
-    }
-
-    /** The edges of the model that may have been taken. */
-    Set<String> covered() {
-        return covered.edges();
+        this.scenes = scenes;
     }
 
     private Station board(String name) {
@@ -100,7 +94,7 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
-        checkAirtime(event, payload, board);
+        Airtime.check(event, payload, board);
         board.ear.learn(event.number("bits"), event.number("end") - start);
         Message message = null;
         List<Message> answered = List.of();
@@ -109,6 +103,9 @@ final class RadioCell {
         if (payload.isData()) {
             message = board.isNamed() ? own(start, board, payload) : strange(payload);
             owner = board.isNamed() ? message.sender() : null;
+            if (message != null) {
+                message.send(payload);
+            }
         } else if (payload.isAcknowledgement()) {
             answer = ANSWERS.getOrDefault(payload.message().length, "");
             answered = board.isNamed() ? acknowledge(start, board, payload, answer)
@@ -122,25 +119,6 @@ final class RadioCell {
         board.send(
                 new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message, answered,
                         answer, owner));
-    }
-
-    /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
-    private static void checkAirtime(Event event, Payload payload, Station board) throws RefusedException {
-        double bits = event.number("bits");
-        int least = FRAMING_BITS + BITS_A_BYTE * (payload.hex().length() / 2);
-        boolean ours = board.isNamed();
-        boolean trailed = event.fields().has("trailer");
-        if (ours && (bits < least || bits > least && !trailed || bits > least + MOST_TRAILER_BITS)) {
-            throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + least
-                    + " for these bytes" + (trailed ? " and a trailer" : ""));
-        }
-        double seconds = event.number("end") - event.number("start");
-        double rate = (bits - 1) / seconds;
-        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && board.ear.fits(bits, seconds))) {
-            throw new RefusedException(String.format(Locale.ROOT,
-                    "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
-                    seconds));
-        }
     }
 
     /** It has ended to send. */
@@ -169,6 +147,11 @@ final class RadioCell {
         boolean outcome = event.name().equals("host-outcome");
         double before = board.lastReply(event.seconds());
         double reply = outcome ? before : event.seconds();
+        OptionalInt unconfirmed = board.taking(event.seconds() - UNCONFIRMED);
+        if (unconfirmed.isPresent()) {
+            throw new RefusedException(board.name() + " tells its host something, and not that it has taken message "
+                    + unconfirmed.getAsInt());
+        }
         for (Transmission transmission : board.open().toList()) {
             boolean told = outcome && transmission.number == event.number("number");
             End sender = told || transmission.message == null ? null : transmission.message.sender();
@@ -185,10 +168,6 @@ final class RadioCell {
         if (message == null) {
             message = begun(start, board, payload);
         }
-        if (!message.isSame(payload)) {
-            throw new RefusedException(board.name()
-                    + " sends other bytes under the nonce of an earlier message; expected: " + message);
-        }
         byPayload.put(payload.identity(), message);
         if (payload.isPiece() && payload.index() == 0) {
             board.begin(payload.pieceId(), message);
@@ -199,7 +178,7 @@ final class RadioCell {
     }
 
     /** The message that this is, or is a piece of; null where it is a new one. */
-    private Message known(Station board, Payload payload) throws RefusedException {
+    private Message known(Station board, Payload payload) {
         if (payload.index() == 0) {
             Payload whole = payload.whole();
             if (!whole.kind().equals("broadcast")) {
@@ -208,8 +187,7 @@ final class RadioCell {
             return board.current(whole.destination()).map(transmission -> transmission.message)
                     .filter(message -> payload.isPiece() && message == byPayload.get(payload.identity())).orElse(null);
         }
-        return board.cut(payload.pieceId()).orElseThrow(() -> new RefusedException(board.name()
-                + " sends a piece of a message that it has not begun; expected a first piece"));
+        return board.cut(payload.pieceId()).orElseThrow();
     }
 
     private static String key(Payload whole) {
@@ -219,7 +197,7 @@ final class RadioCell {
     private Message entered(double start, Payload payload, String prefix) throws RefusedException {
         Payload whole = payload.whole();
         String content = payload.isPiece() ? "" : HexFormat.of().formatHex(payload.message());
-        Message message = new Message(whole, payload.pieces(), content, covered);
+        Message message = new Message(whole, payload.pieces(), content, scenes);
         messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
         for (Station board : boards.values()) {
             String highest = board.highest.get(message.origin + message.destination);
@@ -234,11 +212,6 @@ final class RadioCell {
     private Message begun(double start, Station board, Payload payload) throws RefusedException {
         Payload whole = payload.whole();
         Transmission current = board.current(whole.destination()).orElse(null);
-        String last = current == null || current.message == null ? "" : current.message.nonce;
-        if (!whole.kind().equals("broadcast") && whole.nonce().compareTo(last) <= 0) {
-            throw new RefusedException(board.name() + " seals a message to " + whole.destination() + " under nonce "
-                    + whole.nonce() + "; expected one above " + last);
-        }
         boolean anew = current != null && current.message != null && current.before == null && current.outcome.isEmpty()
                 && current.destination.equals(whole.destination()) && current.message.mayDo(start, "reseal");
         if (anew) {
@@ -339,7 +312,7 @@ final class RadioCell {
         if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
-        checkArrival(event, packet);
+        Airtime.checkArrival(event, packet);
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
             throw new RefusedException(board.name()
                     + " hears a packet again or from itself; expected that each comes once to each other board");
@@ -353,20 +326,6 @@ final class RadioCell {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
             }
-        }
-    }
-
-    /** What reaches a board takes as long as it was sent, but for a trailer. */
-    private static void checkArrival(Event event, Packet packet) throws RefusedException {
-        if (!event.fields().has("payload")) {
-            return;
-        }
-        double end = event.number("end");
-        double bit = (packet.end() - packet.start()) / packet.bits();
-        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * (packet.payload().hex().length() / 2) - 2);
-        if (end < Math.min(least, packet.end()) - DISORDER || end > packet.end() + DISORDER) {
-            throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
-                    + " its sender has ended it");
         }
     }
 
@@ -396,7 +355,7 @@ final class RadioCell {
             message = sent.get(i).mayDo(event.seconds(), board, "hand") ? sent.get(i) : message;
         }
         message.receiver(event.seconds(), board, "hand");
-        board.handed.put(number, message);
+        board.hand(number, message);
     }
 
     private static boolean isHanded(Message message, Event event) {
@@ -415,13 +374,13 @@ final class RadioCell {
         Station board = board(event.board());
         int number = (int) event.number("number");
         if (step.equals("taking")) {
-            board.take(number);
+            board.take(number, event.seconds());
         } else if (!board.confirm(number)) {
             throw new RefusedException(board.name() + " confirms that its host has taken message " + number
                     + "; expected that its host says so first");
         }
         if (!board.handed.containsKey(number)) {
-            return; // its board ignores that as well
+            return; // it is confirmed already
         }
         Map<Integer, Message> taken = new LinkedHashMap<>();
         for (Map.Entry<Integer, Message> each : board.handed.entrySet()) {
@@ -472,9 +431,14 @@ final class RadioCell {
             }
             return; // a host that comes is told again
         }
+        Transmission oldest = board.oldest(transmission);
+        if (transmission.message != null && oldest != transmission) {
+            throw new RefusedException(board.name() + " reports " + outcome + " for message " + transmission.number
+                    + "; expected what has become of message " + oldest.number + ", which was before it");
+        }
         transmission.outcome = outcome;
         if (transmission.message == null) {
-            unsent(board, outcome);
+            unsent(board, transmission);
         } else if (transmission.before != null && !transmission.message.mayDo(event.seconds(), outcome)
                 && transmission.before.mayDo(event.seconds(), outcome)) {
                     split(event.seconds(), board, transmission, outcome);
@@ -484,12 +448,12 @@ final class RadioCell {
         crowd(event.seconds(), board);
     }
 
-    private static void unsent(Station board, String outcome) throws RefusedException {
-        if (!outcome.equals("undelivered")) {
-            throw new RefusedException(
-                    board.name() + " reports " + outcome
-                            + " for a message that was never on the air; expected: undelivered");
+    private static void unsent(Station board, Transmission transmission) throws RefusedException {
+        if (!transmission.outcome.equals("undelivered")) {
+            throw new RefusedException(board.name() + " reports " + transmission.outcome
+                    + " for a message that was never on the air; expected: undelivered");
         }
+        board.giveUp(transmission);
     }
 
     /** What was taken for the same message under a new nonce was the next one to the same device. */

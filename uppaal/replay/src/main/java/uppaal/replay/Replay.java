@@ -28,9 +28,12 @@ public final class Replay {
     /** How far lines may be out of order: some bits of the slowest air, in seconds. */
     private static final double DISORDER = 0.05;
 
-    /** What a line tells of: all of it, or that a carrier begins or ends at its board, or that its packet ends. */
+    /**
+     * What a line tells of: that its packet begins, which others may hear at that very moment, or ends; that a carrier
+     * begins or ends at its board; or all of it.
+     */
     private enum Part {
-        CARRIER, EVENT, END, SILENCE
+        BEGIN, CARRIER, EVENT, END, SILENCE
     }
 
     private record Step(double seconds, Event event, Part part) {}
@@ -46,10 +49,13 @@ public final class Replay {
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
 
     private final PriorityQueue<Step> steps =
-            new PriorityQueue<>(Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.event().index())
-                    .thenComparing(Step::part));
+            new PriorityQueue<>(
+                    Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.part() != Part.BEGIN)
+                            .thenComparing(step -> step.event().index()).thenComparing(Step::part));
     private final Disturbances disturbances = new Disturbances();
-    private final RadioCell cell = new RadioCell(disturbances);
+    private final Keys keys;
+    private final Scenes scenes;
+    private final RadioCell cell;
     private final Bytes bytes;
     private int lines;
     private int events;
@@ -59,7 +65,7 @@ public final class Replay {
 
     /** Where the run's keys are not known: what is sealed is not opened. */
     public Replay() {
-        bytes = new Bytes(null);
+        this(null, new Scenes());
     }
 
     /**
@@ -68,7 +74,19 @@ public final class Replay {
      * @param keys a keyring, or what the emulator's {@code --keys} writes; it may come to be while the trace does
      */
     public Replay(Path keys) {
-        bytes = new Bytes(new Keys(keys));
+        this(new Keys(keys), new Scenes());
+    }
+
+    private Replay(Keys keys, Scenes scenes) {
+        this.keys = keys;
+        this.scenes = scenes;
+        cell = new RadioCell(disturbances, scenes);
+        bytes = new Bytes(keys);
+    }
+
+    /** A replay of a trace much like this one, by the same thread: it knows what this one has found of the model. */
+    public Replay another() {
+        return new Replay(keys, scenes);
     }
 
     /** Boards may hear more than the trace tells, and less: nothing is demanded, and little refused for its time. */
@@ -113,7 +131,6 @@ public final class Replay {
     public synchronized void finish() {
         ended = true;
         perform(Double.POSITIVE_INFINITY);
-        Scenes.forget();
     }
 
     /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */
@@ -129,7 +146,7 @@ public final class Replay {
 
     /** Edges of the model's automata that the trace may have taken, as {@link #edges} names them. */
     public synchronized Set<String> covered() {
-        return cell.covered();
+        return scenes.covered();
     }
 
     /** All edges of the model's automata that a trace can take. */
@@ -140,7 +157,7 @@ public final class Replay {
     private void enter(Event event) {
         switch (event.name()) {
             case "rf-tx" -> {
-                enter(event.number("start"), event, Part.EVENT);
+                enter(event.number("start"), event, Part.BEGIN);
                 enter(event.number("end"), event, Part.END);
             }
             case "host-transmit" -> enter(event.number("asked"), event, Part.EVENT);
@@ -204,7 +221,8 @@ public final class Replay {
                     return;
                 }
                 perform(step);
-                events += step.part() == Part.EVENT && !event.name().equals("percepts") ? 1 : 0;
+                events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && !event.name().equals("percepts")
+                        ? 1 : 0;
             } catch (RefusedException refused) {
                 refuse(event, refused.getMessage());
             } catch (JsonParseException wrong) {
@@ -229,6 +247,10 @@ public final class Replay {
     private void perform(Step step) throws RefusedException {
         Event event = step.event();
         switch (step.part()) {
+            case BEGIN -> {
+                bytes.begin(event);
+                cell.begin(event);
+            }
             case CARRIER -> cell.carrier(event, step.seconds());
             case END -> cell.end(event);
             case SILENCE -> {
@@ -247,10 +269,6 @@ public final class Replay {
 
     private void perform(Event event, double seconds) throws RefusedException {
         switch (event.name()) {
-            case "rf-tx" -> {
-                bytes.begin(event);
-                cell.begin(event);
-            }
             case "rf-rx", "rf-damaged" -> {
                 cell.reach(event, seconds);
                 bytes.reach(event, cell.source(event).map(Packet::payload).orElseThrow());

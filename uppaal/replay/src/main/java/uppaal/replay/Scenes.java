@@ -2,12 +2,15 @@ package uppaal.replay;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import uppaal.ModelException;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
@@ -40,12 +43,11 @@ final class Scenes {
             Map.of("Air", "Air", "Reply", "Answer", "Sender", "Sender", "Receiver", "Receiver");
     /** A message is known from the moment when it is on the air, and so never while it is new. */
     private static final String NEVER = "Sender: New -> Over, 1";
-    /** A property of the JVM: whether the edges that traces take are wanted. */
-    static final String COVERING = "javino.coverage";
-    private static final Map<String, Scene> KNOWN = new ConcurrentHashMap<>();
+    private static final Document MODEL = model();
 
-    private Scenes() {
-    }
+    private final Map<String, Scene> known = new HashMap<>();
+    private final Set<Possible.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
+    private final Set<String> edges = new TreeSet<>();
 
     /**
      * What is known of one end before anything was seen.
@@ -64,7 +66,7 @@ final class Scenes {
      * @param kind unicast, multicast or broadcast
      * @param cut whether it is in pieces
      */
-    static Scene sender(String kind, boolean cut) {
+    Scene sender(String kind, boolean cut) {
         boolean unicast = kind.equals("unicast");
         String most = unicast ? "MAX_ATTEMPTS" : kind.equals("multicast") ? "MULTICAST_SENDS" : "1";
         return known("Sender", "End = Sender(POLICE, SUPPORT, 1, 0, " + unicast + ", " + cut + ", " + most
@@ -73,31 +75,24 @@ final class Scenes {
     }
 
     /** A receiver's end. */
-    static Scene receiver(String kind) {
+    Scene receiver(String kind) {
         return known("Receiver", "End = Receiver(POLICE, SAFETY_GROUP, SUPPORT, 1, " + !kind.equals("broadcast") + ", "
                 + kind.equals("unicast") + ", true, false); Reply = Answer(POLICE, SUPPORT, 1); "
                 + "World = Others(POLICE, SUPPORT); system Air, End, Reply, World;",
                 "Air.Quiet && Reply.Idle && !End.Taking && owed[1] == 0", "false", "false");
     }
 
-    /** What was found of the scenes may take hundreds of megabytes: whoever still replays keeps what it has. */
-    static void forget() {
-        KNOWN.clear();
+    private Scene known(String template, String system, String rest, String ended, String over) {
+        return known.computeIfAbsent(system, added -> first(template, added, rest, ended, over));
     }
 
-    private static Scene known(String template, String system, String rest, String ended,
-            String over) {
-        return KNOWN.computeIfAbsent(system, added -> first(template, document(), added, rest, ended, over));
-    }
-
-    private static Scene first(String template, Document document, String system, String rest, String ended,
-            String over) {
-        Network network = NetworkBuilder.build(document.withSystem(system));
+    private static Scene first(String template, String system, String rest, String ended, String over) {
+        Network network = NetworkBuilder.build(MODEL.withSystem(system));
+        List<Term> asked = Stream.of(rest, ended, over, "Air.Quiet && World.There")
+                .map(text -> Expressions.parse(text, network, FILE)).toList();
         return new Scene(template,
-                Possible.first(network, Boolean.getBoolean(COVERING), (state, move) -> name(network, move)),
-                Expressions.parse(rest, network, FILE), Expressions.parse(ended, network, FILE),
-                Expressions.parse(over, network, FILE),
-                Expressions.parse("Air.Quiet && World.There", network, FILE));
+                Possible.first(network, asked, (state, move) -> name(network, move)),
+                asked.get(0), asked.get(1), asked.get(2), asked.get(3));
     }
 
     private static Optional<String> name(Network network, JointMove move) {
@@ -118,13 +113,32 @@ final class Scenes {
         throw new ModelException(FILE, "there is no '" + name + "'");
     }
 
-    /** The model. */
-    static Document document() {
+    private static Document model() {
         try (InputStream model = Scenes.class.getResourceAsStream("/" + FILE)) {
             return DocumentReader.read(FILE, model);
         } catch (IOException problem) {
             throw new ModelException(FILE, problem.getMessage());
         }
+    }
+
+    /** Takes what was seen at one end of a message, for the edges. */
+    void cover(Scene scene, Possible.Seen seen) {
+        if (covered.add(seen)) {
+            for (String edge : seen.edges()) {
+                int colon = edge.indexOf(':');
+                String automaton = edge.substring(0, colon);
+                // Nothing of what only stands for the rest of the world.
+                String template = automaton.equals("End") ? scene.template() : TEMPLATES.get(automaton);
+                if (template != null) {
+                    edges.add(template + edge.substring(colon));
+                }
+            }
+        }
+    }
+
+    /** The edges of the model that the trace may have taken, named as by {@link #edges()}. */
+    Set<String> covered() {
+        return Set.copyOf(edges);
     }
 
     /**
@@ -133,7 +147,7 @@ final class Scenes {
      */
     static Set<String> edges() {
         Set<String> edges = new TreeSet<>();
-        for (Template template : document().templates()) {
+        for (Template template : MODEL.templates()) {
             Map<String, Integer> numbers = new HashMap<>();
             for (Edge edge : template.edges()) {
                 String number = edge.path() + ", " + numbers.merge(edge.path(), 1, Integer::sum);
@@ -145,13 +159,5 @@ final class Scenes {
         }
         edges.remove(NEVER);
         return edges;
-    }
-
-    /** An edge of a scene, as {@link #edges} has it; nothing of what only stands for the rest of the world. */
-    static Optional<String> edge(Scene scene, String taken) {
-        int colon = taken.indexOf(':');
-        String automaton = taken.substring(0, colon);
-        String template = automaton.equals("End") ? scene.template() : TEMPLATES.get(automaton);
-        return Optional.ofNullable(template).map(name -> name + taken.substring(colon));
     }
 }

@@ -13,7 +13,6 @@ import javino.vectors.Crypto;
 final class SharedKey {
     static final int NONCE = 6;
     static final int TAG = 8;
-    private static final int HEADER = 10;
     private static final int ADDRESS = 4;
     /** What a proof's type differs by where its maker asks for parity. */
     private static final int ASKS_PARITY = 0x10;
@@ -38,7 +37,7 @@ final class SharedKey {
     /** The content of a sealed frame; nothing where its tag is wrong. */
     Optional<byte[]> open(byte[] frame) {
         int end = frame.length - TAG;
-        if (end < HEADER + NONCE) {
+        if (end < Frame.CONTENT) {
             return Optional.empty();
         }
         byte[] tag = Arrays.copyOf(Crypto.cmac(authentication, Arrays.copyOf(frame, end)), TAG);
@@ -48,12 +47,12 @@ final class SharedKey {
 
     private byte[] decrypt(byte[] frame, int end) {
         String addresses = new String(frame, 0, 2 * ADDRESS, StandardCharsets.US_ASCII);
-        byte[] nonce = Arrays.copyOfRange(frame, HEADER, HEADER + NONCE);
+        byte[] nonce = Arrays.copyOfRange(frame, Frame.HEADER, Frame.CONTENT);
         byte[] iv = iv(addresses.substring(0, ADDRESS), addresses.substring(ADDRESS), nonce);
         try {
             Cipher cipher = Cipher.getInstance("AES/CFB/NoPadding");
             cipher.init(Cipher.DECRYPT_MODE, new SecretKeySpec(encryption, "AES"), new IvParameterSpec(iv));
-            return cipher.doFinal(frame, HEADER + NONCE, end - HEADER - NONCE);
+            return cipher.doFinal(frame, Frame.CONTENT, end - Frame.CONTENT);
         } catch (GeneralSecurityException e) {
             throw new IllegalStateException("every JDK has AES", e);
         }

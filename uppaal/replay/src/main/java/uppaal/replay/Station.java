@@ -1,7 +1,6 @@
 package uppaal.replay;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -9,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -25,7 +25,8 @@ final class Station {
     private final Deque<Packet> packets = new ArrayDeque<>();
     /** Transmissions of which nothing was on the air yet, in the order in which its host gave them. */
     private final Deque<Transmission> waiting = new ArrayDeque<>();
-    private final Map<Integer, Transmission> numbered = new HashMap<>();
+    /** By their numbers, the oldest first. */
+    private final Map<Integer, Transmission> numbered = new LinkedHashMap<>();
     /** Messages that the host has not taken, by their numbers, in the order in which they were handed over. */
     final Map<Integer, Message> handed = new LinkedHashMap<>();
     /** The highest nonce that the host has taken, for each origin and destination. */
@@ -34,14 +35,19 @@ final class Station {
     private final Map<String, Transmission> current = new HashMap<>();
     /** What it has cut last, by the ids of pieces. */
     private final Map<Integer, Message> cut = new HashMap<>();
-    /** Numbers that its host has said to have taken, as often as the board has not confirmed it. */
-    private final List<Integer> taking = new ArrayList<>();
+    /** Numbers of all messages that it has handed over. */
+    private final Set<Integer> numbers = new HashSet<>();
+    /** What its host has said and it has not confirmed. */
+    private final Deque<Taking> taking = new ArrayDeque<>();
     /** The number of the last transmission; the first one has 0. */
     private int last = LAST_NUMBER;
     private String id = "";
     /** When it has told its host something, the last time and the time before. */
     private double reply = Double.NEGATIVE_INFINITY;
     private double replyBefore = Double.NEGATIVE_INFINITY;
+
+    /** When its host has said that it has taken a message. */
+    private record Taking(int number, double seconds) {}
 
     /** What it hears. */
     final Ear ear;
@@ -97,19 +103,25 @@ final class Station {
 
     /** It has taken something over from its host to send. */
     void transmit(Transmission transmission) throws RefusedException {
-        int ahead = transmission.number - last & LAST_NUMBER;
-        if (ahead == 0 || ahead > LAST_NUMBER / 2) {
-            throw new RefusedException(name + " takes over transmission " + transmission.number
-                    + "; expected one after " + last);
+        last = last + 1 & LAST_NUMBER;
+        if (transmission.number != last) {
+            throw new RefusedException(
+                    name + " takes over transmission " + transmission.number + "; expected " + last);
         }
-        last = transmission.number;
         waiting.add(transmission);
+        numbered.remove(transmission.number);
         numbered.put(transmission.number, transmission);
     }
 
     /** Messages to a partner are under way one after the other; all that goes to many has one turn together. */
     private static String partner(String destination) {
         return destination.startsWith("//") ? "//" : destination;
+    }
+
+    /** The oldest that has not been told to have ended, of those to the like of this one; itself where it is that. */
+    Transmission oldest(Transmission transmission) {
+        return open().filter(each -> partner(each.destination).equals(partner(transmission.destination))).findFirst()
+                .orElse(transmission);
     }
 
     /** What it has sent last to a destination, or to its like. */
@@ -127,9 +139,10 @@ final class Station {
         return Optional.ofNullable(cut.get(pieceId));
     }
 
-    /** Its host says that it has taken a message. */
-    void take(int number) {
-        taking.add(number);
+    /** It hands a message to its host. */
+    void hand(int number, Message message) {
+        handed.put(number, message);
+        numbers.add(number);
     }
 
     /** When it has last told its host something before this time, at which it tells more. */
@@ -141,9 +154,29 @@ final class Station {
         return replyBefore;
     }
 
-    /** It confirms that; returns false where its host has not said so. */
+    /** Its host says that it has taken a message. */
+    void take(int number, double seconds) throws RefusedException {
+        if (!numbers.contains(number)) {
+            throw new RefusedException(name + " is told that its host has taken message " + number
+                    + "; expected one that it has handed over");
+        }
+        taking.add(new Taking(number, seconds));
+    }
+
+    /** It confirms that, in the order in which its host has said so; returns false where that has not. */
     boolean confirm(int number) {
-        return taking.remove((Integer) number);
+        if (taking.stream().noneMatch(each -> each.number == number)) {
+            return false;
+        }
+        while (taking.remove().number != number) {
+            // What its host has said before, in a request that it did not get.
+        }
+        return true;
+    }
+
+    /** What its host has said before that moment to have taken, and it has not confirmed. */
+    OptionalInt taking(double before) {
+        return taking.stream().filter(each -> each.seconds < before).mapToInt(Taking::number).findFirst();
     }
 
     Optional<Transmission> numbered(int number) {
@@ -163,10 +196,16 @@ final class Station {
         return next;
     }
 
+    /** It will not send this. */
+    void giveUp(Transmission transmission) {
+        waiting.remove(transmission);
+    }
+
     /** It begins anew: what it was to send and what it has not handed over is gone. */
     void reset() {
         last = LAST_NUMBER;
         taking.clear();
+        numbers.clear();
         waiting.clear();
         numbered.clear();
         handed.clear();

@@ -170,6 +170,29 @@ class BytesTest {
     }
 
     @Test
+    void pieces_ofAnAttempt_areSentInOrder() {
+        byte[] frame = sealed("SUPP", FIRST, "tell;" + "x".repeat(200));
+        Talk talk = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", piece("AA", frame, 0))
+                .unheard("police", piece("AC", frame, 2));
+        assertAccepted(talk, "1 messages opened, 0 proofs");
+        assertRefusedEvenWithoutKeys(talk.unheard("police", piece("AB", frame, 1)),
+                "police sends piece 1 of SUPO to SUPP, nonce 000001000000 after piece 2");
+        Talk again = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", piece("AA", frame, 0))
+                .sends("police", piece("AL", frame, 3)).unheard("police", piece("AI", frame, 0));
+        assertAccepted(again, "1 messages opened, 0 proofs");
+    }
+
+    @Test
+    void pieces_ofAMessageToMany_beginAgainAfterTheLast() {
+        byte[] whole = sealed("//SU", FIRST, LONG);
+        Talk talk = asked("//SU", LONG).sends("police", piece("AA", whole, 0)).unheard("police", piece("AB", whole, 1))
+                .unheard("police", piece("AA", whole, 0));
+        assertAccepted(talk, "1 messages opened, 0 proofs");
+        assertRefusedEvenWithoutKeys(talk.unheard("police", piece("AA", whole, 0)),
+                "police sends piece 0 of SUPO to //SU, nonce 000001000000 after piece 0");
+    }
+
+    @Test
     void pieces_ofTheNextFrame_haveTheNextId() {
         byte[] next = sealed("//SU", SECOND, LONG);
         for (String id : List.of("A", "B", "C", "/")) {

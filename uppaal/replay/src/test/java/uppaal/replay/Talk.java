@@ -37,6 +37,7 @@ final class Talk {
 
     Talk resets(String board, String why) {
         lines.add(++now, board, "reset", Map.of("why", why));
+        asked = board.equals("police") ? 0 : asked;
         return this;
     }
 

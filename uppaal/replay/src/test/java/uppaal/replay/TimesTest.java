@@ -123,6 +123,88 @@ class TimesTest {
     }
 
     @Test
+    void times_trailerThatIsABitLongerOrShorter_isRefused() {
+        for (int bits : List.of(1, -1)) {
+            Lines lines = Lines.of("partners");
+            int sent =
+                    lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+            JsonObject packet = lines.get(sent);
+            packet.addProperty("bits", packet.get("bits").getAsInt() + bits);
+            for (String time : List.of("t", "end")) {
+                packet.addProperty(time, packet.get(time).getAsDouble() + bits * SLOT / 16);
+            }
+            assertTrue(refusal(lines).contains(" bits; expected "), refusal(lines));
+        }
+    }
+
+    @Test
+    void times_trailerThatAResetBreaksOff_mayBeShorter() {
+        Lines lines = Lines.of("partners");
+        int sent = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+        JsonObject packet = lines.get(sent);
+        packet.addProperty("bits", packet.get("bits").getAsInt() - 8);
+        packet.addProperty("end", packet.get("end").getAsDouble() - SLOT / 2);
+        Lines cut = lines.without(line -> line > sent);
+        assertTrue(refusal(cut).contains(" bits; expected "), refusal(cut));
+        cut.add(cut.get(sent).get("t").getAsDouble(), "police", "reset", Map.of("why", "fault"));
+        assertEquals("accepted", refusal(cut));
+    }
+
+    /** Who hears a packet with a trailer may tell of it before its sender does. */
+    @Test
+    void times_packetThatIsSentAgainAtOnce_isRefusedAtTheEndOfATraceToo() {
+        Lines lines = Lines.of("pieces");
+        int sent = lines.where(line -> lines.text(line, "trailer").equals("parity")).get(2);
+        double start = lines.get(sent).get("start").getAsDouble();
+        for (int line : lines.where(line -> lines.get(line).has("start")
+                && Math.abs(lines.get(line).get("start").getAsDouble() - start) < SLOT / 4)) {
+            lines.all.add(lines.copy(line));
+            shift(lines, lines.all.size(), SLOT - gap(lines, sent, sent));
+        }
+        assertTrue(refusal(lines).contains("board4 sends piece 2 of SUPO to SUPP, nonce 000002000002 after piece 2"),
+                refusal(lines));
+    }
+
+    /** What a board may have missed before a packet says nothing of the quiet after it. */
+    @Test
+    void times_attemptAfterTooFewQuietSlotsThatWereHeard_isRefused() {
+        for (int slots : List.of(5, 7)) {
+            Lines lines = Lines.of("pieces");
+            int acknowledged = packet(lines, "board5", "acknowledgement", 2);
+            int sent = lines.where(line -> line > acknowledged && lines.is(line, "board4", "rf-tx")).get(0);
+            shiftAll(lines, sent, slots * SLOT - gap(lines, acknowledged, sent));
+            assertEquals(slots == 5, refusal(lines).contains("SUPO sends a piece of it"), refusal(lines));
+        }
+    }
+
+    @Test
+    void times_confirmationThatNeverComes_isRefusedOnceTheBoardTellsSomethingElse() {
+        Lines lines = Lines.of("partners");
+        int taking = lines.next(0, "bus", "host-taking");
+        Lines cut = lines.without(line -> line > taking && lines.is(line, "bus", "host-taken"));
+        assertTrue(refusal(cut).contains("bus tells its host something, and not that it has taken message 0"),
+                refusal(cut));
+    }
+
+    /** Bits of several packets together may be no carrier to a board, though it has heard the first one begin. */
+    @Test
+    void times_attemptSoonAfterCarriersThatOverlapped_isAccepted() {
+        for (int strangers : List.of(1, 2)) {
+            Lines lines = Lines.of("highway");
+            double start = lines.get(packet(lines, "support", "unicast", 0)).get("start").getAsDouble();
+            for (int stranger = 1; stranger <= strangers; stranger++) {
+                double begin = start - (5 + 0.5 * stranger) * SLOT;
+                Map<String, Object> noise =
+                        Map.of("payload", "a" + stranger, "kind", "no frame", "from", "stranger" + stranger, "start",
+                                begin);
+                lines.add(begin + 3 * SLOT, "stranger" + stranger, "rf-tx", noise)
+                        .add(begin + 3 * SLOT, "support", "rf-rx", noise);
+            }
+            assertEquals(strangers == 2, refusal(lines).equals("accepted"), refusal(lines));
+        }
+    }
+
+    @Test
     void times_outcomeBeforeThePacketsEnd_isRefused() {
         Lines lines = Lines.of("highway");
         int told = lines.next(0, "support", "host-outcome");
@@ -180,7 +262,7 @@ class TimesTest {
         Lines lines = Lines.of("partners");
         int told = lines.next(0, "police", "host-outcome");
         Lines cut = lines.without(line -> line == told);
-        assertTrue(refusal(cut).contains("not how a message has ended"), refusal(cut));
+        assertTrue(refusal(cut).contains("expected what has become of message 4"), refusal(cut));
     }
 
     /** What its board sends meanwhile hears of both, in the order of their times. */

@@ -1,0 +1,63 @@
+package uppaal.replay;
+
+import java.util.Locale;
+
+/** How long packets are on the air (SPEC 6). */
+final class Airtime {
+    /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
+    private static final int FRAMING_BITS = 84;
+    private static final int BITS_A_BYTE = 12;
+    private static final int MARK_BITS = 12;
+    private static final int PARITY_BITS = 12 * 17;
+    private static final int SHORT_PARITY_BITS = 12 * 13;
+    /** The most bytes of payload whose parity is short. */
+    private static final int SHORT_PAYLOAD = 45;
+    private static final int LEAST_RATE = 90;
+    private static final int MOST_RATE = 11_000;
+
+    private Airtime() {
+    }
+
+    /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
+    static void check(Event event, Payload payload, Station board) throws RefusedException {
+        double bits = event.number("bits");
+        String trailer = event.textOrEmpty("trailer");
+        int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
+        int all = least + trailerBits(trailer, payload.length());
+        boolean ours = board.isNamed();
+        boolean brokenOff = bits >= least && bits < all && !board.ear.isSure(event.number("start"), event.seconds());
+        if (ours && bits != all && !brokenOff) {
+            throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
+                    + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));
+        }
+        double seconds = event.number("end") - event.number("start");
+        double rate = (bits - 1) / seconds;
+        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && board.ear.fits(bits, seconds))) {
+            throw new RefusedException(String.format(Locale.ROOT,
+                    "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
+                    seconds));
+        }
+    }
+
+    private static int trailerBits(String trailer, int length) {
+        return switch (trailer) {
+            case "mark" -> MARK_BITS;
+            case "parity" -> length <= SHORT_PAYLOAD ? SHORT_PARITY_BITS : PARITY_BITS;
+            default -> 0;
+        };
+    }
+
+    /** What reaches a board takes as long as it was sent, but for a trailer. */
+    static void checkArrival(Event event, Packet packet) throws RefusedException {
+        if (!event.fields().has("payload")) {
+            return;
+        }
+        double end = event.number("end");
+        double bit = (packet.end() - packet.start()) / packet.bits();
+        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * packet.payload().length() - 2);
+        if (end < Math.min(least, packet.end()) - RadioCell.DISORDER || end > packet.end() + RadioCell.DISORDER) {
+            throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
+                    + " its sender has ended it");
+        }
+    }
+}
