@@ -65,6 +65,12 @@ final class Ear {
         known = true;
     }
 
+    /** Since when the air is quiet, in seconds; infinite where somebody sends. */
+    double quietSince() {
+        return carriers > 0 ? Double.POSITIVE_INFINITY
+                : latest.isEmpty() ? Double.NEGATIVE_INFINITY : latest.getLast().seconds();
+    }
+
     List<Sound> latest() {
         return List.copyOf(latest);
     }

@@ -77,6 +77,13 @@ final class End {
         return possible.next();
     }
 
+    /** Up to this moment nothing more was seen. */
+    void await(double seconds) throws RefusedException {
+        if (isAwake()) {
+            reach(seconds);
+        }
+    }
+
     /** Something was seen. */
     void see(double seconds, String step) throws RefusedException {
         reach(seconds);

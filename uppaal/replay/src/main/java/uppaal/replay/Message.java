@@ -25,6 +25,10 @@ final class Message {
     private final Scenes scenes;
     private final Map<String, End> receivers = new HashMap<>();
     private boolean forged;
+    /** When it came undamaged to its receiver, which could hear and open it, as long as that has not answered. */
+    private final List<Double> came = new ArrayList<>();
+    /** How often an acknowledgement of it came undamaged to its sender. */
+    private int confirmed;
     /** Null where a stranger is the sender. */
     private End sender;
 
@@ -161,6 +165,45 @@ final class Message {
     void forgetPieces(Station board) {
         if (pieces > 1) {
             reached.remove(board.name());
+        }
+    }
+
+    /** It comes, undamaged and in one packet, to its receiver, which listens and has the key. */
+    void comes(double seconds) {
+        if (pieces == 1) {
+            came.add(seconds);
+        }
+    }
+
+    /** When it has come so, in seconds. */
+    List<Double> came() {
+        return came;
+    }
+
+    /** An acknowledgement of it comes undamaged to its sender. */
+    void confirm() {
+        confirmed++;
+    }
+
+    /** How often one came. */
+    int confirmed() {
+        return confirmed;
+    }
+
+    /** What its ends have heard need not count any more: a board was reset, or its keys are others. */
+    void forgetHeard() {
+        came.clear();
+        confirmed = 0;
+    }
+
+    /** Up to this moment nothing more was seen at a board. */
+    void await(double seconds, Station board) throws RefusedException {
+        if (sender != null && board.hasBeen(origin)) {
+            sender.await(seconds);
+        }
+        End receiver = receivers.get(board.name());
+        if (receiver != null) {
+            receiver.await(seconds);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -24,6 +25,11 @@ final class RadioCell {
     private static final double LATE = 0.5;
     /** And how much later that it knows what its host has taken: what it has just said may have been on its way. */
     private static final double UNCONFIRMED = 2;
+
+    /** So long a board may wait before it sends something, in seconds: 300 slots at 240 bit/s. */
+    private static final double LONGEST_WAIT = 20;
+    /** So often what comes undamaged may be lost: to an interrupt that was late, or a full queue. */
+    private static final int LOST = 2;
 
     private final Map<String, Station> boards = new LinkedHashMap<>();
     private final Map<String, Message> messages = new Recent<>();
@@ -59,6 +65,55 @@ final class RadioCell {
             }
             message.forgetPieces(board);
         }
+        forgetHeard(board);
+    }
+
+    /** What a board, or what it sends, has heard counts no more. */
+    private void forgetHeard(Station board) {
+        messages.values().stream()
+                .filter(message -> board.hasBeen(message.origin) || board.hasBeen(message.destination))
+                .forEach(Message::forgetHeard);
+    }
+
+    /** A host has its board's radio opened or blocked. */
+    void radio(Event event) {
+        Station board = board(event.board());
+        board.open(event.text("radio").equals("open"));
+        forgetHeard(board);
+    }
+
+    /** A host has done something with a key. */
+    void key(Event event) {
+        Station board = board(event.board());
+        board.key(event.text("address"), event.text("step").equals("set") ? event.text("check") : "");
+        forgetHeard(board);
+    }
+
+    /** The run is over: up to now a board has done all that was due. */
+    void over(Event event) throws RefusedException {
+        Station board = board(event.board());
+        for (Message message : messages.values()) {
+            message.await(event.seconds(), board);
+        }
+        checkWaiting(event.seconds(), board);
+    }
+
+    /** What its host has given a board goes on the air, once that sends nothing else and the air is quiet. */
+    private static void checkWaiting(double seconds, Station board) throws RefusedException {
+        Transmission first = board.waiting().orElse(null);
+        if (first == null) {
+            return;
+        }
+        double idle = Math.max(first.asked, board.ear.quietSince());
+        for (Transmission other : board.open().toList()) {
+            End sender = other.message == null ? null : other.message.sender();
+            idle = sender == null ? idle : Math.max(idle, sender.ended());
+        }
+        if (idle + LONGEST_WAIT < seconds && board.ear.isSure(idle, seconds)) {
+            throw new RefusedException(String.format(Locale.ROOT,
+                    "%s does not send what its host has asked at %.3f s to be sent to %s, though the air is quiet",
+                    board.name(), first.asked, first.destination));
+        }
     }
 
     void named(Event event) {
@@ -67,7 +122,8 @@ final class RadioCell {
 
     void transmit(Event event) throws RefusedException {
         Station board = board(event.board());
-        board.transmit(new Transmission((int) event.number("number"), event.text("destination")));
+        board.transmit(new Transmission((int) event.number("number"), event.text("destination"),
+                event.number("asked")));
         crowd(event.number("asked"), board);
     }
 
@@ -152,6 +208,7 @@ final class RadioCell {
             throw new RefusedException(board.name() + " tells its host something, and not that it has taken message "
                     + unconfirmed.getAsInt());
         }
+        checkWaiting(event.seconds(), board);
         for (Transmission transmission : board.open().toList()) {
             boolean told = outcome && transmission.number == event.number("number");
             End sender = told || transmission.message == null ? null : transmission.message.sender();
@@ -171,6 +228,10 @@ final class RadioCell {
         byPayload.put(payload.identity(), message);
         if (payload.isPiece() && payload.index() == 0) {
             board.begin(payload.pieceId(), message);
+        }
+        if (message.confirmed() > LOST) {
+            throw new RefusedException(board.name() + " sends again what was acknowledged " + message.confirmed()
+                    + " times: " + message + "; expected: delivered");
         }
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
         message.sender(start, attempt ? "send" : "part");
@@ -294,6 +355,7 @@ final class RadioCell {
                 message.perhaps(start, board, answer);
             }
         }
+        able.forEach(message -> message.came().clear());
         answers.put(payload.hex(), able);
         return able;
     }
@@ -317,6 +379,9 @@ final class RadioCell {
             throw new RefusedException(board.name()
                     + " hears a packet again or from itself; expected that each comes once to each other board");
         }
+        boolean undamaged = event.fields().has("payload") && board.lastEnd() < packet.start()
+                && board.ear.isSure(packet.start(), event.number("end") - DISORDER);
+        hear(packet, board, undamaged, seconds);
         if (packet.message() != null && packet.message().concerns(board)) {
             for (String step : packet.message().arrivals(board, packet.payload())) {
                 packet.message().perhaps(seconds, board, step);
@@ -325,6 +390,35 @@ final class RadioCell {
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
+            }
+        }
+    }
+
+    /** What comes undamaged to a board that does not send is heard, nearly always. */
+    private void hear(Packet packet, Station board, boolean undamaged, double seconds) {
+        Message message = packet.message();
+        if (undamaged && message != null && message.isUnicast() && board.hasBeen(message.destination)
+                && board.listensTo(board(packet.board()), message.origin, message.destination)) {
+            message.comes(seconds);
+        }
+        if (undamaged && packet.answer().equals("ack") && packet.answered().size() == 1
+                && board.hasBeen(packet.answered().get(0).origin)) {
+            packet.answered().get(0).confirm();
+        }
+    }
+
+    /** What came so often undamaged to a board that listens and has the key, that acknowledges. */
+    private void checkUndelivered(Station board, Message message) throws RefusedException {
+        if (message == null || message.came().size() <= LOST) {
+            return;
+        }
+        double first = message.came().get(0);
+        double last = message.came().get(message.came().size() - 1);
+        for (Station receiver : boards.values()) {
+            if (receiver.hasBeen(message.destination) && receiver.hasNothing(first, last)) {
+                throw new RefusedException(
+                        board.name() + " reports undelivered what came undamaged to " + receiver.name()
+                                + " " + message.came().size() + " times: " + message + "; expected an acknowledgement");
             }
         }
     }
@@ -375,7 +469,7 @@ final class RadioCell {
         int number = (int) event.number("number");
         if (step.equals("taking")) {
             board.take(number, event.seconds());
-        } else if (!board.confirm(number)) {
+        } else if (!board.confirm(number, event.seconds())) {
             throw new RefusedException(board.name() + " confirms that its host has taken message " + number
                     + "; expected that its host says so first");
         }
@@ -437,6 +531,9 @@ final class RadioCell {
                     + "; expected what has become of message " + oldest.number + ", which was before it");
         }
         transmission.outcome = outcome;
+        if (outcome.equals("undelivered")) {
+            checkUndelivered(board, transmission.message);
+        }
         if (transmission.message == null) {
             unsent(board, transmission);
         } else if (transmission.before != null && !transmission.message.mayDo(event.seconds(), outcome)

@@ -186,7 +186,8 @@ public final class Replay {
             }
             case "fault", "command" -> disturbances.add(event.seconds(),
                     event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
-            case "host-id", "host-handed", "host-taking", "host-taken", "host-outcome", "percepts" ->
+            case "host-id", "host-key", "host-radio", "counters", "host-handed", "host-taking", "host-taken",
+                    "host-outcome", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
             default -> {} // nothing that the model speaks of
         }
@@ -281,6 +282,9 @@ public final class Replay {
                 cell.named(event);
                 bytes.named(event);
             }
+            case "host-key" -> cell.key(event);
+            case "host-radio" -> cell.radio(event);
+            case "counters" -> cell.over(event);
             case "host-transmit" -> {
                 cell.transmit(event);
                 bytes.transmit(event);

@@ -42,6 +42,12 @@ final class Station {
     /** The number of the last transmission; the first one has 0. */
     private int last = LAST_NUMBER;
     private String id = "";
+    /** Whether its host has opened its radio. */
+    private boolean open;
+    /** The check values of the keys that its host has set and not touched since, by address. */
+    private final Map<String, String> checks = new HashMap<>();
+    /** When it last confirmed that its host has taken something. */
+    private double confirmedAt = Double.NEGATIVE_INFINITY;
     /** When it has told its host something, the last time and the time before. */
     private double reply = Double.NEGATIVE_INFINITY;
     private double replyBefore = Double.NEGATIVE_INFINITY;
@@ -139,6 +145,28 @@ final class Station {
         return Optional.ofNullable(cut.get(pieceId));
     }
 
+    void open(boolean now) {
+        open = now;
+    }
+
+    /** Its host has done something with a key; what only setting leaves is known. */
+    void key(String address, String check) {
+        checks.remove(address);
+        if (!check.isEmpty()) {
+            checks.put(address, check);
+        }
+    }
+
+    /** Whether it must hear what another one seals for it, and open it. */
+    boolean listensTo(Station other, String from, String to) {
+        return open && checks.containsKey(from) && checks.get(from).equals(other.checks.get(to));
+    }
+
+    /** The oldest transmission of which nothing was on the air. */
+    Optional<Transmission> waiting() {
+        return waiting.stream().findFirst();
+    }
+
     /** It hands a message to its host. */
     void hand(int number, Message message) {
         handed.put(number, message);
@@ -164,7 +192,8 @@ final class Station {
     }
 
     /** It confirms that, in the order in which its host has said so; returns false where that has not. */
-    boolean confirm(int number) {
+    boolean confirm(int number, double seconds) {
+        confirmedAt = seconds;
         if (taking.stream().noneMatch(each -> each.number == number)) {
             return false;
         }
@@ -172,6 +201,11 @@ final class Station {
             // What its host has said before, in a request that it did not get.
         }
         return true;
+    }
+
+    /** Whether its host has looked for messages after that moment, and found none since the first one. */
+    boolean hasNothing(double first, double last) {
+        return handed.isEmpty() && confirmedAt < first && reply > last;
     }
 
     /** What its host has said before that moment to have taken, and it has not confirmed. */
@@ -203,6 +237,7 @@ final class Station {
 
     /** It begins anew: what it was to send and what it has not handed over is gone. */
     void reset() {
+        open = false;
         last = LAST_NUMBER;
         taking.clear();
         numbers.clear();

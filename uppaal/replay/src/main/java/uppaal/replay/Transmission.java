@@ -4,6 +4,8 @@ package uppaal.replay;
 final class Transmission {
     final int number;
     final String destination;
+    /** When its host has asked for it, in seconds. */
+    final double asked;
     /** What was sent of it; null as long as nothing was. */
     Message message;
     /** What was sent of it before it was sealed anew; null where it was not. */
@@ -11,7 +13,8 @@ final class Transmission {
     /** How it ended, as the host was told; empty as long as it was not. */
     String outcome = "";
 
-    Transmission(int number, String destination) {
+    Transmission(int number, String destination, double asked) {
+        this.asked = asked;
         this.number = number;
         this.destination = destination;
     }

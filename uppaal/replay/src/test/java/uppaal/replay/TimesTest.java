@@ -318,4 +318,62 @@ class TimesTest {
         talk.lines.add(61, "police", "host-outcome", Map.of("number", 1, "outcome", "sent"));
         assertTrue(refusal(talk.lines).contains("not how a message has ended"), refusal(talk.lines));
     }
+
+    /** The run goes on for so long, and nobody does anything more. */
+    private static Lines endless(Lines lines, String board, double seconds) {
+        return lines.add(seconds, board, "counters", Map.of());
+    }
+
+    @Test
+    void times_acknowledgementThatDoesNotComeUpToTheEndOfTheRun_isRefused() {
+        Lines lines = Lines.of("highway");
+        double sent = lines.get(packet(lines, "hospital", "acknowledgement", 0)).get("start").getAsDouble();
+        for (double more : List.of(0.2, 10.0)) {
+            Lines cut = lines.without(line -> lines.get(line).get("t").getAsDouble() >= sent);
+            assertEquals(more < 1, refusal(endless(cut, "hospital", sent + more)).equals("accepted"), refusal(cut));
+        }
+    }
+
+    @Test
+    void times_whatIsAskedAndNeverSent_isRefusedAfterTwentySeconds() {
+        Lines lines = Lines.of("partners");
+        Lines silent = lines.without(line -> lines.text(line, "event").matches("rf-.*|host-(handed|tak.*|outcome)"));
+        assertEquals("accepted", refusal(endless(silent, "police", 19)));
+        assertTrue(
+                refusal(endless(silent, "police", 30))
+                        .contains("police does not send what its host has asked at 1.410 s to be"),
+                refusal(silent));
+    }
+
+    /** A board that is not in the trace hears each packet of the police to an absent partner. */
+    private static Lines heard(String radio, String check, boolean busy) {
+        Lines lines = Lines.of("partners");
+        int first = repeated(lines);
+        String absent = lines.text(first, "destination");
+        String own = lines.text(first, "origin");
+        double start = lines.get(first).get("start").getAsDouble() - 0.1;
+        lines.add(start, "deaf", "host-id", Map.of("id", absent));
+        lines.add(start, "deaf", "host-radio", Map.of("radio", radio));
+        lines.add(start, "deaf", "host-key", Map.of("address", own, "step", "set", "check", check));
+        lines.add(start, "police", "host-key", Map.of("address", absent, "step", "set", "check", "010203"));
+        for (int heard : lines.where(line -> lines.text(line, "destination").equals(absent)
+                && lines.is(line, "support", "rf-rx"))) {
+            JsonObject arrives = lines.copy(heard);
+            arrives.addProperty("board", "deaf");
+            lines.all.add(arrives);
+            if (!busy) {
+                lines.add(arrives.get("t").getAsDouble() + 0.01, "deaf", "percepts", Map.of());
+            }
+        }
+        return lines;
+    }
+
+    @Test
+    void undelivered_thoughItCameOftenToABoardThatListensAndHasTheKey_isRefused() {
+        String refusal = refusal(heard("open", "010203", false));
+        assertTrue(refusal.contains("police reports undelivered what came undamaged to deaf 8 times"), refusal);
+        assertEquals("accepted", refusal(heard("blocked", "010203", false)));
+        assertEquals("accepted", refusal(heard("open", "010204", false)));
+        assertEquals("accepted", refusal(heard("open", "010203", true)));
+    }
 }
