@@ -486,27 +486,36 @@ final class RadioCell {
         for (Map.Entry<Integer, Message> each : taken.entrySet()) {
             if (step.equals("taking")) {
                 each.getValue().receiver(board).take(event.seconds());
+                overtake(event.seconds(), board, each.getValue(), false);
             } else {
                 each.getValue().receiver(event.seconds(), board, step);
-            }
-            if (step.equals("confirmed")) {
                 board.handed.remove(each.getKey());
-                overtake(event.seconds(), board, each.getValue());
+                overtake(event.seconds(), board, each.getValue(), true);
             }
         }
     }
 
-    /** What is older than what the host has taken of the same sender, under the same key, is no longer accepted. */
-    private void overtake(double seconds, Station board, Message taken) throws RefusedException {
+    /**
+     * What is older than what the host has taken of the same sender, under the same key, is no longer accepted.
+     *
+     * @param confirmed whether the board has said that it knows of that; it may know before
+     */
+    private void overtake(double seconds, Station board, Message taken, boolean confirmed) throws RefusedException {
         if (taken.isBroadcast()) {
             return;
         }
-        board.highest.merge(taken.origin + taken.destination, taken.nonce, (a, b) -> a.compareTo(b) > 0 ? a : b);
+        if (confirmed) {
+            board.highest.merge(taken.origin + taken.destination, taken.nonce, (a, b) -> a.compareTo(b) > 0 ? a : b);
+        }
         for (Message message : messages.values()) {
             boolean older = message.origin.equals(taken.origin) && message.destination.equals(taken.destination)
                     && message.nonce.compareTo(taken.nonce) < 0;
             if (older && message.concerns(board) && message.hasReached(board)) {
-                message.receiver(seconds, board, "newer");
+                if (confirmed) {
+                    message.receiver(seconds, board, "newer");
+                } else {
+                    message.perhaps(seconds, board, "newer");
+                }
             }
         }
     }
