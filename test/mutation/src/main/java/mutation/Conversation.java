@@ -7,13 +7,16 @@ import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -24,8 +27,8 @@ import javino.protocol.Outcome;
 
 /**
  * Three boards that go all ways of the delivery in less than a minute of theirs: unicasts, multicasts and broadcasts,
- * contents in pieces, partners that are there and one that is not, bits that are wrong on the air, a reset, and a loss
- * of power. Their hosts never wait.
+ * contents in pieces, partners that are there and one that is not, bits that are wrong on the air, a reset, a loss of
+ * power, and an attacker who repeats what was on the air, as it was or with a wrong bit. Their hosts never wait.
  */
 final class Conversation {
 
@@ -39,6 +42,10 @@ final class Conversation {
     private static final int WINDOW = 3;
     /** Wall time, far more of the boards' time: after it boards that are silent are taken for dead. */
     private static final long PATIENCE_SECONDS = 10;
+    /** The attacker takes up each packet that is so many behind the one before. */
+    private static final int OVERHEARD = 7;
+    /** The first bit behind a header. */
+    private static final int CONTENT_BIT = 80;
     private static final String GROUP = "//SU";
     private static final String ALL = "////";
     private static final String ABSENT = "SUDD";
@@ -60,9 +67,14 @@ final class Conversation {
     record Result(End end, String why) {}
 
     private final List<Talker> talkers = new ArrayList<>();
+    private final Deque<String> overheard = new ArrayDeque<>();
+    private final Random random;
+    private int packets;
     private double now;
 
-    private Conversation() {}
+    private Conversation(long seed) {
+        random = new Random(seed);
+    }
 
     /**
      * Lets boards run a program.
@@ -73,7 +85,7 @@ final class Conversation {
      */
     static Result run(Path program, long seed, Path folder, Consumer<String> trace)
             throws IOException, InterruptedException {
-        return new Conversation().result(program, seed, folder, trace);
+        return new Conversation(seed).result(program, seed, folder, trace);
     }
 
     private Result result(Path program, long seed, Path folder, Consumer<String> trace)
@@ -116,7 +128,10 @@ final class Conversation {
 
     private synchronized void hear(TraceEvent event) {
         now = event.seconds();
-        notifyAll();
+        boolean sealed = event.name().equals("rf-tx") && !event.text("kind").equals("broadcast");
+        if (sealed && IDS.contains(event.board()) && ++packets % OVERHEARD == 0) {
+            overheard.add(event.text("payload"));
+        }
     }
 
     private synchronized double now() {
@@ -150,10 +165,28 @@ final class Conversation {
             if (System.nanoTime() - last > TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS)) {
                 return "the boards are silent";
             }
+            attack(emulator);
             // Idle boards trace nothing: then their time is not known.
             TimeUnit.MILLISECONDS.sleep(20);
         }
         return "broken off";
+    }
+
+    private synchronized String heard() {
+        return overheard.poll();
+    }
+
+    /** What was on the air comes again, some time later; half of it with a wrong bit behind the header. */
+    private void attack(Emulator emulator) {
+        String payload = heard();
+        if (payload != null) {
+            Map<String, Object> command =
+                    new HashMap<>(Map.of("do", "send", "position", List.of(0, 0), "payload", payload));
+            if (random.nextBoolean()) {
+                command.put("flip", CONTENT_BIT + random.nextInt(payload.length() * 4 - CONTENT_BIT));
+            }
+            emulator.command(command);
+        }
     }
 
     /** What the other hosts have of a talker that they must not have, or lack. */

@@ -46,6 +46,8 @@ final class End {
     private boolean fresh = true;
     /** Whether the host has said that it has taken it, and the board has not confirmed that. */
     private boolean taking;
+    /** What has come since then: its board may be busy with that, and look at it later. */
+    private String late;
     /** Since when its board has something to tell of it. */
     private double ended = Double.POSITIVE_INFINITY;
 
@@ -98,12 +100,14 @@ final class End {
         }
         perhaps(seconds, TAKING);
         taking = true;
+        late = null;
     }
 
     /** Something may have happened. */
     void perhaps(double seconds, String step) throws RefusedException {
         reach(seconds);
         doubt(step);
+        late = step;
     }
 
     private void doubt(String step) {
@@ -188,6 +192,9 @@ final class End {
         }
         if (taking) {
             doubt(TAKING);
+            if (late != null) {
+                doubt(late);
+            }
         }
         overlapping |= sound.begins() && carriers > 0;
         carriers += sound.begins() ? 1 : -1;

@@ -44,6 +44,8 @@ public final class Replay {
     private static final double REMEMBERED = 30;
     /** With so many bit errors carriers are still heard. */
     private static final double FEW_ERRORS = 0.002;
+    /** Commands that change nothing of what boards hear, or of which the trace tells that. */
+    private static final Set<String> QUIET = Set.of("send", "speed", "light", "sensor");
     /** What makes reception uncertain. */
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
@@ -184,8 +186,12 @@ public final class Replay {
                     doubtReception();
                 }
             }
-            case "fault", "command" -> disturbances.add(event.seconds(),
-                    event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
+            case "fault", "command" -> {
+                if (!QUIET.contains(event.textOrEmpty("do"))) {
+                    disturbances.add(event.seconds(),
+                            event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
+                }
+            }
             case "host-id", "host-key", "host-radio", "counters", "host-handed", "host-taking", "host-taken",
                     "host-outcome", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
