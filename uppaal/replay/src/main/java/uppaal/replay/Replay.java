@@ -300,6 +300,7 @@ public final class Replay {
             case "host-outcome" -> {
                 cell.tell(event);
                 cell.outcome(event);
+                bytes.outcome(event);
             }
             default -> throw new IllegalStateException(event.name());
         }
