@@ -327,7 +327,7 @@ class BytesTest {
         assertRefusedEvenWithoutKeys(delivered().unheard("police", anew), "refused at");
     }
 
-    /** A notice that answers an attacker seems to be about the first message, and the second to be that, sealed anew. */
+    /** A notice that answers an attacker seems to be about the first message, and the second to be that sealed anew. */
     @Test
     void sealedAnew_withoutKeys_isAcceptedWhicheverItIs() {
         Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).resets("support", "power").pauses(10)
