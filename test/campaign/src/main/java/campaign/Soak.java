@@ -49,8 +49,10 @@ final class Soak implements Campaign {
     @Override
     public void run(Settings settings, Report report) throws Exception {
         try (Closing closing = new Closing()) {
+            // A replay would be in the heap that is measured.
             Emulator.Scenario scenario =
-                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).forgetful();
+                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).forgetful()
+                            .unmodelled();
             Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
             Field.Post one = field.cell(0).get(0);
             Field.Post two = field.cell(0).get(1);

@@ -150,6 +150,9 @@ class PossibleTest {
                 compare(before + name + "? ", plain.or(next), possible.perhaps(name), steps - 1);
             }
         }
+        if (steps == DEPTH - 1) {
+            possible.forget();
+        }
         for (int least = 0; least <= 2; least++) {
             Plain next = plain.elapse(least, 2);
             assertEquals(!next.states.isEmpty(), possible.elapse(least, 2).possible().isPresent(), before + least);
@@ -172,6 +175,18 @@ class PossibleTest {
 
     private static Sketch clocked() {
         return Sketch.of("broadcast chan go, late, early; urgent broadcast chan hurry; clock x;");
+    }
+
+    @Test
+    void forget_whatWasFound_isFoundAgain() {
+        Possible door = door();
+        int before = door.size();
+        door.after("open");
+        assertTrue(door.size() > before);
+        door.forget();
+        assertEquals(0, door.size());
+        assertEquals(Set.of("close"), door.after("open").orElseThrow().next());
+        assertTrue(door.size() > 0);
     }
 
     @Test

@@ -66,6 +66,22 @@ public final class Possible {
         return watch.known(List.of(watch.closed(List.of(watch.node(network.initial())))));
     }
 
+    /** How many states all hold that watch this network, each counted as often as it is held. */
+    public int size() {
+        return watch.size();
+    }
+
+    /** Forgets what all of them have found: it is found again once it is asked for. */
+    public void forget() {
+        watch.forget();
+    }
+
+    void forgetNext() {
+        after.clear();
+        elapsed.clear();
+        only.clear();
+    }
+
     /** What is known once a move was seen; nothing where it cannot have been. */
     public Optional<Possible> after(String name) {
         return see(name).possible();

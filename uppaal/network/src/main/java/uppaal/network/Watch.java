@@ -24,6 +24,7 @@ final class Watch {
     private final Map<IntBuffer, Node> nodes = new HashMap<>();
     private final Map<IntBuffer, Object> rests = new HashMap<>();
     private final Map<Set<Node>, Possible> known = new HashMap<>();
+    private int size;
 
     /** @see Possible#first */
     Watch(Network network, BiFunction<int[], JointMove, Optional<String>> name) {
@@ -67,12 +68,34 @@ final class Watch {
         Object rest() {
             return rest;
         }
+
+        private void forget() {
+            moves = null;
+            after.clear();
+        }
     }
 
     /** What is known where each of some states is possible. */
     Possible known(Collection<? extends Collection<Node>> several) {
         Set<Node> all = several.stream().flatMap(Collection::stream).collect(Collectors.toSet());
-        return known.computeIfAbsent(all, added -> new Possible(this, added, only(added)));
+        return known.computeIfAbsent(all, added -> {
+            size += added.size();
+            return new Possible(this, added, only(added));
+        });
+    }
+
+    /** How many states all that is known has, counted each time. */
+    int size() {
+        return size;
+    }
+
+    /** Forgets all that can be found again. */
+    void forget() {
+        known.values().forEach(Possible::forgetNext);
+        nodes.values().forEach(Node::forget);
+        known.clear();
+        nodes.clear();
+        size = 0;
     }
 
     /** The one that stands for a state. */

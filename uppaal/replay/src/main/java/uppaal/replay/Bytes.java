@@ -67,7 +67,12 @@ final class Bytes {
     }
 
     void transmit(Event event) {
-        desk(event).ask(new Desk.Asked(event.text("destination"), content(event)));
+        desk(event).ask(
+                new Desk.Asked((int) event.number("number"), event.text("destination"), content(event)));
+    }
+
+    void outcome(Event event) {
+        desk(event).end((int) event.number("number"));
     }
 
     /** What the event says was said; null where it does not say that, and without keys it need not. */

@@ -16,13 +16,15 @@ final class Desk {
 
     /** What its host wants to be sent. */
     static final class Asked {
+        final int number;
         final String destination;
         final byte[] content;
         /** What was sent of it last. */
         Frame frame;
         boolean isAnew;
 
-        Asked(String destination, byte[] content) {
+        Asked(int number, String destination, byte[] content) {
+            this.number = number;
             this.destination = destination;
             this.content = content;
         }
@@ -72,6 +74,11 @@ final class Desk {
 
     void ask(Asked asked) {
         waiting.add(asked);
+    }
+
+    /** It has told what became of this; if it has not sent it, it will not. */
+    void end(int number) {
+        waiting.removeIf(asked -> asked.number == number);
     }
 
     /** What a new frame to this destination may be of: the message that has to be sealed anew, or those that wait. */

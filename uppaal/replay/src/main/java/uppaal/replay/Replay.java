@@ -306,6 +306,7 @@ public final class Replay {
             case "host-outcome" -> {
                 cell.tell(event);
                 cell.outcome(event);
+                bytes.outcome(event);
             }
             default -> throw new IllegalStateException(event.name());
         }

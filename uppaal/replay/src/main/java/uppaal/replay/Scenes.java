@@ -43,6 +43,8 @@ final class Scenes {
             Map.of("Air", "Air", "Reply", "Answer", "Sender", "Sender", "Receiver", "Receiver");
     /** A message is known from the moment when it is on the air, and so never while it is new. */
     private static final String NEVER = "Sender: New -> Over, 1";
+    /** So many states are kept with what may follow; several hundred bytes each. */
+    private static final int MOST = 500_000;
     private static final Document MODEL = model();
 
     private final Map<String, Scene> known = new HashMap<>();
@@ -83,7 +85,12 @@ final class Scenes {
     }
 
     private Scene known(String template, String system, String rest, String ended, String over) {
-        return known.computeIfAbsent(system, added -> first(template, added, rest, ended, over));
+        Scene scene = known.computeIfAbsent(system, added -> first(template, added, rest, ended, over));
+        if (scene.first.size() > MOST) {
+            scene.first.forget();
+            covered.clear();
+        }
+        return scene;
     }
 
     private static Scene first(String template, String system, String rest, String ended, String over) {

@@ -170,6 +170,14 @@ class BytesTest {
     }
 
     @Test
+    void message_thatWasReportedUndelivered_isNotSentInPlaceOfTheNext() {
+        Talk talk = asked("SUPP", HELP).asks("SUPP", LONG);
+        talk.lines.add(4, "police", "host-outcome", Map.of("number", 0, "outcome", "undelivered"));
+        assertRefusedEvenWithoutKeys(talk.pauses(1).unheard("police", sealed("SUPP", FIRST, HELP)),
+                "police sends a message to SUPP under nonce 000001000000 with a content of 9 bytes; expected 75");
+    }
+
+    @Test
     void pieces_ofAnAttempt_areSentInOrder() {
         byte[] frame = sealed("SUPP", FIRST, "tell;" + "x".repeat(200));
         Talk talk = asked("SUPP", "tell;" + "x".repeat(200)).sends("police", piece("AA", frame, 0))
@@ -319,7 +327,7 @@ class BytesTest {
         assertRefusedEvenWithoutKeys(delivered().unheard("police", anew), "refused at");
     }
 
-    /** A notice that answers an attacker seems to be about the first message, and the second to be that, sealed anew. */
+    /** A notice that answers an attacker seems to be about the first message, and the second to be that sealed anew. */
     @Test
     void sealedAnew_withoutKeys_isAcceptedWhicheverItIs() {
         Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).resets("support", "power").pauses(10)
