@@ -1,10 +1,8 @@
 package mutation;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import uppaal.ModelException;
@@ -45,13 +43,15 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
         return query.text().startsWith("A[]") || query.text().startsWith("E<>");
     }
 
+    private record Asked(Property property, Query query) {}
+
     /** One exploration, breadth first. */
     private static final class Walk {
         private final Network network;
         private final Successors successors;
         private final int limit;
-        /** Those that single states settle, with what is expected of them. */
-        private final Map<Property, Query> open = new HashMap<>();
+        /** Those that single states settle. */
+        private final List<Asked> open = new ArrayList<>();
         /** The others. */
         private final List<Query> more = new ArrayList<>();
         private final States states;
@@ -66,7 +66,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             states = new States(network.slots());
             for (Query query : queries) {
                 if (isSettledByStates(query)) {
-                    open.put(Property.parse(query.text(), network, query.where()), query);
+                    open.add(new Asked(Property.parse(query.text(), network, query.where()), query));
                 } else {
                     more.add(query);
                 }
@@ -84,7 +84,7 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
                 }
                 boolean whole = number == states.size();
                 if (whole && wrong == null) {
-                    open.forEach((property, query) -> judge(query, !settlesToTrue(property)));
+                    open.forEach(asked -> judge(asked.query, !settlesToTrue(asked.property)));
                     later();
                 }
                 return new Behaviour(Optional.ofNullable(wrong), states.size(), print, whole);
@@ -105,9 +105,10 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
                 print += mixed(move);
             }
             int[] observed = network.observed(state, moves.isEmpty());
-            for (Property property : List.copyOf(open.keySet())) {
-                if (property.settledBy(observed)) {
-                    judge(open.remove(property), settlesToTrue(property));
+            for (int i = open.size() - 1; i >= 0; i--) {
+                if (open.get(i).property.settledBy(observed)) {
+                    Asked settled = open.remove(i);
+                    judge(settled.query, settlesToTrue(settled.property));
                 }
             }
         }

@@ -48,17 +48,7 @@ public final class Exploration {
      */
     public static Exploration of(Network network, List<Property> properties) {
         Exploration exploration = new Exploration(network, properties);
-        exploration.run(false);
-        return exploration;
-    }
-
-    /**
-     * Explores until one of the properties is settled by a state, for the evidence alone: numbers of states and
-     * deadlocks, and verdicts of the others, say nothing.
-     */
-    public static Exploration untilSettled(Network network, List<Property> properties) {
-        Exploration exploration = new Exploration(network, properties);
-        exploration.run(true);
+        exploration.run();
         return exploration;
     }
 
@@ -94,21 +84,17 @@ public final class Exploration {
                 : Optional.of(trace(List.of(settled[property]), Trace.Ending.REACHED, NOWHERE));
     }
 
-    private void run(boolean untilSettled) {
+    private void run() {
         try {
             add(network.initial(), NOWHERE);
             int[] state = new int[network.slots().size() + 1];
-            for (int number = 0; number < states() && !(untilSettled && anySettled()); number++) {
+            for (int number = 0; number < states(); number++) {
                 states.read(number, state);
                 visit(number, state);
             }
         } catch (ArithmeticException overflow) {
             throw new ModelException(network.file(), "a value does not fit 32 bits, or is divided by 0");
         }
-    }
-
-    private boolean anySettled() {
-        return Arrays.stream(settled).anyMatch(state -> state != NOWHERE);
     }
 
     private int add(int[] state, int parent) {

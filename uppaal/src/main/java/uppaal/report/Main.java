@@ -29,9 +29,8 @@ public final class Main {
         try {
             Report report = new Report(System.out);
             Path output = Path.of(arguments[1]);
-            List<String> wrong = new ArrayList<>(run(new Suite(Path.of(arguments[0])), output, report));
-            wrong.addAll(renew(Path.of(arguments[0]), output, report));
-            wrong.addAll(deliver(Path.of(arguments[0]), output, report));
+            List<String> wrong = new ArrayList<>(run(Path.of(arguments[0]), output, report));
+            wrong.addAll(check(Path.of(arguments[0]), output, report));
             wrong.addAll(compare(Path.of(arguments[0]), Firmware.of(Path.of(arguments[2]))));
             wrong.forEach(System.err::println);
             System.exit(wrong.isEmpty() ? 0 : 1);
@@ -41,29 +40,15 @@ public final class Main {
         }
     }
 
-    /** Prints what is found of delivery; returns what is not as expected, a line each. */
-    static List<String> deliver(Path models, Path folder, Report report) throws IOException {
+    /** Prints what is found of our boards; returns what is not as expected, a line each. */
+    static List<String> check(Path models, Path folder, Report report) throws IOException {
         List<String> wrong = new ArrayList<>();
-        for (Scene scene : Scene.OF_DELIVERY) {
+        for (Scene scene : Scene.OURS) {
             Check check = Check.of(scene, models, folder);
             report.verdicts(check);
+            report.counterexamples(check);
             wrong.addAll(check.disagreements());
         }
-        return wrong;
-    }
-
-    /** Prints what is found of the renewal of keys; returns what is not as expected, a line each. */
-    static List<String> renew(Path models, Path folder, Report report) throws IOException {
-        Check check = Check.of(Scene.RENEWAL, models, folder);
-        Check ended = Check.of(Scene.ROLLOVER, models, folder);
-        report.verdicts(check);
-        report.counterexamples(check);
-        report.verdicts(ended);
-        for (Flaw flaw : Flaw.OF_RENEWAL) {
-            report.flaw(flaw, flaw.counterexample(Scene.RENEWAL.document(models), check.queries()));
-        }
-        List<String> wrong = new ArrayList<>(check.disagreements());
-        wrong.addAll(ended.disagreements());
         return wrong;
     }
 
@@ -76,21 +61,17 @@ public final class Main {
     }
 
     /** Prints everything of the paper's network; returns what is not as expected, a line each. */
-    static List<String> run(Suite suite, Path folder, Report report) throws IOException {
-        Check paper = Check.of(Scene.PAPER, suite.folder(), folder);
-        Check quiet = Check.of(Scene.QUIET, suite.folder(), folder);
-        List<Kill> kills = Faults.ALL.stream().map(fault -> Kill.of(fault, suite)).toList();
+    static List<String> run(Path models, Path folder, Report report) throws IOException {
+        Check paper = Check.of(Scene.PAPER, models, folder);
+        Check quiet = Check.of(Scene.QUIET, models, folder);
         report.verdicts(paper);
         report.counterexamples(paper);
         report.substance(Substance.of(paper.network(), paper.queries()));
-        report.readings(Reading.all(suite));
+        report.readings(Reading.all(models));
         report.verdicts(quiet);
-        report.kills(kills);
 
         List<String> wrong = new ArrayList<>(paper.disagreements());
         wrong.addAll(quiet.disagreements());
-        kills.stream().filter(kill -> !kill.caught())
-                .forEach(kill -> wrong.add("no property notices the fault '" + kill.fault().name() + "'"));
         return wrong;
     }
 }

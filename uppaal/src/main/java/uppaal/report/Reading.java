@@ -1,17 +1,17 @@
 package uppaal.report;
 
-import static uppaal.report.Fault.added;
-import static uppaal.report.Fault.both;
-import static uppaal.report.Fault.edge;
-import static uppaal.report.Fault.removed;
-
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import uppaal.check.Exploration;
 import uppaal.check.Query;
+import uppaal.check.QueryFile;
 import uppaal.document.Document;
+import uppaal.document.Edge;
+import uppaal.document.Template;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 
@@ -45,13 +45,13 @@ record Reading(String sentence, int states, List<String> failing) {
                     both(both(BINARY, Reading::lookedAt), Reading::doneAtOnce)));
 
     /** All of them, asked the paper's queries. */
-    static List<Reading> all(Suite suite) {
-        return CHANGES.stream().map(change -> of(change, suite)).toList();
+    static List<Reading> all(Path models) {
+        return CHANGES.stream().map(change -> of(change, models)).toList();
     }
 
-    private static Reading of(Change change, Suite suite) {
-        Network network = NetworkBuilder.build(change.change.apply(suite.paper()));
-        List<Query> queries = suite.paperQueries();
+    private static Reading of(Change change, Path models) {
+        Network network = NetworkBuilder.build(change.change.apply(Scene.PAPER.document(models)));
+        List<Query> queries = QueryFile.read(models.resolve("paper.q"));
         Exploration exploration = Exploration.of(network, Check.properties(network, queries));
         List<String> failing = new ArrayList<>();
         for (int i = 0; i < queries.size(); i++) {
@@ -84,5 +84,34 @@ record Reading(String sentence, int states, List<String> failing) {
                 removed("Sender_Broadcast", "Broadcast_Sent -> Idle"),
                 added("Sender_Broadcast", "Broadcast_Sent", "Idle", "broadcast_received?"))
                 .reduce(document, (before, change) -> change.apply(before), (one, other) -> other);
+    }
+
+    /** A change of every edge that leads so; {@code path} as in {@link Edge#path()}. */
+    private static UnaryOperator<Document> edge(String template, String path, UnaryOperator<Edge> change) {
+        return edges(template, edges -> edges.replaceAll(edge -> edge.path().equals(path) ? change.apply(edge) : edge));
+    }
+
+    /** A new edge without guard and assignment. */
+    private static UnaryOperator<Document> added(String template, String source, String target,
+            String synchronisation) {
+        return edges(template, edges -> edges.add(new Edge(source, target, "", synchronisation, "")));
+    }
+
+    /** The edges that lead so, taken away. */
+    private static UnaryOperator<Document> removed(String template, String path) {
+        return edges(template, edges -> edges.removeIf(edge -> edge.path().equals(path)));
+    }
+
+    private static UnaryOperator<Document> both(UnaryOperator<Document> first, UnaryOperator<Document> second) {
+        return document -> second.apply(first.apply(document));
+    }
+
+    private static UnaryOperator<Document> edges(String template, Consumer<List<Edge>> change) {
+        return document -> {
+            Template old = document.template(template);
+            List<Edge> edges = new ArrayList<>(old.edges());
+            change.accept(edges);
+            return document.withTemplate(old.withEdges(edges));
+        };
     }
 }

@@ -3,7 +3,6 @@ package uppaal.report;
 import java.io.PrintStream;
 import java.util.List;
 import uppaal.check.Query;
-import uppaal.check.Trace;
 
 /** Prints the tables. */
 final class Report {
@@ -55,25 +54,6 @@ final class Report {
         for (Reading reading : readings) {
             out.printf("%-8d%-16s%s%n", reading.states(), names(reading.failing()), reading.sentence());
         }
-    }
-
-    /** Which queries notice which fault. */
-    void kills(List<Kill> kills) {
-        heading("Deliberate faults, and the properties that notice them");
-        out.printf("%-24s%-12s%-34s%-8s%s%n", "", "paper's", "stronger", "quiet", "what is wrong");
-        for (Kill kill : kills) {
-            out.printf("%-24s%-12s%-34s%-8s%s%n", kill.fault().name(), names(kill.paper()), names(kill.stronger()),
-                    names(kill.quiet()), kill.fault().sentence());
-        }
-        long missed = kills.stream().filter(kill -> kill.paper().isEmpty()).count();
-        out.printf("%d faults; %d pass all eight properties of the paper; %d pass all.%n", kills.size(), missed,
-                kills.stream().filter(kill -> !kill.caught()).count());
-    }
-
-    /** What one missing check of a board leads to. */
-    void flaw(Flaw flaw, Trace counterexample) {
-        heading("With a fault, against " + flaw.query() + ": " + flaw.fault().sentence());
-        counterexample.lines().forEach(out::println);
     }
 
     private void heading(String title) {

@@ -23,22 +23,44 @@ import uppaal.document.DocumentReader;
  *
  * @param model the file that it is made of
  * @param constants that are other than in the file
+ * @param fewer likewise, for as few states as mutants of it need
  * @param queries the files of its queries, in the order in which they are asked
  */
-public record Scene(String name, String title, String model, Map<String, String> constants, List<String> queries) {
+public record Scene(String name, String title, String model, Map<String, String> constants,
+        Map<String, String> fewer, List<String> queries) {
 
     public static final Scene PAPER =
-            new Scene("paper", "The network of the paper", "paper.xml", Map.of(), List.of("paper.q", "stronger.q"));
+            new Scene("paper", "The network of the paper", "paper.xml", Map.of(), Map.of(),
+                    List.of("paper.q", "stronger.q"));
     public static final Scene QUIET = new Scene("quiet",
             "The same, with a connection that stays online and senders that do not dawdle", "quiet.xml",
-            Map.of(), List.of("quiet.q", "stronger.q"));
+            Map.of(), Map.of(), List.of("quiet.q", "stronger.q"));
     public static final Scene RENEWAL =
             new Scene("renewal", "The renewal and the deletion of a key that three boards share", "renewal.xml",
-                    Map.of(), List.of("renewal.q"));
+                    Map.of(), Map.of(), List.of("renewal.q"));
 
     /** So that the boards come to an end: each takes up one message, of one attempt. */
     public static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
-            Map.of("MESSAGES", "1", "ATTEMPTS", "1"), List.of("rollover.q"));
+            Map.of("MESSAGES", "1", "ATTEMPTS", "1"), Map.of(), List.of("rollover.q"));
+
+    public static final Scene PIECES =
+            new Scene("pieces", "A message in two pieces, of which one is forged", "pieces.xml",
+                    Map.of(), Map.of(), List.of("pieces.q"));
+    public static final Scene BROADCAST = new Scene("broadcast", "How a broadcast's repeat is known", "broadcast.xml",
+            Map.of(), Map.of(), List.of("broadcast.q"));
+    /** Its bound is tight. */
+    public static final Scene LATE = new Scene("late", "The same, where the air is busy for longer", "broadcast.xml",
+            Map.of("BUSY", "12"), Map.of(), List.of("late.q"));
+    public static final Scene HOST = new Scene("host", "Messages for a host that dies", "host.xml", Map.of(), Map.of(),
+            List.of("host.q"));
+
+    /** Numbers with which the scenes of delivery have few states, and the same verdicts. */
+    private static final Map<String, String> SMALL = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW",
+            "1", "LAST_WINDOW", "2", "PATIENCE", "3", "MOST_PUT_OFF_SLOTS", "3", "LOSSES", "1", "DEADLINE", "111");
+    /** For one end of a message, as a trace is replayed in it: others do what they like, one of them at a time. */
+    private static final Map<String, String> END = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW", "1",
+            "LAST_WINDOW", "2", "PATIENCE", "2", "MOST_PUT_OFF_SLOTS", "3", "CARRIERS", "1", "FAIR", "true", "LOSSES",
+            "0");
 
     /**
      * Those of delivery. With all attempts and an attacker there are 11.5 million states, and more of two boards that
@@ -46,33 +68,46 @@ public record Scene(String name, String title, String model, Map<String, String>
      * message, rounded up, and so is the patience.
      */
     public static final List<Scene> OF_DELIVERY = List.of(
-            ofDelivery("unicast", "Two unicasts, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
-            ofDelivery("repeats", "Two unicasts, with all attempts", Map.of()),
-            ofDelivery("multicast", "Two multicasts, another group, and an attacker", Map.of()),
+            ofDelivery("unicast", "Two unicasts, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2"),
+                    SMALL, "unicast.q", "attacker.q"),
+            ofDelivery("repeats", "Two unicasts, with all attempts", Map.of(), SMALL, "unicast.q", "repeats.q"),
+            ofDelivery("multicast", "Two multicasts, another group, and an attacker", Map.of(), SMALL, "multicast.q"),
             ofDelivery("crossing", "Two boards that send to each other at the same time (two attempts only)",
-                    Map.of("MAX_ATTEMPTS", "2")),
-            ofDelivery("cuts", "One unicast, and a reset or a loss of power", Map.of()),
-            ofDelivery("fair", "Two unicasts over a channel that is fair in the end", Map.of("FAIR", "true")),
-            ofDelivery("bound", "How long a unicast may take",
-                    Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME", "28", "ACK_TIME", "19", "DEADLINE",
-                            "1424")));
+                    Map.of("MAX_ATTEMPTS", "2"), SMALL, "crossing.q"),
+            ofDelivery("turns", "Two unicasts to two boards, under way at once (two attempts only)",
+                    Map.of("MAX_ATTEMPTS", "2"), SMALL, "turns.q"),
+            ofDelivery("cuts", "One unicast, and a reset or a loss of power", Map.of(), SMALL, "cuts.q"),
+            ofDelivery("fair", "Two unicasts over a channel that is fair in the end", Map.of("FAIR", "true"), SMALL,
+                    "fair.q"),
+            ofDelivery("sender", "The sender of a unicast in pieces, and all that others may do (small numbers)", END,
+                    Map.of(), "sender.q"),
+            ofDelivery("group", "The sender of a multicast in pieces, likewise", END, Map.of(), "group.q"),
+            ofDelivery("receiver", "A receiver, likewise", with(END, Map.of("MORE", "false")), Map.of(), "receiver.q"),
+            ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
+                    "28", "ACK_TIME", "19", "DEADLINE", "1424"), SMALL, "bound.q"));
 
+    /** Those of boards. */
+    public static final List<Scene> OURS = Stream.concat(Stream.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST),
+            OF_DELIVERY.stream()).toList();
     /** All of them. */
-    public static final List<Scene> ALL =
-            Stream.concat(Stream.of(PAPER, QUIET, RENEWAL, ROLLOVER), OF_DELIVERY.stream()).toList();
+    public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
 
     private static final Pattern SYSTEM = Pattern.compile("<system>.*</system>", Pattern.DOTALL);
 
-    private static Scene ofDelivery(String name, String title, Map<String, String> constants) {
-        return new Scene(name, "Delivery: " + title, "delivery.xml", constants, List.of(name + ".q"));
+    private static Scene ofDelivery(String name, String title, Map<String, String> constants,
+            Map<String, String> fewer, String... queries) {
+        return new Scene(name, "Delivery: " + title, "delivery.xml", constants, fewer,
+                Stream.concat(Stream.of(queries), Stream.of("air.q")).toList());
     }
 
-    /** This scene with another number for a constant. */
-    Scene with(String constant, String number) {
-        return new Scene(name, title, model, Stream.concat(constants.entrySet().stream(), Map.of(constant, number)
-                .entrySet().stream()).collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue,
-                        (before, after) -> after)),
-                queries);
+    /** This scene with so few states that many mutants of it can be checked. */
+    public Scene inSmall() {
+        return new Scene(name, title, model, with(constants, fewer), Map.of(), queries);
+    }
+
+    private static Map<String, String> with(Map<String, String> numbers, Map<String, String> others) {
+        return Stream.concat(numbers.entrySet().stream(), others.entrySet().stream())
+                .collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue, (before, after) -> after));
     }
 
     /** The whole file. */

@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class ReadingTest {
-    private static final List<Reading> READINGS = Reading.all(new Suite(Path.of("models")));
+    private static final List<Reading> READINGS = Reading.all(Path.of("models"));
 
     @Test
     void readme_readings_areThoseThatAreFound() throws IOException {

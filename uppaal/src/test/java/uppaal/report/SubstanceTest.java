@@ -8,16 +8,17 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import uppaal.Sketch;
 import uppaal.check.Query;
+import uppaal.check.QueryFile;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 
 class SubstanceTest {
-    private static final Suite SUITE = new Suite(Path.of("models"));
+    private static final Path MODELS = Path.of("models");
 
     @Test
     void of_paper_onlyTheSecondSaysNothing() {
-        Network network = NetworkBuilder.build(SUITE.paper());
-        List<Substance> found = Substance.of(network, SUITE.paperQueries());
+        Network network = NetworkBuilder.build(Scene.PAPER.document(MODELS));
+        List<Substance> found = Substance.of(network, QueryFile.read(MODELS.resolve("paper.q")));
         assertTrue(found.stream().allMatch(Substance::reached));
         assertEquals(List.of("P2"), found.stream().filter(Substance::needless).map(Substance::query).toList());
         assertEquals(7, found.size());

@@ -10,19 +10,9 @@ package uppaal.document;
  * @param assignment what it changes
  */
 public record Edge(String source, String target, String guard, String synchronisation, String assignment) {
-    /** This edge with another guard. */
-    public Edge withGuard(String changed) {
-        return new Edge(source, target, changed, synchronisation, assignment);
-    }
-
     /** This edge with another synchronisation; empty for none. */
     public Edge withSynchronisation(String changed) {
         return new Edge(source, target, guard, changed, assignment);
-    }
-
-    /** This edge with another assignment. */
-    public Edge withAssignment(String changed) {
-        return new Edge(source, target, guard, synchronisation, changed);
     }
 
     /** Where it leads: {@code Idle -> Connected}. */

@@ -32,6 +32,6 @@ class EdgesTest {
 
     @Test
     void edges_areThoseThatTracesTake() {
-        assertEquals(129, Replay.edges().size());
+        assertEquals(126, Replay.edges().size());
     }
 }

@@ -1,0 +1,28 @@
+// What the attacker does of itself, so that what holds against it says something.
+
+/* T1 holds: it sends as the one board or as the other. */
+A[] (Thief.OnAir && !collided) imply (nonce > 0 && (kind == DATA && to == SUPPORT && from == POLICE || kind == ACK && to == POLICE && from == SUPPORT))
+/* T2 holds: what it cannot seal it has overheard. */
+A[] (Thief.OnAir && genuine && !collided) imply (kind == DATA ? (nonce == 1 ? Thief.data1 && Police1.attempt > 0 : Thief.data2 && Police2.attempt > 0) : (nonce == 1 ? Thief.ack1 && given[1] > 0 : Thief.ack2 && given[2] > 0))
+/* T3 holds: it sends no more than it may. */
+A[] Thief.shots <= SHOTS && (Thief.OnAir imply Thief.shots > 0)
+/* T4 holds: it plays a message again when that was taken. */
+E<> Thief.OnAir && !collided && genuine && kind == DATA && nonce == 1 && Support1.Taken
+/* T5 holds: and when it has ended. */
+E<> Thief.OnAir && !collided && genuine && kind == DATA && nonce == 2 && Police2.Over
+/* T6 holds: it plays an acknowledgement again while the next one is awaited. */
+E<> Thief.OnAir && !collided && genuine && kind == ACK && nonce == 1 && Police2.Held
+/* T7 holds: or after its own. */
+E<> Thief.OnAir && !collided && genuine && kind == ACK && nonce == 2
+/* T8 holds: it forges a message before there is one. */
+E<> Thief.OnAir && !collided && !genuine && kind == DATA && nonce == 1 && Police1.New
+/* T9 holds: and the next one. */
+E<> Thief.OnAir && !collided && !genuine && kind == DATA && nonce == 2 && Police2.New
+/* T10 holds: it forges the acknowledgement that is awaited. */
+E<> Thief.OnAir && !collided && !genuine && kind == ACK && nonce == 1 && Police1.Held
+/* T11 holds: and that of the next one. */
+E<> Thief.OnAir && !collided && !genuine && kind == ACK && nonce == 2 && Police2.Held
+/* T12 holds: what it has sent comes. */
+E<> Air.Heard && kind == ACK && !genuine
+/* T13 holds: it overhears messages that the receiver has lost. */
+E<> Thief.data1 && Thief.data2 && given[1] == 0 && given[2] == 0
