@@ -25,14 +25,14 @@ final class Airtime {
         int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
         int all = least + trailerBits(trailer, payload.length());
         boolean ours = board.isNamed();
-        boolean brokenOff = bits >= least && bits < all && !board.ear.isSure(event.number("start"), event.seconds());
-        if (ours && bits != all && !brokenOff) {
+        boolean mayBreakOff = !board.ear.isSure(event.number("start"), event.seconds());
+        if (ours && bits != all && !(mayBreakOff && bits >= least && bits < all)) {
             throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
                     + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));
         }
         double seconds = event.number("end") - event.number("start");
         double rate = (bits - 1) / seconds;
-        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && board.ear.fits(bits, seconds))) {
+        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && (mayBreakOff || board.ear.fits(bits, seconds)))) {
             throw new RefusedException(String.format(Locale.ROOT,
                     "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
                     seconds));

@@ -54,6 +54,11 @@ final class Ear {
         return disturbances.none(from, to);
     }
 
+    /** Whether its own packets have told how fast its clock runs. */
+    boolean isKnown() {
+        return known;
+    }
+
     /** Whether a packet of the board's own is as long as its bits take, by the first one: up to a quarter of a bit. */
     boolean fits(double bits, double seconds) {
         return !known || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;

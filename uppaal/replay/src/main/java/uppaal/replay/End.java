@@ -223,6 +223,9 @@ final class End {
         double passed = Math.max(0, seconds - told) / ear.slot();
         double all = Math.max(0, seconds - since) / ear.slot();
         Possible.Seen seen;
+        if (seconds <= told) {
+            return; // what its board has just heard, it need not have acted upon
+        }
         if (sending) {
             seen = possible.elapse(0, PACKET);
         } else if (!ear.isTimed()) {

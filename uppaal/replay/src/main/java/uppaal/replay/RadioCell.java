@@ -151,7 +151,9 @@ final class RadioCell {
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
         Airtime.check(event, payload, board);
-        board.ear.learn(event.number("bits"), event.number("end") - start);
+        if (board.ear.isSure(start, event.seconds()) || !board.ear.isKnown()) {
+            board.ear.learn(event.number("bits"), event.number("end") - start);
+        }
         Message message = null;
         List<Message> answered = List.of();
         String answer = "";
@@ -387,11 +389,25 @@ final class RadioCell {
                 packet.message().perhaps(seconds, board, step);
             }
         }
+        for (Message message : forged(packet)) {
+            if (message.hasReached(board)) {
+                message.perhaps(seconds, board, "question_comes");
+            }
+        }
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
             }
         }
+    }
+
+    /** Of what messages somebody else's packet seems to be a piece that asks. */
+    private List<Message> forged(Packet packet) {
+        Payload payload = packet.payload();
+        return !payload.isPiece() || !payload.asks() ? List.of()
+                : boards.values().stream().filter(board -> board.hasBeen(payload.origin()))
+                        .flatMap(board -> board.cut(payload.pieceId()).stream())
+                        .filter(message -> message != packet.message()).toList();
     }
 
     /** What comes undamaged to a board that does not send is heard, nearly always. */

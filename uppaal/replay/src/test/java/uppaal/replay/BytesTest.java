@@ -300,6 +300,16 @@ class BytesTest {
                 "police sends other bytes under the nonce of an earlier message");
     }
 
+    /** Only the whole frame tells that a piece is forged. */
+    @Test
+    void acknowledgement_ofAForgedPieceOfWhatWasTaken_isAccepted() {
+        Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("police", END).hands(0, FIRST, LONG)
+                .sends("support", acknowledgement(FIRST, ""))
+                .sends("stranger", changed(piece("AI", LONG_FRAME, 0), -1))
+                .sends("support", acknowledgement(FIRST, ""));
+        assertAccepted(talk, "1 messages opened, 2 proofs");
+    }
+
     /** The support has lost its memory after a message, and then is sent it again. */
     private static Talk lost() {
         return delivered().resets("support", "power").pauses(10).greets("support", "SUPP", "000002").pauses(20)

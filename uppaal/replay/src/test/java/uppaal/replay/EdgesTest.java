@@ -32,6 +32,6 @@ class EdgesTest {
 
     @Test
     void edges_areThoseThatTracesTake() {
-        assertEquals(126, Replay.edges().size());
+        assertEquals(128, Replay.edges().size());
     }
 }
