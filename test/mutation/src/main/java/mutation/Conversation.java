@@ -43,7 +43,7 @@ final class Conversation {
     /** Wall time, far more of the boards' time: after it boards that are silent are taken for dead. */
     private static final long PATIENCE_SECONDS = 10;
     /** The attacker takes up each packet that is so many behind the one before. */
-    private static final int OVERHEARD = 7;
+    private static final int OVERHEARD = 12;
     /** The first bit behind a header. */
     private static final int CONTENT_BIT = 80;
     private static final String GROUP = "//SU";
@@ -213,7 +213,7 @@ final class Conversation {
             }
         }
         synchronized (from) {
-            return from.delivered.values().stream().mapToInt(Set::size).sum() < 2 * WINDOW
+            return from.delivered.values().stream().mapToInt(Set::size).sum() < WINDOW
                     ? from.id + " got nearly nothing delivered" : "";
         }
     }

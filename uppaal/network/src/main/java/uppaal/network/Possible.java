@@ -122,7 +122,12 @@ public final class Possible {
 
     /** What is known where a move may have been made, or not. */
     public Possible perhaps(String name) {
-        return after(name).map(moved -> watch.known(List.of(all, moved.all))).orElse(this);
+        return after(name).map(this::or).orElse(this);
+    }
+
+    /** What is known where this is, or the other. */
+    public Possible or(Possible other) {
+        return watch.known(List.of(all, other.all));
     }
 
     /** What is known where a move is made if it can be; no clock may decide about that. */

@@ -110,6 +110,18 @@ final class End {
         late = step;
     }
 
+    /**
+     * Its board sends an answer that may be this one, or to another message: then, too, its board is heard to send. So
+     * here it is sent and over at once.
+     */
+    void perhapsSends(double seconds, String step) throws RefusedException {
+        reach(seconds);
+        Possible.Seen sent = possible.see(step);
+        cover(sent);
+        sent.possible().flatMap(sending -> sending.elapse(PACKET, PACKET).possible())
+                .flatMap(sending -> sending.after("end")).ifPresent(over -> settle(possible.or(over)));
+    }
+
     private void doubt(String step) {
         cover(possible.see(step));
         settle(possible.perhaps(step));

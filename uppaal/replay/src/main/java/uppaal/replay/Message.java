@@ -155,10 +155,19 @@ final class Message {
         if (payload.isPiece() && payload.asks() && here.contains(0)) {
             steps.add("question_comes");
         }
-        if (here.size() == pieces && !forged) {
+        if (isWhole(board) && !forged) {
             steps.add("message_comes");
         }
         return steps;
+    }
+
+    /** The same for a forged piece that asks, in the place of any of its own. */
+    List<String> arrivals(Station board) {
+        return isWhole(board) ? List.of("question_comes", "message_comes") : List.of("question_comes");
+    }
+
+    private boolean isWhole(Station board) {
+        return reached.getOrDefault(board.name(), Set.of()).size() == pieces;
     }
 
     /** A board has forgotten the pieces that it had. */

@@ -354,7 +354,7 @@ final class RadioCell {
             if (able.size() == 1) {
                 message.receiver(start, board, answer);
             } else {
-                message.perhaps(start, board, answer);
+                message.receiver(board).perhapsSends(start, answer);
             }
         }
         able.forEach(message -> message.came().clear());
@@ -391,7 +391,9 @@ final class RadioCell {
         }
         for (Message message : forged(packet)) {
             if (message.hasReached(board)) {
-                message.perhaps(seconds, board, "question_comes");
+                for (String step : message.arrivals(board)) {
+                    message.perhaps(seconds, board, step);
+                }
             }
         }
         for (Message message : packet.answered()) {

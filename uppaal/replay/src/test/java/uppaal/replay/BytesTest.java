@@ -306,8 +306,8 @@ class BytesTest {
         Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("police", END).hands(0, FIRST, LONG)
                 .sends("support", acknowledgement(FIRST, ""))
                 .sends("stranger", changed(piece("AI", LONG_FRAME, 0), -1))
-                .sends("support", acknowledgement(FIRST, ""));
-        assertAccepted(talk, "1 messages opened, 2 proofs");
+                .sends("support", acknowledgement(FIRST, "")).sends("support", acknowledgement(FIRST, ""));
+        assertAccepted(talk, "1 messages opened, 3 proofs");
     }
 
     /** The support has lost its memory after a message, and then is sent it again. */
