@@ -353,6 +353,17 @@ class BytesTest {
     }
 
     @Test
+    void stale_ofAMessageThatANewerOneHadOvertakenBeforeAllWasForgotten_isAccepted() {
+        byte[] frame = sealed("SUPP", FIRST, HELP);
+        Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).asks("SUPP", HELP)
+                .sends("police", sealed("SUPP", SECOND, HELP)).hands(1, SECOND, HELP)
+                .sends("support", acknowledgement(SECOND, "")).resets("support", "power").pauses(10)
+                .greets("support", "SUPP", "000002").pauses(20).sends("stranger", frame)
+                .sends("support", acknowledgement(FIRST, "00000100001f00d2"));
+        assertAccepted(talk, "2 messages opened, 3 proofs");
+    }
+
+    @Test
     void handed_anotherContentThanWasSent_isRefusedByName() {
         byte[] frame = sealed("SUPP", FIRST, HELP);
         Talk talk = asked("SUPP", HELP).sends("police", frame);
