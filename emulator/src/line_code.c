@@ -173,7 +173,7 @@ void line_decoder_advance(line_decoder *decoder, cycles_t now) {
   while (decoder->next_sample < (double)now) {
     if (decoder->level) {
       decoder->idle_bits = 0;
-    } else if (decoder->idle_bits >= LINE_IDLE_BITS && !decoder->following) {
+    } else if (decoder->idle_bits >= LINE_IDLE_BITS && !decoder->receiving && !decoder->following) {
       // Silence says nothing new: the next edge tells where the bits are.
       decoder->next_sample = (double)now;
       return;
