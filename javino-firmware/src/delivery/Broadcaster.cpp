@@ -39,6 +39,7 @@ void Broadcaster::run() {
     }
     medium_.release();
   }
+  medium_.update();  // the sketch may have taken its time with what was heard
   if (isBusy() && backoff_.isOver(medium_.quietSlots()) && medium_.send(frame_, length_)) length_ = 0;
 }
 

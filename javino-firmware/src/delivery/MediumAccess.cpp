@@ -13,7 +13,7 @@ bool MediumAccess::begin() {
 void MediumAccess::update() {
   const uint16_t now = static_cast<uint16_t>(clock::millis());
   const bool wasBusy = busy_;
-  carrier_ = radio_.carrierSinceLast();
+  carrier_ = radio_.carrier();
   busy_ = carrier_ || radio_.sending();
   const uint16_t elapsed = static_cast<uint16_t>(now - lookedAt_);
   lookedAt_ = now;
@@ -36,12 +36,10 @@ bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer)
 #else
   (void)trailer;
 #endif
-  // Since update() the loop may have been busy for long, for example with the sketch's own code.
-  const bool refused = radio_.carrierSinceLast();
-  if (!refused && !radio_.send(payload, length)) return false;
+  if (!radio_.send(payload, length)) return false;
   busy_ = true;
   quietSlots_ = 0;
-  return !refused;
+  return true;
 }
 
 }  // namespace javino

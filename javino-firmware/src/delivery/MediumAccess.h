@@ -35,7 +35,7 @@ class MediumAccess {
 
   /// Starts to send a packet; the air counts as busy from now on.
   /// @param trailer what follows it
-  /// @return false where another's carrier was heard since update(), or the radio did not take it
+  /// @return false where the radio did not take it
   bool send(const uint8_t *payload, uint8_t length, Trailer trailer = Trailer::NONE);
 
   /// The oldest packet that the radio holds; it belongs to the caller until release().

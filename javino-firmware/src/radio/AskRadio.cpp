@@ -55,7 +55,6 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
     return false;
   }
   sending_ = true;
-  carrierHeard_ = false;
   encoder_.next();  // the first bit is a 0, as is the silence now
   nextBit_ = encoder_.next();
   lastBitOut_ = false;
@@ -67,14 +66,9 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
 
 bool AskRadio::carrier() const {
   askhardware::InterruptLock lock;
-  return decoder_.carrier().isHeard();
-}
-
-bool AskRadio::carrierSinceLast() {
-  askhardware::InterruptLock lock;
-  const bool heard = carrierHeard_ || decoder_.carrier().isHeard();
-  carrierHeard_ = false;
-  return heard;
+  const bool before = carrierHeard_;
+  carrierHeard_ = decoder_.carrier().isHeard();
+  return before || carrierHeard_;
 }
 
 uint16_t AskRadio::airtimeMillis(uint8_t length) const {

@@ -37,7 +37,6 @@ class AskRadio : public Radio {
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return sending_; }
   bool carrier() const override;
-  bool carrierSinceLast() override;
   uint8_t longestPayload() const override { return MAX_RADIO_PAYLOAD; }
   uint16_t airtimeMillis(uint8_t length) const override;
   uint8_t slotMillis() const override;
@@ -75,10 +74,10 @@ class AskRadio : public Radio {
   // The small fields first: gcc reaches the first 63 bytes of an object in one instruction (240 bytes of flash less).
   bool ready_ JAVINO_ZEROED;  // begin() succeeded
   volatile bool sending_ JAVINO_ZEROED;
-  bool nextBit_ JAVINO_ZEROED;         // computed ahead, so that the carrier switches first thing in the interrupt
-  bool lastBitOut_ JAVINO_ZEROED;      // the last bit is on the air: the next alarm ends the packet
-  bool carrierHeard_ JAVINO_ZEROED;    // since carrierSinceLast() was called
-  uint16_t alarm_ JAVINO_ZEROED;       // when the carrier switches next
+  bool nextBit_ JAVINO_ZEROED;     // computed ahead, so that the carrier switches first thing in the interrupt
+  bool lastBitOut_ JAVINO_ZEROED;  // the last bit is on the air: the next alarm ends the packet
+  mutable bool carrierHeard_ JAVINO_ZEROED;  // since carrier() was called, or when it was
+  uint16_t alarm_ JAVINO_ZEROED;             // when the carrier switches next
   uint8_t silentAlarms_;               // alarms since the last edge; SILENCE_ALARMS: the air is quiet, the alarm is off
   uint16_t heardUntil_ JAVINO_ZEROED;  // the time up to which the line has been heard
   bool level_ JAVINO_ZEROED;           // of the line since then

@@ -62,13 +62,9 @@ class Radio {
   /// @return whether this board has a packet on the air; false again after its last bit.
   virtual bool sending() const = 0;
 
-  /// @return whether another board's carrier is heard now (SPEC 6, 7.4); false while sending.
-  /// Safe to call with interrupts off.
+  /// @return whether another board's carrier is heard (SPEC 6, 7.4), or was since the last call. The loop may be busy for longer
+  /// than a packet lasts, for example with an EEPROM, so a driver that hears in interrupts remembers it.
   virtual bool carrier() const = 0;
-
-  /// @return whether another board's carrier is heard, or was since the last call or the last packet of our own. The loop may
-  /// be busy for longer than a packet lasts, for example with an EEPROM, so a driver that hears in interrupts remembers it.
-  virtual bool carrierSinceLast() { return carrier(); }
 
   /// @return the most bytes of a payload, MIN_RADIO_PAYLOAD…MAX_RADIO_PAYLOAD. It must be the same on all boards in
   /// range, as it sets the length of pieces (SPEC 7.1).

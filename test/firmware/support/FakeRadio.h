@@ -16,8 +16,7 @@ class FakeRadio : public javino::Radio {
   bool begin() override { return works; }
   bool send(const uint8_t *payload, uint8_t length) override;
   bool sending() const override { return onAir_; }
-  bool carrier() const override { return heard; }
-  bool carrierSinceLast() override { return std::exchange(wasHeard, false) || heard; }
+  bool carrier() const override { return std::exchange(wasHeard, false) || heard; }
   uint8_t longestPayload() const override { return payload; }
   uint16_t airtimeMillis(uint8_t length) const override { return static_cast<uint16_t>(42 + 6 * length); }
   uint8_t slotMillis() const override { return 8; }
@@ -39,11 +38,11 @@ class FakeRadio : public javino::Radio {
   /// The packet on the air ends.
   void finishSending();
 
-  bool works = true;      ///< whether begin() succeeds
-  bool refuses = false;   ///< whether send() does nothing
-  bool mends = false;     ///< whether packets come as from the air
-  bool heard = false;     ///< whether another board's carrier is on the air
-  bool wasHeard = false;  ///< whether one was, since the board has looked
+  bool works = true;              ///< whether begin() succeeds
+  bool refuses = false;           ///< whether send() does nothing
+  bool mends = false;             ///< whether packets come as from the air
+  bool heard = false;             ///< whether another board's carrier is on the air
+  mutable bool wasHeard = false;  ///< whether one was, since the board has looked
   uint8_t payload = javino::MAX_RADIO_PAYLOAD;
   javino::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;

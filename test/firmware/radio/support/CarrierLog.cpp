@@ -29,7 +29,7 @@ bool CarrierLog::covers(double begin, double end) const {
 }
 
 void CarrierLog::look() {
-  const bool heard = modem_.radio.carrier();
+  const bool heard = modem_.hearsCarrier();
   if (heard && !heard_) spans_.push_back({now(), 0});
   if (!heard && heard_) spans_.back().end = now();
   heard_ = heard;

@@ -22,6 +22,12 @@ class Modem {
 
   bool send(const Bytes &payload) { return radio.send(payload.data(), static_cast<uint8_t>(payload.size())); }
 
+  // Now: what was heard before is said once.
+  bool hearsCarrier() const {
+    radio.carrier();
+    return radio.carrier();
+  }
+
   javino::RadioCounters counters() const {
     javino::RadioCounters counters;
     radio.counters(counters);
