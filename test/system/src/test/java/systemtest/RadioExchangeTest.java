@@ -50,7 +50,7 @@ class RadioExchangeTest {
 
         assertMessage(support.message(), "SUPO", "////", "tell;roadClosed");
         assertMessage(bus.message(), "SUPO", "////", "tell;roadClosed");
-        assertTrue(onAir("tell;roadClosed"));
+        emulator.await("the broadcast", event -> event.name().equals("rf-tx") && tells(event, "tell;roadClosed"));
     }
 
     @Test
@@ -94,8 +94,12 @@ class RadioExchangeTest {
 
     /** Whether a text stands anywhere in what the radio's sniffer, or a board without a host, made known. */
     private boolean onAir(String text) {
-        String hex = HexFormat.of().formatHex(text.getBytes(StandardCharsets.UTF_8));
         return emulator.trace().stream().filter(event -> !event.name().startsWith("host-"))
-                .anyMatch(event -> event.line().contains(text) || event.line().contains(hex));
+                .anyMatch(event -> tells(event, text));
+    }
+
+    private static boolean tells(TraceEvent event, String text) {
+        return event.line().contains(text)
+                || event.line().contains(HexFormat.of().formatHex(text.getBytes(StandardCharsets.UTF_8)));
     }
 }
