@@ -11,14 +11,13 @@ import javino.link.LinkOpener;
  * A real link whose bytes get lost, flipped and inserted on the way, both ways, and come in small pieces. What is
  * damaged comes from one seed; where it falls depends on how the bytes arrive.
  */
-final class DamagedLink implements Link {
+final class DamagedLink extends ForwardedLink {
 
-    private final Link link;
     private final Random random;
     private final double rate;
 
     private DamagedLink(Link link, Random random, double rate) {
-        this.link = link;
+        super(link);
         this.random = random;
         this.rate = rate;
     }
@@ -26,17 +25,7 @@ final class DamagedLink implements Link {
     /** Opens links that damage a share {@code rate} of the bytes. */
     static LinkOpener opener(LinkOpener opener, long seed, double rate) {
         Random random = new Random(seed);
-        return new LinkOpener() {
-            @Override
-            public Link open() throws LinkException {
-                return new DamagedLink(opener.open(), random, rate);
-            }
-
-            @Override
-            public String name() {
-                return opener.name();
-            }
-        };
+        return opener(opener, link -> new DamagedLink(link, random, rate));
     }
 
     @Override
@@ -69,15 +58,5 @@ final class DamagedLink implements Link {
             }
         }
         return damaged.toByteArray();
-    }
-
-    @Override
-    public void wake() {
-        link.wake();
-    }
-
-    @Override
-    public void close() {
-        link.close();
     }
 }

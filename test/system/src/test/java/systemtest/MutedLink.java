@@ -8,30 +8,18 @@ import javino.link.LinkOpener;
 import javino.link.SerialLink;
 
 /** A real link whose host is not heard any more once it has heard a word: it gets a message, and never says so. */
-final class MutedLink implements Link {
+final class MutedLink extends ForwardedLink {
 
-    private final Link link;
     private final String word;
     private final StringBuilder heard = new StringBuilder();
 
     private MutedLink(Link link, String word) {
-        this.link = link;
+        super(link);
         this.word = word;
     }
 
     static LinkOpener opener(String port, String word) {
-        LinkOpener opener = SerialLink.opener(port);
-        return new LinkOpener() {
-            @Override
-            public Link open() throws LinkException {
-                return new MutedLink(opener.open(), word);
-            }
-
-            @Override
-            public String name() {
-                return opener.name();
-            }
-        };
+        return opener(SerialLink.opener(port), link -> new MutedLink(link, word));
     }
 
     @Override
@@ -46,15 +34,5 @@ final class MutedLink implements Link {
         int count = link.read(into, timeout);
         heard.append(new String(into, 0, count, StandardCharsets.ISO_8859_1));
         return count;
-    }
-
-    @Override
-    public void wake() {
-        link.wake();
-    }
-
-    @Override
-    public void close() {
-        link.close();
     }
 }
