@@ -18,21 +18,23 @@ final class Airtime {
     private Airtime() {
     }
 
-    /** A packet has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
+    /** A packet of ours has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
     static void check(Event event, Payload payload, Station board) throws RefusedException {
+        if (!board.isNamed()) {
+            return;
+        }
         double bits = event.number("bits");
         String trailer = event.textOrEmpty("trailer");
         int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
         int all = least + trailerBits(trailer, payload.length());
-        boolean ours = board.isNamed();
         boolean mayBreakOff = !board.ear.isSure(event.number("start"), event.seconds());
-        if (ours && bits != all && !(mayBreakOff && bits >= least && bits < all)) {
+        if (bits != all && !(mayBreakOff && bits >= least && bits < all)) {
             throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
                     + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));
         }
         double seconds = event.number("end") - event.number("start");
         double rate = (bits - 1) / seconds;
-        if (ours && !(rate >= LEAST_RATE && rate <= MOST_RATE && (mayBreakOff || board.ear.fits(bits, seconds)))) {
+        if (!(rate >= LEAST_RATE && rate <= MOST_RATE && (mayBreakOff || board.ear.fits(bits, seconds)))) {
             throw new RefusedException(String.format(Locale.ROOT,
                     "%s sends %d bits in %.6f s; expected a time on the air that fits them", event.board(), (int) bits,
                     seconds));

@@ -54,20 +54,20 @@ final class Ear {
         return disturbances.none(from, to);
     }
 
-    /** Whether its own packets have told how fast its clock runs. */
-    boolean isKnown() {
-        return known;
-    }
-
     /** Whether a packet of the board's own is as long as its bits take, by the first one: up to a quarter of a bit. */
     boolean fits(double bits, double seconds) {
         return !known || Math.abs(seconds * rate - (bits - 1)) < HALF_A_BIT / 2;
     }
 
-    /** Its own packets tell how fast a board's clock runs. The end of the last bit is not told. */
-    void learn(double bits, double seconds) {
-        rate = (bits - 1) / seconds;
-        known = true;
+    /**
+     * Its own packets tell how fast a board's clock runs; one that may have broken off does so only where nothing is
+     * known. The end of the last bit is not told.
+     */
+    void learn(double bits, double start, double end) {
+        if (isSure(start, end) || !known) {
+            rate = (bits - 1) / (end - start);
+            known = true;
+        }
     }
 
     /** Since when the air is quiet, in seconds; infinite where somebody sends. */

@@ -151,9 +151,7 @@ final class RadioCell {
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
         Airtime.check(event, payload, board);
-        if (board.ear.isSure(start, event.seconds()) || !board.ear.isKnown()) {
-            board.ear.learn(event.number("bits"), event.number("end") - start);
-        }
+        board.ear.learn(event.number("bits"), start, event.number("end"));
         Message message = null;
         List<Message> answered = List.of();
         String answer = "";

@@ -323,20 +323,13 @@ class ReplayTest {
         assertRefused(lines, lines.all.size(), "expected that its host asks for it first");
     }
 
-    @Test
-    void replay_transmissionThatIsNotTheNext_isRefusedThere() {
+    @ParameterizedTest
+    @ValueSource(ints = {0, 2})
+    void replay_transmissionThatIsNotTheNext_isRefusedThere(int number) {
         Lines lines = Lines.of("partners");
         int asked = lines.where(line -> lines.is(line, "police", "host-transmit")).get(1);
-        lines.get(asked).addProperty("number", 2);
-        assertRefused(lines, asked, "police takes over transmission 2; expected 1");
-    }
-
-    @Test
-    void replay_transmissionOutOfOrder_isRefusedThere() {
-        Lines lines = Lines.of("partners");
-        int asked = lines.where(line -> lines.is(line, "police", "host-transmit")).get(1);
-        lines.get(asked).addProperty("number", 0);
-        assertRefused(lines, asked, "police takes over transmission 0; expected 1");
+        lines.get(asked).addProperty("number", number);
+        assertRefused(lines, asked, "police takes over transmission " + number + "; expected 1");
     }
 
     @Test
