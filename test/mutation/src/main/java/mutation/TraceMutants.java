@@ -178,7 +178,8 @@ final class TraceMutants {
                 trace.move(again, later);
             }
         });
-        for (int bits : List.of(1, -1)) {
+        // A reset soon after may have broken off its trailer.
+        for (int bits : isCalm(packet.start(), packet.end()) ? List.of(1, -1) : List.of(1)) {
             enter("airtime a bit " + (bits > 0 ? "longer" : "shorter"), number, (trace, it) -> {
                 it.sent().addProperty("bits", (int) number(it.sent(), "bits") + bits);
                 set(it.sent(), "end", it.end() + bits * BIT);
@@ -294,9 +295,26 @@ final class TraceMutants {
                     .filter(other -> is(other, "host-taken") && isSame("number", event, other)).isPresent();
             case "host-taken" -> then(line).noneMatch(other -> is(other, "host-taken"))
                     && then(line).anyMatch(other -> isTold(other) && apart(event, other) > OTHER_REQUEST);
-            case "host-outcome" -> then(line).anyMatch(other -> isTold(other) && apart(event, other) > OTHER_REPLY);
+            case "host-outcome" -> then(line)
+                    .anyMatch(other -> is(other, "host-handed") && apart(event, other) > OTHER_REPLY);
+            // No trace tells who is in range.
+            case "rf-damaged" -> false;
+            case "rf-rx" -> isActedUpon(line);
             default -> !isUnknown(line);
         };
+    }
+
+    /** Whether what comes here, and has not come before, is what its board then tells its host of. */
+    private boolean isActedUpon(int line) {
+        JsonObject event = genuine.events().get(line);
+        boolean comesOnce = packets.stream().filter(packet -> packet.payload().equals(text(event, "payload"))
+                && packet.isHeardBy(text(event, "board"))).count() == 1;
+        return comesOnce && then(line)
+                .takeWhile(other -> !other.has("from") || !isSame("from", event, other))
+                .anyMatch(other -> text(event, "kind").equals("acknowledgement")
+                        ? text(other, "outcome").equals("delivered")
+                        : is(other, "host-handed") && isSame("origin", event, other)
+                                && isSame("destination", event, other));
     }
 
     /** Whether it may have been without effect: a host asks for what its board never sends, as a reset comes before. */
@@ -328,13 +346,8 @@ final class TraceMutants {
         return genuine.events().stream()
                 .filter(other -> other != event && isOwn(other) && isSame("board", event, other)
                         && number(other, "t") >= from && number(other, "t") <= to)
-                .anyMatch(other -> is(other, "rf-tx") ? isBoundToPackets(event, seconds)
-                        : isOrdered(seconds < 0 ? other : event, seconds < 0 ? event : other));
-    }
-
-    /** A host asks before its message is sent, and says before its board acknowledges. */
-    private static boolean isBoundToPackets(JsonObject event, double seconds) {
-        return is(event, "reset") || seconds > 0 && (is(event, "host-transmit") || is(event, "host-taking"));
+                .anyMatch(other -> !(is(other, "rf-tx") && !is(event, "reset"))
+                        && isOrdered(seconds < 0 ? other : event, seconds < 0 ? event : other));
     }
 
     /** Whether a board and its host can have done these two in this order only. */
@@ -351,8 +364,13 @@ final class TraceMutants {
         if (names.contains("host-taking")) {
             return names.contains("reset") || names.contains("rf-tx") || names.contains("host-handed") && same;
         }
+        if (isTold(first) && isTold(second)) {
+            return names.equals(Set.of("host-handed"))
+                    || is(first, "host-outcome") && is(second, "host-handed") && apart(first, second) > OTHER_REPLY;
+        }
+        // What a reset breaks off is told behind it.
         return !names.equals(Set.of("reset"))
-                && (!isTold(first) || !isTold(second) || apart(first, second) > OTHER_REPLY);
+                && (!is(second, "rf-tx") || number(second, "start") > number(first, "t"));
     }
 
     /** What a board tells its host when that asks: all that there is. */
@@ -375,11 +393,14 @@ final class TraceMutants {
     private boolean isSure(Trace.Packet heard, Trace.Packet packet, double start) {
         double from = Math.min(heard.start(), start);
         double to = Math.max(heard.end(), start + packet.end() - packet.start());
+        return isCalm(from, to) && packets.stream().filter(other -> other != heard && other != packet)
+                .noneMatch(other -> other.start() < to && other.end() > from);
+    }
+
+    private boolean isCalm(double from, double to) {
         return genuine.events().stream()
                 .filter(event -> is(event, "reset") || is(event, "fault") || is(event, "command"))
-                .noneMatch(event -> number(event, "t") > from - DISTURBED && number(event, "t") < to + DISTURBED)
-                && packets.stream().filter(other -> other != heard && other != packet)
-                        .noneMatch(other -> other.start() < to && other.end() > from);
+                .noneMatch(event -> number(event, "t") > from - DISTURBED && number(event, "t") < to + DISTURBED);
     }
 
     private static List<JsonObject> of(String board, List<JsonObject> events) {
