@@ -36,7 +36,7 @@ final class TraceMutants {
     /** So long before and after a reset, a fault or a command boards may hear what the trace does not tell, in seconds. */
     private static final double DISTURBED = 2;
     /** Two replies of a board to its host are as far apart, in seconds, and a request that is lost is repeated sooner. */
-    private static final double OTHER_REPLY = 0.5;
+    private static final double OTHER_REPLY = 0.85;
     private static final double OTHER_REQUEST = 2;
     /** A unicast that was sent as often is undelivered. */
     private static final int ATTEMPTS = 8;
@@ -300,6 +300,8 @@ final class TraceMutants {
             // No trace tells who is in range.
             case "rf-damaged" -> false;
             case "rf-rx" -> isActedUpon(line);
+            // A trace may end before it tells of a packet that others have heard already.
+            case "rf-tx" -> number(genuine.events().get(lines.size() - 1), "t") > number(event, "end") + SECOND;
             default -> !isUnknown(line);
         };
     }
@@ -310,7 +312,7 @@ final class TraceMutants {
         boolean comesOnce = packets.stream().filter(packet -> packet.payload().equals(text(event, "payload"))
                 && packet.isHeardBy(text(event, "board"))).count() == 1;
         return comesOnce && then(line)
-                .takeWhile(other -> !other.has("from") || !isSame("from", event, other))
+                .takeWhile(other -> !text(other, "event").startsWith("rf-"))
                 .anyMatch(other -> text(event, "kind").equals("acknowledgement")
                         ? text(other, "outcome").equals("delivered")
                         : is(other, "host-handed") && isSame("origin", event, other)
