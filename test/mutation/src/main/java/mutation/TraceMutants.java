@@ -189,6 +189,8 @@ final class TraceMutants {
         packets.stream().filter(before -> before.payload().equals(packet.payload())
                 && before.board().equals(packet.board()) && before.end() < packet.start())
                 .reduce((first, second) -> second)
+                .filter(before -> before.end() + FEW_SLOTS * SLOT < packet.start()
+                        && isSure(before, packet, before.end() + 3 * SLOT))
                 .ifPresent(before -> moved("repeat without patience", number,
                         before.end() + 3 * SLOT - packet.start()));
         boolean answer = text(packet.sent(), "kind").equals("acknowledgement");
@@ -270,7 +272,9 @@ final class TraceMutants {
         List<JsonObject> before = of(text(event, "board"), genuine.events().subList(0, line));
         List<JsonObject> after = of(text(event, "board"), genuine.events().subList(line + 1, lines.size()));
         return switch (text(event, "event")) {
-            case "reset" -> before.stream().noneMatch(other -> text(other, "event").startsWith("rf-"));
+            case "reset" -> before.stream().noneMatch(other -> text(other, "event").startsWith("rf-"))
+                    || before.stream().filter(TraceMutants::isOwn).reduce((first, second) -> second)
+                            .filter(other -> !is(other, "reset")).isEmpty();
             case "host-id" -> before.stream()
                     .anyMatch(other -> is(other, "host-id") && text(other, "id").equals(text(event, "id")))
                     || after.stream().takeWhile(other -> !is(other, "host-id")).noneMatch(other -> is(other, "rf-tx"));
@@ -331,7 +335,10 @@ final class TraceMutants {
         long copies = packets.stream().filter(other -> other.payload().equals(packet.payload())
                 && other.board().equals(packet.board())).count();
         boolean toMany = List.of("multicast", "broadcast").contains(text(packet.sent(), "kind"));
-        return toMany || copies == 1 || copies == ATTEMPTS;
+        // A reset may end a message before anybody has answered.
+        boolean isNoMatter = text(packet.sent(), "kind").equals("unicast")
+                && then(genuine.events().indexOf(packet.sent())).noneMatch(other -> is(other, "host-outcome"));
+        return !isNoMatter && (toMany || copies == 1 || copies == ATTEMPTS);
     }
 
     /** Whether an event that comes sooner or later is no longer where it was among what it has to do with. */
