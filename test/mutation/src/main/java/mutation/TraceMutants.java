@@ -35,9 +35,10 @@ final class TraceMutants {
     private static final int MANY_SLOTS = 60;
     /** So long before and after a reset, a fault or a command boards may hear what the trace does not tell, in seconds. */
     private static final double DISTURBED = 2;
-    /** Two replies of a board to its host are as far apart, in seconds, and a request that is lost is repeated sooner. */
-    private static final double OTHER_REPLY = 0.85;
+    /** A request that is lost is repeated sooner, in seconds. */
     private static final double OTHER_REQUEST = 2;
+    /** A board that has not heard its acknowledgement sends again sooner, in seconds. */
+    private static final double OTHER_ATTEMPT = 5;
     /** A unicast that was sent as often is undelivered. */
     private static final int ATTEMPTS = 8;
     /** Whoever sends by a command: he may send anything. */
@@ -300,7 +301,7 @@ final class TraceMutants {
             case "host-taken" -> then(line).noneMatch(other -> is(other, "host-taken"))
                     && then(line).anyMatch(other -> isTold(other) && apart(event, other) > OTHER_REQUEST);
             case "host-outcome" -> then(line)
-                    .anyMatch(other -> is(other, "host-handed") && apart(event, other) > OTHER_REPLY);
+                    .anyMatch(other -> is(other, "host-handed") && apart(event, other) > OTHER_ATTEMPT);
             // No trace tells who is in range.
             case "rf-damaged" -> false;
             case "rf-rx" -> isActedUpon(line);
@@ -374,8 +375,7 @@ final class TraceMutants {
             return names.contains("reset") || names.contains("rf-tx") || names.contains("host-handed") && same;
         }
         if (isTold(first) && isTold(second)) {
-            return names.equals(Set.of("host-handed"))
-                    || is(first, "host-outcome") && is(second, "host-handed") && apart(first, second) > OTHER_REPLY;
+            return names.equals(Set.of("host-handed"));
         }
         // What a reset breaks off is told behind it.
         return !names.equals(Set.of("reset"))
