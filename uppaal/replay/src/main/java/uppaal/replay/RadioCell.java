@@ -55,6 +55,9 @@ final class RadioCell {
     /** A board has begun anew, with its RAM as it was or without. */
     void reset(Event event) throws RefusedException {
         Station board = board(event.board());
+        if (board.lastEnd() > event.seconds() + DISORDER + board.ear.slot()) {
+            throw new RefusedException(board.name() + " sends on after a reset; expected that its packet breaks off");
+        }
         String receiver = event.text("why").equals("power") ? "receiver_power" : "receiver_reset";
         board.reset();
         for (Message message : messages.values()) {

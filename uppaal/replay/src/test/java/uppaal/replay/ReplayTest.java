@@ -103,6 +103,17 @@ class ReplayTest {
     }
 
     @Test
+    void replay_resetWithinAPacketThatGoesOn_isRefusedThere() {
+        Lines lines = Lines.of("highway");
+        int sent = lines.where(line -> lines.is(line, "support", "rf-tx")).get(0);
+        double middle = (lines.get(sent).get("start").getAsDouble() + lines.get(sent).get("end").getAsDouble()) / 2;
+        Lines reset = new Lines().add(middle, "support", "reset", Map.of("why", "fault"));
+        int before = (int) lines.all.stream().filter(line -> line.get("t").getAsDouble() < middle).count();
+        lines.all.addAll(before, reset.all);
+        assertRefused(lines, before + 1, "support sends on after a reset; expected that its packet breaks off");
+    }
+
+    @Test
     void replay_handedToAnotherThanTheAddressee_isRefusedThere() {
         Lines lines = Lines.of("highway");
         int handed = handedToHospital(lines);
