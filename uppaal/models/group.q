@@ -35,4 +35,10 @@ E<> Ends.Sent
 /* G17 holds: it waits for a quiet slot after each packet, of its own, too. */
 A[] (Early.Before && !collided) imply !(Police1.Part || Police1.OnAir)
 /* G18 holds: and may send the next packet then. */
-E<> Early.Just && Police1.Part
+E<> Early.Just && Police1.Part && kind == PART
+/* G19 holds: nor for a longer time. */
+A[] (Early.After && !collided) imply !Police1.Part
+/* G20 holds: what its board was about when it was reset is over. */
+A[] Ear.SenderCut imply (Police1.Over || Police1.CutOff)
+/* G21 holds: other pieces follow the one that begins an attempt. */
+A[] (Air.Heard && kind == DATA && from == POLICE) imply Police1.PutOff
