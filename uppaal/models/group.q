@@ -27,7 +27,7 @@ A[] not deadlock
 /* G13 holds: a multicast that contends has attempts left. */
 A[] (Police1.Contending || Police1.Deferred) imply Police1.attempt < MULTICAST_SENDS
 /* G14 holds: World has no more carriers on the air than it may. */
-A[] onAir <= CARRIERS + 1
+A[] !World.Ends imply onAir <= CARRIERS + (sending[POLICE] ? 1 : 0)
 /* G15 holds: the host is told that it was sent when that is so. */
 A[] (Ends.Sent imply Police1.attempt == MULTICAST_SENDS) && !Ends.Delivered && !Ends.Undelivered
 /* G16 holds: it is told. */

@@ -56,3 +56,5 @@ E<> Ear.Takes && Support1.Taken
 E<> Ear.Confirms
 /* V28 holds: a repeat is answered anew, and not where the answer to the last one waits. */
 A[] (Ear.Message || Ear.Question) imply !Answer1.Pending
+/* V29 holds: World has no more carriers on the air than it may. */
+A[] !World.Ends imply onAir <= CARRIERS + (sending[SUPPORT] ? 1 : 0)

@@ -23,7 +23,7 @@ A[] (Police1.OnAir || Police1.Awaiting || Police1.Held) imply Police1.attempt > 
 /* N11 holds: an answer that tells of something new lets the message begin its attempts anew. */
 E<> Police1.Pausing && Police1.attempt == 0 && Police1.span > LEAST_WINDOW
 /* N12 holds: an answer that does not leaves it those that are left. */
-E<> Ear.Pieces && Police1.Pausing && Police1.attempt == 1 && !Ear.answered
+E<> Ear.Pieces && Police1.Pausing && Police1.attempt == 1 && Police1.span == LEAST_WINDOW && !Ear.answered
 /* N13 holds: also where it has heard that answer while it waited for its turn. */
 E<> Police1.Ready && Police1.attempt == 0 && Police1.span > LEAST_WINDOW
 /* N14 holds: what its board was about when it was reset is over. */
@@ -35,7 +35,7 @@ A[] not deadlock
 /* N17 holds: a message that contends has attempts left. */
 A[] (Police1.Contending || Police1.Deferred) imply Police1.attempt < MAX_ATTEMPTS
 /* N18 holds: World has no more carriers on the air than it may. */
-A[] onAir <= CARRIERS + 1
+A[] !World.Ends imply onAir <= CARRIERS + (sending[POLICE] ? 1 : 0)
 /* N19 holds: World has the board's turn for other messages. */
 E<> World.crowded && turn[POLICE] == 2 && World.mine && Police1.Ready
 /* N21 holds: it sends answers of the board, too. */
@@ -57,7 +57,7 @@ E<> Police1.OnAir && Police1.attempt == 2 && Police1.span == LEAST_WINDOW
 /* N29 holds: such a piece says so. */
 E<> Police1.Part && kind == PART && Police1.attempt == 0 && !Ear.answered
 /* N30 holds: also where a carrier is there. */
-E<> Ear.Pieces && Police1.PutOff && Police1.attempt == 1 && !Ear.answered
+E<> Ear.Pieces && Police1.PutOff && Police1.attempt == 1 && Police1.span == LEAST_WINDOW && !Ear.answered
 /* N31 holds: where it does, the message begins anew while its answer is awaited. */
 E<> Ear.Pieces && Police1.Pausing && Police1.attempt == 0 && Police1.span == LEAST_WINDOW && Ear.asked && !Ear.answered
 /* N32 holds: also where a carrier is there. */
@@ -71,4 +71,4 @@ A[] (Early.Before && !collided) imply !(Police1.Part || Police1.OnAir)
 /* N36 holds: and may send then a piece that asks for nothing. */
 E<> Early.Just && !collided && Police1.Part && kind == PART
 /* N37 holds: or one that asks. */
-E<> Early.Just && !collided && Police1.OnAir
+E<> Early.Just && !collided && Police1.OnAir && kind == DATA
