@@ -42,3 +42,5 @@ A[] (Early.After && !collided) imply !Police1.Part
 A[] Ear.SenderCut imply (Police1.Over || Police1.CutOff)
 /* G21 holds: other pieces follow the one that begins an attempt. */
 A[] (Air.Heard && kind == DATA && from == POLICE) imply Police1.PutOff
+/* G22 holds: what is on the air alone is still being sent. */
+A[] (Air.Busy && !collided && from == POLICE) imply sending[POLICE]

@@ -58,3 +58,5 @@ E<> Ear.Confirms
 A[] (Ear.Message || Ear.Question) imply !Answer1.Pending
 /* V29 holds: World has no more carriers on the air than it may. */
 A[] !World.Ends imply onAir <= CARRIERS + (sending[SUPPORT] ? 1 : 0)
+/* V30 holds: what is on the air alone is still being sent. */
+A[] (Air.Busy && !collided && from == SUPPORT) imply sending[SUPPORT]

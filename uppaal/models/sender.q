@@ -72,3 +72,5 @@ A[] (Early.Before && !collided) imply !(Police1.Part || Police1.OnAir)
 E<> Early.Just && !collided && Police1.Part && kind == PART
 /* N37 holds: or one that asks. */
 E<> Early.Just && !collided && Police1.OnAir && kind == DATA
+/* N38 holds: what is on the air alone is still being sent. */
+A[] (Air.Busy && !collided && from == POLICE) imply sending[POLICE]
