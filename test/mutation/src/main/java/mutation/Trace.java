@@ -39,6 +39,10 @@ final class Trace {
             return number(sent, "end");
         }
 
+        double middle() {
+            return (start() + end()) / 2;
+        }
+
         String board() {
             return text(sent, "board");
         }

@@ -108,7 +108,7 @@ final class Traces implements Part {
             into below. *Refused*: the replay says that no board does this. *Genuine*: boards may well do this, or no
             trace can show it; the reasons are below. Of each change and trace the seed has drawn at most %d mutants.
             """.formatted(files, options.mutants(USUAL)));
-        Table table = new Table("change", "mutants", "refused", "genuine", "of the others");
+        Table table = new Table("change", "mutants", "refused", "genuine", "refused of all", "of the others");
         List<Judged> all = byOperator.values().stream().flatMap(List::stream).toList();
         byOperator.forEach((operator, judged) -> row(table, operator, judged, options.survivors()));
         row(table, "all", all, options.survivors());
@@ -129,6 +129,7 @@ final class Traces implements Part {
         long refused = judged.stream().filter(Judged::refused).count();
         long unexplained = unexplained(judged, known).size();
         table.row(name, judged.size(), refused, judged.size() - refused - unexplained,
+                Table.percent(refused, judged.size()),
                 Table.percent(refused, refused + unexplained));
     }
 
@@ -139,6 +140,14 @@ final class Traces implements Part {
         if (alike.isEmpty()) {
             return;
         }
+        Table excused = new Table("reason", "mutants", "of all");
+        new TreeMap<>(alike.values().stream().flatMap(List::stream)
+                .filter(each -> known.reason(each.mutant.toString()).isPresent()).collect(Collectors.groupingBy(
+                        each -> known.reason(each.mutant.toString()).orElseThrow(), Collectors.counting())))
+                .forEach((reason, count) -> excused.row(reason, count,
+                        Table.percent(count, all.size())));
+        report.text("So many mutants each reason excuses:");
+        report.table(excused);
         report.text("Accepted:\n\n| change and event | times | for one | genuine, since |\n| --- | ---: | --- | --- |\n"
                 + alike.entrySet().stream()
                         .map(each -> "| " + each.getKey().replace("|", "\\|") + " | " + each.getValue().size() + " | "

@@ -85,9 +85,34 @@ class TraceMutantsTest {
 
     @Test
     void toldTwice_event_standsBehindItself() {
-        List<String> lines = mutant("told twice", 4);
-        assertEquals(lines.get(3), lines.get(4));
+        List<String> lines = mutant("told twice", 3);
+        assertEquals(lines.get(2), lines.get(3));
         assertEquals(List.of(), changed(lines));
+    }
+
+    @Test
+    void of_whatAHostMayGetTwice_givesNone() {
+        assertTrue(none("told twice", LINES, 4), "handed");
+        assertTrue(none("told twice", LINES, 6), "outcome");
+    }
+
+    @Test
+    void of_strangersPacket_givesNone() {
+        List<String> strange = LINES.stream().map(line -> line.replace("\"a\"", "\"stranger\"")).toList();
+        assertTrue(TraceMutants.of(strange, 1).stream().noneMatch(mutant -> mutant.line() < 4));
+    }
+
+    @Test
+    void intoThePacketBefore_whereAResetIsNear_isNotTried() {
+        List<String> disturbed = new ArrayList<>(LINES);
+        disturbed.add("{'t':0.700000,'board':'c','event':'reset','why':'power'}".replace('\'', '"'));
+        assertTrue(none("into the packet before", disturbed, 5));
+        assertTrue(none("airtime a bit shorter", disturbed, 2));
+    }
+
+    private static boolean none(String operator, List<String> lines, int line) {
+        return TraceMutants.of(lines, 1).stream()
+                .noneMatch(mutant -> mutant.operator().equals(operator) && mutant.line() == line);
     }
 
     @Test
