@@ -17,9 +17,9 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * All small changes of a trace: of its order, of times, of fields, and of the bytes on the air. Left out are those after
- * which it may still be genuine, as far as the trace tells that: a change that boards or hosts are free to make is no
- * mistake.
+ * All small changes of a trace: of its order, of times, of fields, and of the bytes on the air. Left out are those
+ * after which it may still be genuine, as far as the trace tells that: a change that boards or hosts are free to make
+ * is no mistake.
  */
 final class TraceMutants {
 
@@ -33,7 +33,7 @@ final class TraceMutants {
     private static final double NO_SLOT = 0.5;
     /** More than an acknowledgement ever waits on quiet air, even of a busy board. */
     private static final int MANY_SLOTS = 60;
-    /** So long before and after a reset, a fault or a command boards may hear what the trace does not tell, in seconds. */
+    /** So long before and after a reset, a fault or a command the trace may not tell what boards hear, in seconds. */
     private static final double DISTURBED = 2;
     /** A request that is lost is repeated sooner, in seconds. */
     private static final double OTHER_REQUEST = 2;
@@ -261,8 +261,8 @@ final class TraceMutants {
     }
 
     /**
-     * Something that the model does not speak of, what a host does with keys and the radio when it wants, what a stranger
-     * sends, a reset of a board that has no past, or an id that is known or under
+     * Something that the model does not speak of, what a host does with keys and the radio when it wants, what a
+     * stranger sends, a reset of a board that has no past, or an id that is known or under
      * which nothing is sent.
      */
     private boolean tellsNothing(int line) {
