@@ -41,6 +41,7 @@ final class Message {
     private final Map<Integer, Double> kept = new HashMap<>();
     private final Map<Integer, Double> lastCame = new HashMap<>();
     private int missed;
+    private boolean doubted;
     /** What pieces its receiver has told to have, and how often so in a row that came undamaged to its sender. */
     private int have;
     private int lacking;
@@ -233,7 +234,7 @@ final class Message {
     /** Its receiver tells which pieces it has. @return how often in a row it has lacked one that it keeps */
     int missed(int all, double seconds) {
         kept.values().removeIf(came -> came < seconds - KEPT);
-        missed = kept.keySet().stream().anyMatch(piece -> isLacking(all, piece)) ? missed + 1 : 0;
+        missed = !doubted && kept.keySet().stream().anyMatch(piece -> isLacking(all, piece)) ? missed + 1 : 0;
         kept.keySet().removeIf(piece -> isLacking(all, piece));
         lastCame.keySet().removeIf(piece -> isLacking(all, piece));
         return missed;
@@ -245,7 +246,7 @@ final class Message {
 
     /** A piece may be here twice, and one of them forged. */
     void doubtPieces() {
-        kept.clear();
+        doubted = true;
     }
 
     /** An answer comes undamaged to its sender that tells which of its pieces have come. */

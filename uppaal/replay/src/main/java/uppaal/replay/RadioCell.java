@@ -78,6 +78,10 @@ final class RadioCell {
                 message.sender(event.seconds(), "sender_reset");
             } else if (message.concerns(board) && message.hasReached(board)) {
                 message.receiver(event.seconds(), board, receiver);
+                if (!power) {
+                    // It may come while the board writes down there what its host has taken (SPEC 5.1).
+                    message.perhaps(event.seconds(), board, "receiver_power");
+                }
             }
             message.forgetPieces(board);
         }
@@ -421,7 +425,7 @@ final class RadioCell {
         }
         for (Message message : forged(packet)) {
             message.doubtPieces();
-            if (message.hasReached(board)) {
+            if (packet.payload().asks() && message.hasReached(board)) {
                 for (String step : message.arrivals(board)) {
                     message.perhaps(seconds, board, step);
                 }
@@ -434,10 +438,10 @@ final class RadioCell {
         }
     }
 
-    /** Of what messages somebody else's packet seems to be a piece that asks. */
+    /** Of what messages somebody else's packet seems to be a piece. */
     private List<Message> forged(Packet packet) {
         Payload payload = packet.payload();
-        return !payload.isPiece() || !payload.asks() ? List.of()
+        return !payload.isPiece() ? List.of()
                 : boards.values().stream().filter(board -> board.hasBeen(payload.origin()))
                         .flatMap(board -> board.cut(payload.pieceId()).stream())
                         .filter(message -> message != packet.message()).toList();
