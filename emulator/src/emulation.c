@@ -347,6 +347,8 @@ static int run_board(emulation *e, node *n, cycles_t end) {
     cut_power(n, n->cut);
     n->cut = NULL;
   }
+  trace_begin(e->out, board_now(&n->arduino), n->config->name, "crash");
+  trace_end(e->out);
   snprintf(e->error, sizeof e->error, "board %s: its program crashed at pc 0x%05x, after %.6f s", n->config->name,
            board_pc(&n->arduino), cycles_to_seconds(board_now(&n->arduino)));
   return -1;

@@ -268,6 +268,10 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
       }
       if (length > 0) write_records(s, body + 1, length - 1, at);
       if (length > 0 && body[0] & FLAG_READING) write_reading(s, body + 1, length - 1, at);
+      if (length == 1 && body[0] == 0) {
+        begin(s, at, "host-nothing");
+        trace_end(s->out);
+      }
       break;
     case 0:
       if (length == 1) write_transmission(s, request, body[0], at);

@@ -98,9 +98,10 @@ TEST(Command, keys_are_added_to_a_file_that_only_its_user_can_read) {
 TEST(Command, a_crashed_program_is_status_1) {
   Scratch scratch;
   write_scenario(scratch, "crash");
-  Outcome outcome = run(scratch, {"s.json", "--speed", "max"});
+  Outcome outcome = run(scratch, {"s.json", "--speed", "max", "--trace", "-"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("javino-emulator: board a: its program crashed at pc 0x"), std::string::npos);
+  EXPECT_NE(outcome.out.find(R"("board":"a","event":"crash"})"), std::string::npos) << outcome.out;
 }
 
 TEST(Command, what_a_program_tells_simavr_to_write_is_not_written) {

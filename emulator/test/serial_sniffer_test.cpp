@@ -293,4 +293,5 @@ TEST(SerialSniffer, tells_each_reading) {
     free(list);
   }
   EXPECT_EQ(told, (std::vector<std::string>{R"x(["light(700)","moving"])x", "[]", R"(["a"])"}));
+  EXPECT_EQ(line.events("host-nothing").size(), 1u);
 }

@@ -8,3 +8,5 @@ A[] busy == (Air.Busy || Air.Heard || Air.Freeing)
 A[] Air.Heard imply (onAir == 1 && !collided)
 /* A4 holds: packets may be heard. */
 E<> Air.Heard
+/* A5 holds: losses are counted only where a channel is fair. */
+A[] losses > 0 imply FAIR

@@ -26,3 +26,5 @@ E<> Thief.OnAir && !collided && !genuine && kind == ACK && nonce == 2 && Police2
 E<> Air.Heard && kind == ACK && !genuine
 /* T13 holds: it overhears messages that the receiver has lost. */
 E<> Thief.data1 && Thief.data2 && given[1] == 0 && given[2] == 0
+/* T14 holds: it overhears only what has ended. */
+A[] Thief.shots == 0 imply (((Police1.OnAir && Police1.attempt == 1) imply !Thief.data1) && ((Police2.OnAir && Police2.attempt == 1) imply !Thief.data2) && ((Answer1.OnAir && Police1.attempt == 1) imply !Thief.ack1) && ((Answer2.OnAir && Police2.attempt == 1) imply !Thief.ack2))

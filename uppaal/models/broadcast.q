@@ -22,3 +22,15 @@ A[] Bus.Idle imply (copy == SENDS || message == 0)
 E<> given1 == 1 && given2 == 1 && content != before && Support.soon
 /* O12 holds: both contents can come first. */
 E<> message == 1 && content == 2 && Support.Repeat
+/* O14 holds: a repeat is known of the one content as of the other. */
+E<> message == 1 && content == 1 && Support.Repeat
+/* O15 holds: the one content after the other is new, however soon. */
+E<> Support.New && Support.soon && given1 == 1 && given2 == 0 && before == 1 && content == 2
+/* O16 holds: and the other after the one. */
+E<> Support.New && Support.soon && given1 == 1 && given2 == 0 && before == 2 && content == 1
+/* O17 holds: only what begins soon is taken for a repeat. */
+A[] Support.Repeat imply Support.soon
+/* O18 holds: what begins more than 400 ms after the last broadcast's end has not begun soon. */
+A[] Pause.Long imply !Support.soon
+/* O19 holds: what begins just 400 ms after it may have. */
+E<> Pause.Just && Support.soon

@@ -11,6 +11,6 @@ Answer1.Pending --> Answer1.OnAir
 /* F6 holds: a message may be lost. */
 E<> losses == LOSSES && Support1.Listening && Police1.Awaiting
 /* F7 holds: and an answer. */
-E<> losses == LOSSES && Support1.Taken && Police1.Awaiting && Answer1.Idle
+E<> losses == LOSSES && Support1.Taken && Police1.Awaiting && Answer1.Idle && owed[1] == 0
 /* F8 holds: the receiver's board knows what its host has taken. */
 A[] waiting[1] == Support1.Queued && unread[1] == Support1.Queued && waiting[2] == Support2.Queued && unread[2] == Support2.Queued && given[1] == (Support1.Taken ? 1 : 0) && given[2] == (Support2.Taken ? 1 : 0) && taken[SUPPORT] == (Support2.Taken ? 2 : Support1.Taken ? 1 : 0)

@@ -27,7 +27,7 @@ A[] not deadlock
 /* G13 holds: a multicast that contends has attempts left. */
 A[] (Police1.Contending || Police1.Deferred) imply Police1.attempt < MULTICAST_SENDS
 /* G14 holds: World has no more carriers on the air than it may. */
-A[] onAir <= CARRIERS + 1
+A[] !World.Ends imply onAir <= CARRIERS + (sending[POLICE] ? 1 : 0)
 /* G15 holds: the host is told that it was sent when that is so. */
 A[] (Ends.Sent imply Police1.attempt == MULTICAST_SENDS) && !Ends.Delivered && !Ends.Undelivered
 /* G16 holds: it is told. */
@@ -35,4 +35,12 @@ E<> Ends.Sent
 /* G17 holds: it waits for a quiet slot after each packet, of its own, too. */
 A[] (Early.Before && !collided) imply !(Police1.Part || Police1.OnAir)
 /* G18 holds: and may send the next packet then. */
-E<> Early.Just && Police1.Part
+E<> Early.Just && Police1.Part && kind == PART
+/* G19 holds: nor for a longer time. */
+A[] (Early.After && !collided) imply !Police1.Part
+/* G20 holds: what its board was about when it was reset is over. */
+A[] Ear.SenderCut imply (Police1.Over || Police1.CutOff)
+/* G21 holds: other pieces follow the one that begins an attempt. */
+A[] (Air.Heard && kind == DATA && from == POLICE) imply Police1.PutOff
+/* G22 holds: what is on the air alone is still being sent. */
+A[] (Air.Busy && !collided && from == POLICE) imply sending[POLICE]

@@ -3,13 +3,13 @@ A[] (taken >= 1 imply first > 0) && (taken == 2 imply second > 0)
 /* H2 holds: each run of a host gets a message at most once. */
 A[] first <= 1 + deaths && second <= 1 + deaths && (Agent.has_first imply first > 0) && (Agent.has_second imply second > 0)
 /* H3 holds: a message is handed on again by each run that begins before its board knows that it was taken. */
-E<> first == 1 + DEATHS && second == 1 + DEATHS
+E<> first == 3 && second == 3
 /* H4 holds: messages are handed on in their order. */
 A[] second > 0 imply first > 0
 /* H5 holds: nothing is handed on that has not come. */
 A[] (first > 0 imply come >= 1) && (second > 0 imply come == 2) && taken <= come
 /* H6 holds: what was told to be taken is not told again. */
-A[] Agent.Handing imply (had <= taken && (had < 1 || told <= taken))
+A[] had <= taken && (Agent.Handing imply (had < 1 || told <= taken))
 /* H7 holds: nothing is stuck. */
 A[] not deadlock
 /* H8 holds: a message that has come can always still be taken, however often the host has died. */
@@ -30,3 +30,11 @@ E<> Agent.Dead && first == 1 && second == 0 && come == 2 && taken == 0
 E<> Station.Waiting && Agent.Asking && told == 1 && taken == 0
 /* H16 holds: all can be taken by a host that has died between. */
 E<> deaths == DEATHS && first == 1 && second == 1 && taken == 2
+/* H17 holds: a board replies only to a host that asks. */
+A[] Station.Replying imply !(Agent.Handing || Agent.First || Agent.Second)
+/* H18 holds: a reply may be lost. */
+E<> Agent.Idle && told == 1 && taken == 1 && had == 0
+/* H19 holds: then, too, a host may die, though it has died before. */
+E<> Agent.Dead && taken == 1 && had == 0 && deaths == 2
+/* H20 holds: or again while it hands on. */
+E<> Agent.Dead && first == 2 && second == 0 && shown == 2 && taken == 0 && deaths == 2

@@ -60,3 +60,21 @@ E<> Thief.sent == 1 && Police.failed == MAX_ATTEMPTS - 1 && Police.Sending
 Support.Collecting && first != NONE --> Support.Handed || Support.Forgotten
 /* Y31 holds: a board that acknowledges a message again goes on. */
 Support.Again --> Support.Handed
+/* Y32 holds: a piece that another follows asks for nothing. */
+A[] (Support.Answering && Police.Sending && Thief.sent == 0) imply !wants
+/* Y33 holds: what is refused for the first three times is kept, and a piece of it is to be sent once more. */
+Support.Refused && Support.refusals < MOST_REFUSALS - 1 --> doubted != 0
+/* Y34 holds: a sender knows whether attempts in a row have failed an odd number of times. */
+A[] Police.odd == (Police.failed - 2 * (Police.failed / 2))
+/* Y35 holds: no piece is genuine that was not sent. */
+A[] (Police.failed == 0 && !Police.first_there) imply ((Police.first_pending imply (first == NONE || first == WRONG)) && (Police.rest_pending imply (rest == NONE || rest == WRONG)))
+/* Y36 holds: a forged piece that comes later shuts out no genuine last one, either. */
+E<> Support.Handed && rest == WRONG_NEWER
+/* Y37 holds: nothing is lost before it was sent. */
+A[] (Police.first_pending && Police.rest_pending && Police.failed == 0 && Thief.sent == 0) imply losses == 0
+/* Y38 holds: the first piece may be lost twice. */
+E<> losses == LOST && first == NONE && rest == RIGHT && Police.asked == FIRST && Police.failed == 1 && Police.Awaiting && Thief.sent == 0
+/* Y39 holds: so may the last one. */
+E<> losses == LOST && rest == NONE && first == RIGHT && Police.asked == REST && Police.failed == 0 && Police.first_there && Police.Awaiting && Thief.sent == 0
+/* Y40 holds: of a whole that was checked and is not handed on, a piece is to be sent once more. */
+A[] (Support.Answering && first != NONE && rest != NONE) imply doubted == last

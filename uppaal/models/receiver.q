@@ -44,3 +44,19 @@ E<> Ear.Message && Support1.Queued && owed[1] == PIECES
 E<> Ear.Question && owed[1] == ACK && Answer1.Idle
 /* V22 holds: a board can lose its memory while a message waits. */
 E<> Ear.ReceiverCut && Support1.lost && given[1] == 1 && taken[SUPPORT] == 0
+/* V23 holds: the board knows what its host has been handed and says that it takes. */
+A[] ((Ear.Hands || Ear.HandsAgain) imply Support1.Handed) && (Ear.Takes imply (Support1.Taking || Support1.Taken)) && (Ear.Confirms imply Support1.Taken)
+/* V24 holds: a message may be handed again. */
+E<> Ear.HandsAgain
+/* V25 holds: a host says that it takes it. */
+E<> Ear.Takes && Support1.Taking
+/* V26 holds: and may say so again. */
+E<> Ear.Takes && Support1.Taken
+/* V27 holds: its board confirms. */
+E<> Ear.Confirms
+/* V28 holds: a repeat is answered anew, and not where the answer to the last one waits. */
+A[] (Ear.Message || Ear.Question) imply !Answer1.Pending
+/* V29 holds: World has no more carriers on the air than it may. */
+A[] !World.Ends imply onAir <= CARRIERS + (sending[SUPPORT] ? 1 : 0)
+/* V30 holds: what is on the air alone is still being sent. */
+A[] (Air.Busy && !collided && from == SUPPORT) imply sending[SUPPORT]

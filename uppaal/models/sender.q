@@ -1,9 +1,9 @@
 // World does all that others may do, with one carrier at a time, and no packet that comes is lost.
 
 /* N1 holds: who waits for an answer takes the one that comes, in turn or not. */
-A[] (Ear.Ack || Ear.Stale) imply (Police1.New || Police1.Part || Police1.OnAir || Police1.CutOff || Police1.Answered || Police1.Refused || Police1.GivenUp || Police1.Over)
+A[] (Ear.Ack || Ear.Stale) imply (Police1.New || Police1.Part || Police1.OnAir || Police1.CutOff || (Ear.Ack ? Police1.Answered : Police1.Refused))
 /* N2 holds: and goes on where it tells of pieces. */
-A[] Ear.Pieces imply (Police1.Part || Police1.OnAir || Police1.CutOff || Police1.New || Police1.Ready && Police1.attempt == 0 || Police1.Pausing || Police1.PutOff || Police1.Answered || Police1.Refused || Police1.GivenUp || Police1.Over)
+A[] Ear.Pieces imply (Police1.Part || Police1.OnAir || Police1.CutOff || Police1.New || Police1.Ready && Police1.attempt == 0 || Police1.Pausing || Police1.PutOff || Police1.GivenUp)
 /* N3 holds: it gives up only after all its attempts. */
 A[] Police1.GivenUp imply Police1.attempt == MAX_ATTEMPTS
 /* N4 holds: a message has its board's turn from when it contends until it has ended or its attempt has failed. */
@@ -23,7 +23,7 @@ A[] (Police1.OnAir || Police1.Awaiting || Police1.Held) imply Police1.attempt > 
 /* N11 holds: an answer that tells of something new lets the message begin its attempts anew. */
 E<> Police1.Pausing && Police1.attempt == 0 && Police1.span > LEAST_WINDOW
 /* N12 holds: an answer that does not leaves it those that are left. */
-E<> Police1.Pausing && Police1.attempt == 1 && !busy
+E<> Ear.Pieces && Police1.Pausing && Police1.attempt == 1 && Police1.span == LEAST_WINDOW && !Ear.answered
 /* N13 holds: also where it has heard that answer while it waited for its turn. */
 E<> Police1.Ready && Police1.attempt == 0 && Police1.span > LEAST_WINDOW
 /* N14 holds: what its board was about when it was reset is over. */
@@ -35,7 +35,7 @@ A[] not deadlock
 /* N17 holds: a message that contends has attempts left. */
 A[] (Police1.Contending || Police1.Deferred) imply Police1.attempt < MAX_ATTEMPTS
 /* N18 holds: World has no more carriers on the air than it may. */
-A[] onAir <= CARRIERS + 1
+A[] !World.Ends imply onAir <= CARRIERS + (sending[POLICE] ? 1 : 0)
 /* N19 holds: World has the board's turn for other messages. */
 E<> World.crowded && turn[POLICE] == 2 && World.mine && Police1.Ready
 /* N21 holds: it sends answers of the board, too. */
@@ -49,10 +49,28 @@ E<> Ear.Pieces && Police1.Pausing
 /* N25 holds: a packet may be cut off. */
 E<> Ear.SenderCut && Police1.CutOff
 /* N26 holds: without an answer none is taken, and nothing is sent but whole attempts, each after the patience for the last. */
-A[] !Ear.answered imply (!Police1.Answered && !Police1.Refused && ((Police1.Part || Police1.Pausing || Police1.PutOff) imply (Police1.attempt == 0 || Police1.span > LEAST_WINDOW)))
+A[] (Ear.There && !Ear.answered) imply (!Police1.Answered && !Police1.Refused && ((Police1.Part || Police1.Pausing || Police1.PutOff) imply (Police1.attempt == 0) == (Police1.span == LEAST_WINDOW)))
 /* N27 holds: an attempt may begin with a piece that asks for nothing. */
 E<> Police1.Part && Police1.attempt == 0 && !Ear.answered
 /* N28 holds: after an answer an attempt may go on without a new wait. */
 E<> Police1.OnAir && Police1.attempt == 2 && Police1.span == LEAST_WINDOW
 /* N29 holds: such a piece says so. */
 E<> Police1.Part && kind == PART && Police1.attempt == 0 && !Ear.answered
+/* N30 holds: also where a carrier is there. */
+E<> Ear.Pieces && Police1.PutOff && Police1.attempt == 1 && Police1.span == LEAST_WINDOW && !Ear.answered
+/* N31 holds: where it does, the message begins anew while its answer is awaited. */
+E<> Ear.Pieces && Police1.Pausing && Police1.attempt == 0 && Police1.span == LEAST_WINDOW && Ear.asked && !Ear.answered
+/* N32 holds: also where a carrier is there. */
+E<> Ear.Pieces && Police1.PutOff && Police1.attempt == 0 && Police1.span == LEAST_WINDOW && Ear.asked && !Ear.answered
+/* N33 holds: an answer to its last attempt that tells of nothing new ends it. */
+E<> Ear.Pieces && Police1.GivenUp && !busy && !Ear.answered
+/* N34 holds: also where a carrier is there. */
+E<> Ear.Pieces && Police1.GivenUp && busy && !Ear.answered
+/* N35 holds: it waits for a quiet slot before each packet. */
+A[] (Early.Before && !collided) imply !(Police1.Part || Police1.OnAir)
+/* N36 holds: and may send then a piece that asks for nothing. */
+E<> Early.Just && !collided && Police1.Part && kind == PART
+/* N37 holds: or one that asks. */
+E<> Early.Just && !collided && Police1.OnAir && kind == DATA
+/* N38 holds: what is on the air alone is still being sent. */
+A[] (Air.Busy && !collided && from == POLICE) imply sending[POLICE]

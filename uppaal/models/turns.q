@@ -12,3 +12,5 @@ E<> Police1.Answered && turn[POLICE] == 2 && Police2.Held
 A[] deadlock imply ((Police1.Over || Police1.New) && (Police2.Over || Police2.New) && Answer1.Idle && Answer2.Idle)
 /* U7 holds: no board answers for another. */
 A[] (Answer1.OnAir imply given[1] == 1) && (Answer2.OnAir imply given[2] == 1) && sending[SUPPORT] == Answer1.OnAir && sending[HOSPITAL] == Answer2.OnAir
+/* U8 holds: it may be lost, too. */
+E<> Police1.Ready && Air.Freeing && !collided && kind == ACK && nonce == 1 && genuine

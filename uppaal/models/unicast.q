@@ -64,3 +64,11 @@ A[] (!Answer1.Idle imply owed[1] > 0) && (!Answer2.Idle imply owed[2] > 0)
 A[] ((Police1.Contending || Police1.Deferred) imply Police1.attempt < MAX_ATTEMPTS) && ((Police2.Contending || Police2.Deferred) imply Police2.attempt < MAX_ATTEMPTS)
 /* D32 holds: a message may be lost each time that it is sent. */
 E<> Police1.GivenUp && Support1.Listening && Police2.New
+/* D33 holds: a repeat may be lost. */
+E<> Support1.Taken && taken[SUPPORT] == 1 && owed[1] == 0 && Air.Freeing && !collided && kind == DATA && nonce == 1 && genuine
+/* D34 holds: so may an acknowledgement. */
+E<> Police1.Held && Air.Freeing && !collided && kind == ACK && nonce == 1 && genuine
+/* D35 holds: also where its message contends anew. */
+E<> Police1.Deferred && Air.Freeing && !collided && kind == ACK && nonce == 1 && genuine
+/* D36 holds: a repeat may be lost where an answer waits. */
+E<> Answer1.Pending && Air.Freeing && !collided && kind == DATA && nonce == 1 && genuine

@@ -338,14 +338,14 @@ public final class Emulator implements AutoCloseable {
             }
             int status = process.waitFor();
             reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
-            if (status != 0) {
-                throw new AssertionError("the emulator ended with " + status + ": " + complaints);
-            }
             model.finish();
-            writeEdges(WALKER.getCallerClass().getSimpleName());
             if (model.refusal().isPresent()) {
                 throw new AssertionError(model.verdict() + "; the lines before it are in " + writeLatest());
             }
+            if (status != 0) {
+                throw new AssertionError("the emulator ended with " + status + ": " + complaints);
+            }
+            writeEdges(WALKER.getCallerClass().getSimpleName());
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         } catch (InterruptedException interrupted) {

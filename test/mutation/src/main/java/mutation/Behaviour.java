@@ -140,6 +140,9 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
             long hash = hash(state) * ODD + hash(target);
             for (JointMove.Part part : parts) {
                 Transition transition = part.transition();
+                if (changesNothing(transition)) {
+                    continue;
+                }
                 hash = mixed(hash) + part.automaton().slot();
                 hash = mixed(hash) + transition.source();
                 hash = mixed(hash) + transition.target();
@@ -147,6 +150,13 @@ record Behaviour(Optional<String> wrong, int states, long print, boolean whole) 
                         + transition.synchronisation().map(sync -> sync.channel().name().hashCode()).orElse(1);
             }
             return hash;
+        }
+
+        /** Who hears something and goes on as before might as well not have heard it. */
+        private static boolean changesNothing(Transition transition) {
+            return transition.source() == transition.target() && transition.assignments().isEmpty()
+                    && !transition.sends()
+                    && transition.synchronisation().map(sync -> sync.channel().broadcast()).orElse(false);
         }
 
         private static long hash(int[] state) {

@@ -15,9 +15,11 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.board.ReceivedMessage;
@@ -28,22 +30,28 @@ import javino.protocol.Outcome;
 /**
  * Three boards that go all ways of the delivery in less than a minute of theirs: unicasts, multicasts and broadcasts,
  * contents in pieces, partners that are there and one that is not, bits that are wrong on the air, a reset, a loss of
- * power, and an attacker who repeats what was on the air, as it was or with a wrong bit. Their hosts never wait.
+ * power, and an attacker who repeats what was on the air, as it was or with a wrong bit, and later what was there before
+ * the power was lost. Their hosts never wait. Where the seed is odd, no bits are wrong, and one board is away for long.
  */
 final class Conversation {
 
-    /** Emulated seconds in which messages are offered, and until which all must have ended. */
-    private static final double SECONDS = 40;
-    private static final double END = 100;
-    private static final double RESET_AT = 14;
-    private static final double CUT_AT = 24;
+    /** Emulated seconds in which messages are offered, and until which all must have ended; from when all are ready. */
+    private static final double SECONDS = 35;
+    private static final double END = 95;
+    private static final double RESET_AT = 9;
+    private static final double CUT_AT = 19;
+    /** Of every other run: in the others all that arrives is undamaged, and a partner is away for long. */
     private static final double CUT_SECONDS = 0.2;
+    private static final double AWAY_SECONDS = 30;
     private static final double BIT_ERRORS = 0.001;
     private static final int WINDOW = 3;
     /** Wall time, far more of the boards' time: after it boards that are silent are taken for dead. */
     private static final long PATIENCE_SECONDS = 10;
     /** The attacker takes up each packet that is so many behind the one before. */
     private static final int OVERHEARD = 12;
+    /** So many packets to who loses its power the attacker repeats some seconds after that. */
+    private static final int EARLY = 8;
+    private static final double AFTER_CUT = 3;
     /** The first bit behind a header. */
     private static final int CONTENT_BIT = 80;
     private static final String GROUP = "//SU";
@@ -51,7 +59,10 @@ final class Conversation {
     private static final String ABSENT = "SUDD";
     private static final List<String> IDS = List.of("SUAA", "SUBB", "SUCC");
     private static final int SHORT = 16;
+    /** Bytes of contents in two pieces and in four, and the most that SPEC allows. */
     private static final int PIECES = 100;
+    private static final int MORE_PIECES = 220;
+    private static final int MOST = 494;
 
     /** What came of it. */
     enum End {
@@ -68,9 +79,12 @@ final class Conversation {
 
     private final List<Talker> talkers = new ArrayList<>();
     private final Deque<String> overheard = new ArrayDeque<>();
+    private final Deque<String> early = new ArrayDeque<>();
+    private final NavigableMap<Double, Map<String, Object>> faults = new TreeMap<>();
     private final Random random;
     private int packets;
-    private double now;
+    private double seconds;
+    private double begun = Double.POSITIVE_INFINITY;
 
     private Conversation(long seed) {
         random = new Random(seed);
@@ -90,16 +104,19 @@ final class Conversation {
 
     private Result result(Path program, long seed, Path folder, Consumer<String> trace)
             throws IOException, InterruptedException {
-        Emulator.Scenario scenario = new Emulator.Scenario().seed(seed).speed("max").radio("bitErrorRate", BIT_ERRORS)
-                .forgetful().listener(event -> {
-                    trace.accept(event.line());
-                    hear(event);
-                });
+        boolean damaged = seed % 2 == 0;
+        faults.put(RESET_AT, Map.of("do", "reset", "board", IDS.get(1)));
+        faults.put(CUT_AT, Map.of("do", "power-cut", "board", IDS.get(2), "duration",
+                damaged ? CUT_SECONDS : AWAY_SECONDS));
+        Emulator.Scenario scenario =
+                new Emulator.Scenario().seed(seed).speed("max").radio("bitErrorRate", damaged ? BIT_ERRORS : 0)
+                        .forgetful().listener(event -> {
+                            trace.accept(event.line());
+                            hear(event);
+                        });
         for (String id : IDS) {
             scenario.board(id, "Station", Map.of("firmware", program.toString()));
         }
-        scenario.fault(RESET_AT, IDS.get(1), "reset");
-        scenario.fault(Map.of("t", CUT_AT, "board", IDS.get(2), "do", "power-cut", "duration", CUT_SECONDS));
         String why = "";
         try {
             Emulator emulator = scenario.start(folder);
@@ -127,15 +144,26 @@ final class Conversation {
     }
 
     private synchronized void hear(TraceEvent event) {
-        now = event.seconds();
-        boolean sealed = event.name().equals("rf-tx") && !event.text("kind").equals("broadcast");
-        if (sealed && IDS.contains(event.board()) && ++packets % OVERHEARD == 0) {
+        seconds = event.seconds();
+        if (!event.name().equals("rf-tx") || !IDS.contains(event.board()) || event.text("kind").equals("broadcast")) {
+            return;
+        }
+        if (++packets % OVERHEARD == 0) {
             overheard.add(event.text("payload"));
+        }
+        boolean toMany = event.text("kind").equals("multicast");
+        if (early.size() < EARLY && now() < CUT_AT && (toMany || event.text("destination").equals(IDS.get(2)))) {
+            early.add(event.text("payload"));
         }
     }
 
+    /** Emulated seconds since all were ready. */
     private synchronized double now() {
-        return now;
+        return seconds - begun;
+    }
+
+    private synchronized void begin() {
+        begun = seconds;
     }
 
     /** Has the hosts talk; what they did not get, in one line. */
@@ -147,6 +175,7 @@ final class Conversation {
             keys.put(GROUP, TestKeys.GROUP);
             talkers.add(new Talker(id, Host.patient(emulator, id).as(id, keys)));
         }
+        begin();
         talkers.forEach(Talker::go);
         long last = System.nanoTime();
         double before = now();
@@ -166,6 +195,9 @@ final class Conversation {
                 return "the boards are silent";
             }
             attack(emulator);
+            while (!faults.isEmpty() && now() > faults.firstKey()) {
+                emulator.command(faults.pollFirstEntry().getValue());
+            }
             // Idle boards trace nothing: then their time is not known.
             TimeUnit.MILLISECONDS.sleep(20);
         }
@@ -173,7 +205,7 @@ final class Conversation {
     }
 
     private synchronized String heard() {
-        return overheard.poll();
+        return now() > CUT_AT + AFTER_CUT && !early.isEmpty() ? early.poll() : overheard.poll();
     }
 
     /** What was on the air comes again, some time later; half of it with a wrong bit behind the header. */
@@ -213,8 +245,7 @@ final class Conversation {
             }
         }
         synchronized (from) {
-            return from.delivered.values().stream().mapToInt(Set::size).sum() < WINDOW
-                    ? from.id + " got nearly nothing delivered" : "";
+            return from.delivered.isEmpty() ? from.id + " got nothing delivered" : "";
         }
     }
 
@@ -247,12 +278,14 @@ final class Conversation {
         private void send(int which) {
             String next = IDS.get((IDS.indexOf(id) + 1) % IDS.size());
             String other = IDS.get((IDS.indexOf(id) + 2) % IDS.size());
-            List<String> to = List.of(next, other, GROUP, next, other, ALL, next, other, next,
+            List<String> to = List.of(next, ALL, GROUP, next, other, ALL, next, other, next,
                     id.equals(IDS.get(0)) ? ABSENT : other);
             String destination = to.get(which % to.size());
-            boolean pieces = which % to.size() == 4 || which % to.size() == 8;
+            int longer = id.equals(IDS.get(0)) ? MOST : MORE_PIECES;
+            int length = which % to.size() == 4 ? PIECES : which % to.size() == 8 ? longer : SHORT;
             String begin = "tell;m(\"" + id + " " + which + " ";
-            String content = begin + "x".repeat(Math.max(0, (pieces ? PIECES : SHORT) - begin.length())) + "\")";
+            String end = "\")";
+            String content = begin + "x".repeat(Math.max(0, length - begin.length() - end.length())) + end;
             sent.put(begin, content);
             host.board.transmit(Address.parse(destination), Content.parse(content)).end()
                     .whenComplete((outcome, failure) -> end(destination, content, outcome));

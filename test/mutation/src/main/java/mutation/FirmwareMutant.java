@@ -21,6 +21,8 @@ record FirmwareMutant(String file, int line, String right, String what, String w
 
     /** Runs the program over its flash's end: so one sees whether it comes here. */
     private static final String TRAP = "__asm__ volatile(\"jmp 0x3FF00\"); ";
+    private static final String ELSE_IF = "} else if (";
+    private static final String REMOVED = "{}";
 
     /** All mistakes that {@code test/firmware} would try, and some more. */
     static List<FirmwareMutant> all(Path root) throws IOException, InterruptedException {
@@ -45,12 +47,22 @@ record FirmwareMutant(String file, int line, String right, String what, String w
 
     /** Whether what stands before the line runs just before it: not outside of functions, nor before a branch. */
     boolean takesTrap() {
-        return right.startsWith(" ") && !right.strip().matches("(\\}|case |default:).*");
+        return right.startsWith(" ")
+                && (right.strip().startsWith(ELSE_IF) || !right.strip().matches("(\\}|case |default:).*"));
     }
 
-    /** A source that crashes where the mistake would be. */
+    /** A source that crashes where the mistake would be; in place of a statement, where that is removed. */
     String trapIn(String source) {
-        return with(source, TRAP + right);
+        if (right.strip().startsWith(ELSE_IF)) {
+            return with(source, right.replace(ELSE_IF, ELSE_IF + "[] { " + TRAP + "return true; }() && "));
+        }
+        return with(source, wrong.contains(REMOVED) ? wrong.replace(REMOVED, "{ " + TRAP + "}") : TRAP + right);
+    }
+
+    /** Whether its line only counts something. */
+    boolean onlyCounts() {
+        return right.strip()
+                .matches("((if|for) \\(.*\\) )?(state_\\.count|admission_\\.drop|drop)\\(.*Counter::.*\\);");
     }
 
     private String with(String source, String changed) {

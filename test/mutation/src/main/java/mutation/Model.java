@@ -184,7 +184,7 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
                 return new Verdict(Fate.INVALID, unreadable.getMessage());
             }
             // A mutant with many more states is another one anyway.
-            Behaviour behaviour = Behaviour.of(network, settings.get(i).queries(), 4 * sound.get(i).states() + 1000);
+            Behaviour behaviour = Behaviour.of(network, settings.get(i).queries(), 10 * sound.get(i).states() + 1000);
             if (behaviour.wrong().isPresent()) {
                 return new Verdict(Fate.KILLED, behaviour.wrong().get());
             }

@@ -302,6 +302,8 @@ final class TraceMutants {
                     && then(line).anyMatch(other -> isTold(other) && apart(event, other) > OTHER_REQUEST);
             case "host-outcome" -> then(line)
                     .anyMatch(other -> is(other, "host-handed") && apart(event, other) > OTHER_ATTEMPT);
+            // With the next one all that it has done is gone as well.
+            case "reset" -> then(line).anyMatch(TraceMutants::isOwn);
             // No trace tells who is in range.
             case "rf-damaged" -> false;
             case "rf-rx" -> isActedUpon(line);

@@ -70,14 +70,32 @@ class FirmwareMutantTest {
     }
 
     @Test
-    void trapIn_source_keepsTheLineBehindATrap() {
-        FirmwareMutant mutant = new FirmwareMutant("a/B.cpp", 2, "two();", "statement removed", "{}");
-        assertTrue(mutant.trapIn("one();\ntwo();\n").matches("one\\(\\);\n__asm__.*; two\\(\\);\n"));
+    void trapIn_source_isWhereTheMistakeIs() {
+        String trap = "__asm__[^;]*; ";
+        for (List<String> each : List.of(List.of("two(2);", "two(3);", trap + "two\\(2\\);"),
+                List.of("if (is) two();", "if (is) {}", "if \\(is\\) \\{ " + trap + "\\}"),
+                List.of("} else if (is) {", "} else if (!(is)) {",
+                        "\\} else if \\(\\[\\] \\{ " + trap + "return true; \\}\\(\\) && is\\) \\{"))) {
+            String trapped = new FirmwareMutant("a/B.cpp", 2, each.get(0), "", each.get(1))
+                    .trapIn("one();\n" + each.get(0) + "\n");
+            assertTrue(trapped.matches("one\\(\\);\n" + each.get(2) + "\n"), trapped);
+        }
+    }
+
+    @Test
+    void onlyCounts_lineThatDoesMore_isFalse() {
+        for (String line : List.of("    state_.count(Counter::RADIO_OWN);",
+                "  if (!isKnown(frame)) admission_.drop(Counter::RADIO_OWN);")) {
+            assertTrue(new FirmwareMutant("a/B.cpp", 1, line, "", "").onlyCounts(), line);
+        }
+        for (String line : List.of("  if (isOwn) return drop(Counter::RADIO_OWN);", "  counts_ = 1;")) {
+            assertFalse(new FirmwareMutant("a/B.cpp", 1, line, "", "").onlyCounts(), line);
+        }
     }
 
     @Test
     void takesTrap_lineThatBeginsNoStatement_isFalse() {
-        for (String line : List.of("const int SLOTS = 6;", "  } else if (late) {", "    case 1: return 2;")) {
+        for (String line : List.of("const int SLOTS = 6;", "  } else {", "    case 1: return 2;")) {
             assertFalse(new FirmwareMutant("a/B.cpp", 1, line, "", "").takesTrap(), line);
         }
         assertTrue(new FirmwareMutant("a/B.cpp", 1, "  if (late) return;", "", "").takesTrap());

@@ -120,6 +120,21 @@ class ModelMutantsTest {
     }
 
     @Test
+    void judge_listenerThatChangesNothing_isEquivalentWithoutIt() {
+        String listens = "<transition><source ref=\"id1\"/><target ref=\"id1\"/>"
+                + "<label kind=\"synchronisation\">hold?</label></transition>";
+        String two = LAMP.replace("chan press, hold", "broadcast chan hold").replace("<committed/>", "")
+                .replace("</template>", listens + """
+                        </template><template><name>Hand</name><location id="id2"/><init ref="id2"/>
+                        <transition><source ref="id2"/><target ref="id2"/>
+                        <label kind="synchronisation">hold!</label></transition></template>
+                        """).replace("system Lamp", "system Lamp, Hand");
+        Model model = new Model("two.xml", two, MODEL.settings(), NO_NUMBERS);
+        ModelMutant deaf = new ModelMutant("", "", two.replace(listens, ""));
+        assertEquals(Model.Fate.EQUIVALENT, model.judge(deaf, model.sound()).fate());
+    }
+
+    @Test
     void of_lastMutant_hasNothingOfThoseBeforeIt() {
         String back = "<transition><source ref=\"id1\"/><target ref=\"id0\"/></transition>";
         assertEquals(ModelMutants.with(LAMP.replace(back, ""), "system", same -> same),

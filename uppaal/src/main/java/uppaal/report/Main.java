@@ -31,6 +31,9 @@ public final class Main {
             Path output = Path.of(arguments[1]);
             List<String> wrong = new ArrayList<>(run(Path.of(arguments[0]), output, report));
             wrong.addAll(check(Path.of(arguments[0]), output, report));
+            for (Scene scene : Scene.ALL) {
+                scene.inSmall().write(Path.of(arguments[0]), output.resolve("small"));
+            }
             wrong.addAll(compare(Path.of(arguments[0]), Firmware.of(Path.of(arguments[2]))));
             wrong.forEach(System.err::println);
             System.exit(wrong.isEmpty() ? 0 : 1);

@@ -42,6 +42,11 @@ final class Answers {
                 && key.isProof(type, frame.nonce(), frame.origin, payload.origin(), payload.message());
     }
 
+    static boolean asksParity(SharedKey key, Payload payload, Frame frame) {
+        return key.asksParity(TYPES.get(payload.message().length), frame.nonce(), frame.origin, payload.origin(),
+                payload.message());
+    }
+
     /**
      * @param meant the frames with such last bits in their nonces
      * @param proved those that are proved, or without keys all

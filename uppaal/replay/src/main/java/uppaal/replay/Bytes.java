@@ -2,10 +2,12 @@ package uppaal.replay;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -23,6 +25,8 @@ final class Bytes {
     private final Map<String, Frame> frames = new Recent<>();
     /** What strangers have begun. */
     private final Map<String, Frame> strange = new Recent<>();
+    /** Who has sent something with a trailer, and to whom. */
+    private final Set<String> trailed = new HashSet<>();
     private int proofs;
 
     /** @param keys those of the run; null where they are not known */
@@ -100,8 +104,12 @@ final class Bytes {
         } else {
             first(desk, new Frame(payload, event.number("start")), payload);
         }
-        if (payload.isPiece() && desk.cut.containsKey(payload.pieceId())) {
-            order(desk, desk.cut.get(payload.pieceId()), payload);
+        Frame cut = payload.isPiece() ? desk.cut.get(payload.pieceId()) : null;
+        if (cut != null) {
+            order(desk, cut, payload);
+        }
+        if (event.fields().has("trailer")) {
+            trailed.add(payload.origin() + (cut == null ? payload.destination() : cut.destination));
         }
     }
 
@@ -232,6 +240,7 @@ final class Bytes {
         if (desk.isNamed()) {
             proofs += !opener.hasKeys() ? 0 : 1;
             Answers.check(desk, payload, start, meant, proved);
+            checkParity(desk, payload, proved);
             if (payload.message().length == Answers.STALE) {
                 Answers.checkFloor(desk, payload, proved, frames.values());
             }
@@ -244,10 +253,23 @@ final class Bytes {
         }
     }
 
+    /** A board asks for parity where a packet has come with a trailer: then its sender understands them. */
+    private void checkParity(Desk desk, Payload payload, List<Frame> proved) throws RefusedException {
+        if (opener.hasKeys() && proved.stream().allMatch(frame -> !trailed.contains(frame.origin + frame.destination)
+                && keysOf(frame).stream().anyMatch(key -> Answers.asksParity(key, payload, frame)))) {
+            throw new RefusedException(desk.name + " asks for parity (" + proved.get(0)
+                    + "); expected that a packet with a trailer comes first");
+        }
+    }
+
+    private List<SharedKey> keysOf(Frame frame) {
+        return frame.key != null ? List.of(frame.key) : opener.keysOf(frame);
+    }
+
     private List<Frame> proved(Payload payload, List<Frame> meant) {
         List<Frame> proved =
-                meant.stream().filter(frame -> (frame.key != null ? List.of(frame.key) : opener.keysOf(frame))
-                        .stream().anyMatch(key -> Answers.isProof(key, payload, frame))).toList();
+                meant.stream().filter(
+                        frame -> keysOf(frame).stream().anyMatch(key -> Answers.isProof(key, payload, frame))).toList();
         return proved.isEmpty() && opener.refresh() ? proved(payload, meant) : proved;
     }
 

@@ -202,6 +202,10 @@ final class End {
                 settle(possible.where(name));
             }
         }
+        if (!sound.begins() && sound.name().startsWith("own_") && carriers > 2) {
+            // What its board sent hid that others overlap.
+            doubt("silence");
+        }
         if (taking) {
             doubt(TAKING);
             if (late != null) {

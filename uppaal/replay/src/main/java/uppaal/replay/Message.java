@@ -12,6 +12,11 @@ import java.util.stream.Collectors;
  * One message, with its ends at the boards.
  */
 final class Message {
+    /** So long a receiver surely keeps a piece, in seconds. */
+    private static final double KEPT = 4;
+    /** And after so long without another new piece it has forgotten all. */
+    private static final double FORGOTTEN = 6;
+
     final String kind;
     final String origin;
     final String destination;
@@ -25,10 +30,21 @@ final class Message {
     private final Scenes scenes;
     private final Map<String, End> receivers = new HashMap<>();
     private boolean forged;
-    /** When it came undamaged to its receiver, which could hear and open it, as long as that has not answered. */
+    /**
+     * When it came undamaged to its receiver, which could hear, open and keep it, as long as that has neither handed it
+     * on nor answered. In pieces: when the first one came so, which asks.
+     */
     private final List<Double> came = new ArrayList<>();
     /** How often an acknowledgement of it came undamaged to its sender. */
     private int confirmed;
+    /** When a piece came last so that its receiver has it, and how often in a row that has told to lack such ones. */
+    private final Map<Integer, Double> kept = new HashMap<>();
+    private final Map<Integer, Double> lastCame = new HashMap<>();
+    private int missed;
+    private boolean doubted;
+    /** What pieces its receiver has told to have, and how often so in a row that came undamaged to its sender. */
+    private int have;
+    private int lacking;
     /** Null where a stranger is the sender. */
     private End sender;
 
@@ -170,6 +186,11 @@ final class Message {
         return reached.getOrDefault(board.name(), Set.of()).size() == pieces;
     }
 
+    /** Whether it, or a piece of it, has come to a board. */
+    boolean hasCome(Station board) {
+        return reached.containsKey(board.name());
+    }
+
     /** A board has forgotten the pieces that it had. */
     void forgetPieces(Station board) {
         if (pieces > 1) {
@@ -177,11 +198,9 @@ final class Message {
         }
     }
 
-    /** It comes, undamaged and in one packet, to its receiver, which listens and has the key. */
+    /** It comes, or its first piece, which asks, undamaged to its receiver, which listens and has key and room. */
     void comes(double seconds) {
-        if (pieces == 1) {
-            came.add(seconds);
-        }
+        came.add(seconds);
     }
 
     /** When it has come so, in seconds. */
@@ -199,10 +218,56 @@ final class Message {
         return confirmed;
     }
 
+    /**
+     * A piece comes to its receiver.
+     *
+     * @param surely whether undamaged, and there is a place for it; but one that may have come before may be forgotten at
+     *        any moment, since only new pieces keep the others
+     */
+    void comes(int piece, boolean surely, double seconds) {
+        Double before = lastCame.put(piece, seconds);
+        if (surely && (before == null || before < seconds - FORGOTTEN)) {
+            kept.put(piece, seconds);
+        }
+    }
+
+    /** Its receiver tells which pieces it has. @return how often in a row it has lacked one that it keeps */
+    int missed(int all, double seconds) {
+        kept.values().removeIf(came -> came < seconds - KEPT);
+        missed = !doubted && kept.keySet().stream().anyMatch(piece -> isLacking(all, piece)) ? missed + 1 : 0;
+        kept.keySet().removeIf(piece -> isLacking(all, piece));
+        lastCame.keySet().removeIf(piece -> isLacking(all, piece));
+        return missed;
+    }
+
+    private static boolean isLacking(int all, int piece) {
+        return (all >> piece & 1) == 0;
+    }
+
+    /** A piece may be here twice, and one of them forged. */
+    void doubtPieces() {
+        doubted = true;
+    }
+
+    /** An answer comes undamaged to its sender that tells which of its pieces have come. */
+    void told(int all) {
+        have = all;
+        lacking = all == (1 << pieces) - 1 ? 0 : lacking + 1;
+    }
+
+    /** Its sender sends a piece. @return how often it was told before that others are lacking */
+    int told(Payload piece) {
+        lacking = isLacking(have, piece.index()) ? 0 : lacking;
+        return lacking;
+    }
+
     /** What its ends have heard need not count any more: a board was reset, or its keys are others. */
     void forgetHeard() {
         came.clear();
         confirmed = 0;
+        lacking = 0;
+        kept.clear();
+        missed = 0;
     }
 
     /** Up to this moment nothing more was seen at a board. */

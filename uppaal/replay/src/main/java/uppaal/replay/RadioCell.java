@@ -1,5 +1,8 @@
 package uppaal.replay;
 
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -10,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 
 /**
  * All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. Their
@@ -28,6 +32,8 @@ final class RadioCell {
 
     /** So long a board may wait before it sends something, in seconds: 300 slots at 240 bit/s. */
     private static final double LONGEST_WAIT = 20;
+    /** What a board tells only where no message waits for its host. */
+    private static final Set<String> NOTHING_WAITS = Set.of("percepts", "host-nothing");
     /** So often what comes undamaged may be lost: to an interrupt that was late, or a full queue. */
     private static final int LOST = 2;
 
@@ -52,19 +58,33 @@ final class RadioCell {
         return boards.values().stream().anyMatch(board -> board.hasBeen(address));
     }
 
+    /** The boards and what they are. */
+    void begin(Iterable<JsonElement> all) {
+        for (JsonElement each : all) {
+            if (each instanceof JsonObject about && about.get("name") instanceof JsonPrimitive name
+                    && about.get("model") instanceof JsonPrimitive model) {
+                board(name.getAsString()).isOfModel(model.getAsString());
+            }
+        }
+    }
+
     /** A board has begun anew, with its RAM as it was or without. */
-    void reset(Event event) throws RefusedException {
+    void reset(Event event, boolean power) throws RefusedException {
         Station board = board(event.board());
         if (board.lastEnd() > event.seconds() + DISORDER + board.ear.slot()) {
             throw new RefusedException(board.name() + " sends on after a reset; expected that its packet breaks off");
         }
-        String receiver = event.text("why").equals("power") ? "receiver_power" : "receiver_reset";
+        String receiver = power ? "receiver_power" : "receiver_reset";
         board.reset();
         for (Message message : messages.values()) {
             if (board.hasBeen(message.origin)) {
                 message.sender(event.seconds(), "sender_reset");
             } else if (message.concerns(board) && message.hasReached(board)) {
                 message.receiver(event.seconds(), board, receiver);
+                if (!power) {
+                    // It may come while the board writes down there what its host has taken (SPEC 5.1).
+                    message.perhaps(event.seconds(), board, "receiver_power");
+                }
             }
             message.forgetPieces(board);
         }
@@ -76,6 +96,7 @@ final class RadioCell {
         messages.values().stream()
                 .filter(message -> board.hasBeen(message.origin) || board.hasBeen(message.destination))
                 .forEach(Message::forgetHeard);
+        board.forgetExpected();
     }
 
     /** A host has its board's radio opened or blocked. */
@@ -212,6 +233,10 @@ final class RadioCell {
                     + unconfirmed.getAsInt());
         }
         checkWaiting(event.seconds(), board);
+        if (NOTHING_WAITS.contains(event.name()) && board.missed(event.seconds() - LATE) > LOST) {
+            throw new RefusedException(board.name() + " has nothing to tell; expected a message to many: of the last "
+                    + (LOST + 1) + " that came undamaged it has handed none to its host");
+        }
         for (Transmission transmission : board.open().toList()) {
             boolean told = outcome && transmission.number == event.number("number");
             End sender = told || transmission.message == null ? null : transmission.message.sender();
@@ -235,6 +260,10 @@ final class RadioCell {
         if (message.confirmed() > LOST) {
             throw new RefusedException(board.name() + " sends again what was acknowledged " + message.confirmed()
                     + " times: " + message + "; expected: delivered");
+        }
+        if (payload.isPiece() && message.told(payload) > LOST) {
+            throw new RefusedException(board.name() + " sends again a piece that has come, though it was told "
+                    + (LOST + 1) + " times that others have not: " + message);
         }
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
         message.sender(start, attempt ? "send" : "part");
@@ -359,6 +388,13 @@ final class RadioCell {
             }
         }
         able.forEach(message -> message.came().clear());
+        if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message()[0], start) > LOST) {
+            throw new RefusedException(board.name() + " answers " + (LOST + 1)
+                    + " times in a row without a piece that came undamaged: " + able.get(0));
+        }
+        if (answer.equals("stale")) {
+            board.forgetExpected();
+        }
         answers.put(payload.hex(), able);
         return able;
     }
@@ -391,7 +427,8 @@ final class RadioCell {
             }
         }
         for (Message message : forged(packet)) {
-            if (message.hasReached(board)) {
+            message.doubtPieces();
+            if (packet.payload().asks() && message.hasReached(board)) {
                 for (String step : message.arrivals(board)) {
                     message.perhaps(seconds, board, step);
                 }
@@ -404,10 +441,10 @@ final class RadioCell {
         }
     }
 
-    /** Of what messages somebody else's packet seems to be a piece that asks. */
+    /** Of what messages somebody else's packet seems to be a piece. */
     private List<Message> forged(Packet packet) {
         Payload payload = packet.payload();
-        return !payload.isPiece() || !payload.asks() ? List.of()
+        return !payload.isPiece() ? List.of()
                 : boards.values().stream().filter(board -> board.hasBeen(payload.origin()))
                         .flatMap(board -> board.cut(payload.pieceId()).stream())
                         .filter(message -> message != packet.message()).toList();
@@ -416,25 +453,43 @@ final class RadioCell {
     /** What comes undamaged to a board that does not send is heard, nearly always. */
     private void hear(Packet packet, Station board, boolean undamaged, double seconds) {
         Message message = packet.message();
-        if (undamaged && message != null && message.isUnicast() && board.hasBeen(message.destination)
-                && board.listensTo(board(packet.board()), message.origin, message.destination)) {
+        Payload payload = packet.payload();
+        if (message == null ? payload.isPiece() : message.concerns(board)) {
+            board.comes(message, payload, seconds);
+        }
+        boolean listens = undamaged && message != null && message.isUnicast() && board.hasBeen(message.destination)
+                && board.listensTo(board(packet.board()), message.origin, message.destination);
+        boolean isKept = listens && board.hasRoom(message, payload, seconds);
+        if (isKept && (!payload.isPiece() || payload.index() == 0 && payload.asks())) {
             message.comes(seconds);
         }
-        if (undamaged && packet.answer().equals("ack") && packet.answered().size() == 1
-                && board.hasBeen(packet.answered().get(0).origin)) {
-            packet.answered().get(0).confirm();
+        if (message != null && message.isUnicast() && board.hasBeen(message.destination)) {
+            message.comes(payload.index(), isKept, seconds);
+        }
+        if (undamaged && message != null && !message.isUnicast() && !payload.isPiece() && !message.hasCome(board)
+                && message.concerns(board) && board.isConcernedBy(message.destination)
+                && (message.isBroadcast() ? board.isOpen()
+                        : board.listensTo(board(packet.board()), message.destination, message.destination))
+                && board.hasRoom(message, payload, seconds)) {
+            board.expects(message, seconds);
+        }
+        if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)) {
+            if (packet.answer().equals("ack")) {
+                packet.answered().get(0).confirm();
+            } else if (packet.answer().equals("pieces")) {
+                packet.answered().get(0).told(payload.message()[0]);
+            }
         }
     }
 
-    /** What came so often undamaged to a board that listens and has the key, that acknowledges. */
+    /** What came so often undamaged to a board that listens and has key and room, that hands it on or answers. */
     private void checkUndelivered(Station board, Message message) throws RefusedException {
         if (message == null || message.came().size() <= LOST) {
             return;
         }
-        double first = message.came().get(0);
         double last = message.came().get(message.came().size() - 1);
         for (Station receiver : boards.values()) {
-            if (receiver.hasBeen(message.destination) && receiver.hasNothing(first, last)) {
+            if (receiver.hasBeen(message.destination) && receiver.hasTold(last)) {
                 throw new RefusedException(
                         board.name() + " reports undelivered what came undamaged to " + receiver.name()
                                 + " " + message.came().size() + " times: " + message + "; expected an acknowledgement");
@@ -468,7 +523,9 @@ final class RadioCell {
             message = sent.get(i).mayDo(event.seconds(), board, "hand") ? sent.get(i) : message;
         }
         message.receiver(event.seconds(), board, "hand");
+        message.came().clear();
         board.hand(number, message);
+        board.met(each -> isHanded(each, event));
     }
 
     private static boolean isHanded(Message message, Event event) {
@@ -488,7 +545,7 @@ final class RadioCell {
         int number = (int) event.number("number");
         if (step.equals("taking")) {
             board.take(number, event.seconds());
-        } else if (!board.confirm(number, event.seconds())) {
+        } else if (!board.confirm(number)) {
             throw new RefusedException(board.name() + " confirms that its host has taken message " + number
                     + "; expected that its host says so first");
         }
@@ -577,6 +634,10 @@ final class RadioCell {
         if (!transmission.outcome.equals("undelivered")) {
             throw new RefusedException(board.name() + " reports " + transmission.outcome
                     + " for a message that was never on the air; expected: undelivered");
+        }
+        if (!transmission.mayFail) {
+            throw new RefusedException(board.name() + " reports undelivered what was never on the air, to "
+                    + transmission.destination + "; expected that it is sent");
         }
         board.giveUp(transmission);
     }

@@ -1,5 +1,6 @@
 package uppaal.replay;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
@@ -46,6 +47,8 @@ public final class Replay {
     private static final double FEW_ERRORS = 0.002;
     /** Commands that change nothing of what boards hear, or of which the trace tells that. */
     private static final Set<String> QUIET = Set.of("send", "speed", "light", "sensor");
+    /** Those that are not counted, since boards tell them all the time. */
+    private static final Set<String> SEEN_OFTEN = Set.of("percepts", "host-nothing");
     /** What makes reception uncertain. */
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
@@ -185,15 +188,21 @@ public final class Replay {
                 if (isUncertain(event)) {
                     doubtReception();
                 }
+                if (event.fields().get("boards") instanceof JsonArray boards) {
+                    cell.begin(boards);
+                }
             }
             case "fault", "command" -> {
-                if (!QUIET.contains(event.textOrEmpty("do"))) {
+                if (isLossOfPower(event)) {
+                    disturbances.add(event.seconds() - BROKEN_OFF, event.seconds());
+                    enter(event.seconds(), event, Part.EVENT);
+                } else if (!QUIET.contains(event.textOrEmpty("do"))) {
                     disturbances.add(event.seconds(),
                             event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
                 }
             }
-            case "host-id", "host-key", "host-radio", "counters", "host-handed", "host-taking", "host-taken",
-                    "host-outcome", "percepts" ->
+            case "host-id", "host-key", "host-radio", "counters", "crash", "host-handed", "host-taking", "host-taken",
+                    "host-outcome", "host-nothing", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
             default -> {} // nothing that the model speaks of
         }
@@ -201,6 +210,11 @@ public final class Replay {
 
     private void enter(double seconds, Event event, Part part) {
         steps.add(new Step(seconds, event, part));
+    }
+
+    /** Its board does nothing from now on until it is reset. */
+    private static boolean isLossOfPower(Event event) {
+        return event.name().equals("fault") && event.textOrEmpty("do").equals("power-cut");
     }
 
     private static boolean isUncertain(Event scenario) {
@@ -228,7 +242,7 @@ public final class Replay {
                     return;
                 }
                 perform(step);
-                events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && !event.name().equals("percepts")
+                events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && !SEEN_OFTEN.contains(event.name())
                         ? 1 : 0;
             } catch (RefusedException refused) {
                 refuse(event, refused.getMessage());
@@ -280,8 +294,9 @@ public final class Replay {
                 cell.reach(event, seconds);
                 bytes.reach(event, cell.source(event).map(Packet::payload).orElseThrow());
             }
+            case "fault" -> cell.reset(event, true);
             case "reset" -> {
-                cell.reset(event);
+                cell.reset(event, event.text("why").equals("power"));
                 bytes.reset(event);
             }
             case "host-id" -> {
@@ -295,7 +310,8 @@ public final class Replay {
                 cell.transmit(event);
                 bytes.transmit(event);
             }
-            case "percepts" -> cell.tell(event);
+            case "crash" -> throw new RefusedException(event.board() + "'s program crashes");
+            case "percepts", "host-nothing" -> cell.tell(event);
             case "host-handed" -> {
                 cell.tell(event);
                 cell.hand(event);

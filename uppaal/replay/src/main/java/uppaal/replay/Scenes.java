@@ -158,7 +158,7 @@ final class Scenes {
             Map<String, Integer> numbers = new HashMap<>();
             for (Edge edge : template.edges()) {
                 String number = edge.path() + ", " + numbers.merge(edge.path(), 1, Integer::sum);
-                if (TEMPLATES.containsValue(template.name()) && !edge.guard().contains("FAIR &&")
+                if (TEMPLATES.containsValue(template.name()) && !edge.guard().startsWith("FAIR &&")
                         && !edge.guard().contains("prompt")) {
                     edges.add(template.name() + ": " + number);
                 }

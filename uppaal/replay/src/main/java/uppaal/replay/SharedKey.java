@@ -69,10 +69,19 @@ final class SharedKey {
      * @param message of the acknowledgement; the proof is its end
      */
     boolean isProof(int type, byte[] nonce, String sender, String acknowledger, byte[] message) {
+        return isExactly(type, nonce, sender, acknowledger, message)
+                || asksParity(type, nonce, sender, acknowledger, message);
+    }
+
+    /** Whether it proves that, and asks for parity (SPEC 6.1). */
+    boolean asksParity(int type, byte[] nonce, String sender, String acknowledger, byte[] message) {
+        return isExactly(type | ASKS_PARITY, nonce, sender, acknowledger, message);
+    }
+
+    private boolean isExactly(int type, byte[] nonce, String sender, String acknowledger, byte[] message) {
         int end = message.length - TAG;
         byte[] claim = join(nonce, ascii(sender + acknowledger), Arrays.copyOf(message, end));
-        byte[] proof = Arrays.copyOfRange(message, end, message.length);
-        return Arrays.equals(proof, proof(type, claim)) || Arrays.equals(proof, proof(type | ASKS_PARITY, claim));
+        return Arrays.equals(Arrays.copyOfRange(message, end, message.length), proof(type, claim));
     }
 
     /** The proof of what is claimed: nonce, sender, acknowledger and what comes before the proof. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /** A board: who it is, what its host has it send, and what it has handed to its host. */
@@ -19,6 +20,16 @@ final class Station {
     private static final int LAST_NUMBER = 255;
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
+    /** To all boards. */
+    private static final String ALL = "////";
+    /** A host has looked lately if it has got something since then, in seconds: little comes in that time. */
+    private static final double LOOKS = 3;
+    /** Pieces are forgotten after 5 s in which no new one comes. */
+    private static final double KEPT = 6;
+    /** A broadcast of the same content is a repeat for 400 ms; far less than this, in seconds. */
+    private static final double REPEATED = 2;
+    private static final String MEGA = "mega";
+    private static final int PLACES = 2;
 
     private final String name;
     private final Set<String> ids = new HashSet<>();
@@ -46,8 +57,19 @@ final class Station {
     private boolean open;
     /** The check values of the keys that its host has set and not touched since, by address. */
     private final Map<String, String> checks = new HashMap<>();
-    /** When it last confirmed that its host has taken something. */
-    private double confirmedAt = Double.NEGATIVE_INFINITY;
+    /** What has come since it has last told its host something, and whether more than that has. */
+    private Message came;
+    private boolean moreCame;
+    /** What came undamaged to many and is to be handed over, and when. */
+    private final Map<Message, Double> expected = new LinkedHashMap<>();
+    /** How many of these in a row were not. */
+    private int missed;
+    /** When a broadcast came last, by its origin. */
+    private final Map<String, Double> broadcasts = new Recent<>();
+    /** When a piece came last, by whose it was and the id of the whole. */
+    private final Map<String, Double> pieces = new Recent<>();
+    /** Messages in pieces that it can put together at one time. */
+    private int places;
     /** When it has told its host something, the last time and the time before. */
     private double reply = Double.NEGATIVE_INFINITY;
     private double replyBefore = Double.NEGATIVE_INFINITY;
@@ -114,6 +136,8 @@ final class Station {
             throw new RefusedException(
                     name + " takes over transmission " + transmission.number + "; expected " + last);
         }
+        transmission.mayFail =
+                !transmission.destination.equals(ALL) && !checks.containsKey(transmission.destination);
         waiting.add(transmission);
         numbered.remove(transmission.number);
         numbered.put(transmission.number, transmission);
@@ -152,6 +176,7 @@ final class Station {
     /** Its host has done something with a key; what only setting leaves is known. */
     void key(String address, String check) {
         checks.remove(address);
+        waiting.forEach(transmission -> transmission.mayFail = true);
         if (!check.isEmpty()) {
             checks.put(address, check);
         }
@@ -178,6 +203,8 @@ final class Station {
         if (seconds > reply) {
             replyBefore = reply;
             reply = seconds;
+            came = null;
+            moreCame = false;
         }
         return replyBefore;
     }
@@ -192,8 +219,7 @@ final class Station {
     }
 
     /** It confirms that, in the order in which its host has said so; returns false where that has not. */
-    boolean confirm(int number, double seconds) {
-        confirmedAt = seconds;
+    boolean confirm(int number) {
         if (taking.stream().noneMatch(each -> each.number == number)) {
             return false;
         }
@@ -203,9 +229,65 @@ final class Station {
         return true;
     }
 
-    /** Whether its host has looked for messages after that moment, and found none since the first one. */
-    boolean hasNothing(double first, double last) {
-        return handed.isEmpty() && confirmedAt < first && reply > last;
+    /** A Mega has two places for messages in pieces, and a small chip none. */
+    void isOfModel(String model) {
+        places = model.equals(MEGA) ? PLACES : 0;
+    }
+
+    /** A packet comes to it, perhaps damaged, of a message that it may be for; of a strange piece nobody knows. */
+    void comes(Message message, Payload payload, double seconds) {
+        moreCame |= came != null && came != message;
+        came = message;
+        if (payload.isPiece()) {
+            pieces.put(payload.origin() + payload.pieceId(), seconds);
+        }
+    }
+
+    /**
+     * Whether it can keep what has just come. Of pieces: whether there is a place for them. Of a whole: whether its host
+     * has looked lately, and has taken all, since nothing else came.
+     */
+    boolean hasRoom(Message message, Payload payload, double seconds) {
+        if (payload.isPiece()) {
+            return !handed.containsValue(message)
+                    && pieces.values().stream().filter(last -> last > seconds - KEPT).count() <= places;
+        }
+        return !moreCame && handed.isEmpty() && reply > seconds - LOOKS;
+    }
+
+    boolean isOpen() {
+        return open;
+    }
+
+    /** A message to many has come that it can keep; but soon after a broadcast it may be taken for its repeat. */
+    void expects(Message message, double seconds) {
+        Double before = message.isBroadcast() ? broadcasts.put(message.origin, seconds) : null;
+        if (before == null || before < seconds - REPEATED) {
+            expected.put(message, seconds);
+        }
+    }
+
+    /** It hands over what it was to. */
+    void met(Predicate<Message> handedOver) {
+        missed = expected.keySet().removeIf(handedOver) ? 0 : missed;
+    }
+
+    /** Nothing waits for its host. @return how many in a row it has not handed over of what came before that moment */
+    int missed(double before) {
+        missed += expected.size();
+        expected.values().removeIf(seconds -> seconds < before);
+        missed -= expected.size();
+        return missed;
+    }
+
+    void forgetExpected() {
+        expected.clear();
+        missed = 0;
+    }
+
+    /** Whether it has told its host something since then. */
+    boolean hasTold(double since) {
+        return reply > since;
     }
 
     /** What its host has said before that moment to have taken, and it has not confirmed. */

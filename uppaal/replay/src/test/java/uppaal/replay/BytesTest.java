@@ -263,6 +263,25 @@ class BytesTest {
     }
 
     @Test
+    void parity_isAskedForOnlyAfterATrailer() {
+        for (boolean trailer : List.of(true, false)) {
+            Talk talk = asked("SUPP", HELP).sends("police", sealed("SUPP", FIRST, HELP));
+            if (trailer) {
+                JsonObject sent = talk.lines.all.get(talk.lines.all.size() - 2);
+                sent.addProperty("trailer", "mark");
+                sent.addProperty("bits", sent.get("bits").getAsInt() + 12);
+            }
+            talk.hands(0, FIRST, HELP).unheard("support", acknowledgement(FIRST, "", true));
+            if (trailer) {
+                assertAccepted(talk, "1 messages opened, 1 proofs");
+            } else {
+                assertRefused(talk, "support asks for parity (SUPO to SUPP, nonce 000001000000); expected that a "
+                        + "packet with a trailer comes first");
+            }
+        }
+    }
+
+    @Test
     void pieces_thatABoardCannotHave_areRefusedByName() {
         byte[] first = piece("AI", LONG_FRAME, 0);
         Talk one = asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).sends("police", first);

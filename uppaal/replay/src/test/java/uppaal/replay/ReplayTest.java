@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.nio.charset.StandardCharsets;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -15,6 +16,7 @@ import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -27,6 +29,12 @@ class ReplayTest {
     private static final int RATE = 2000;
     private static final int PARITY_BITS = 156;
     private static final String UNICAST = "535550505355504f4341000001000000";
+
+    private static final String FIRST_PIECE =
+            unicast("SUPP", 0).substring(0, 16) + "4967" + unicast("SUPP", 0).substring(20) + "77".repeat(41);
+    private static final String SECOND_PIECE = piece("41", "4a", "4259", "77".repeat(11));
+    /** The first piece, which asks. */
+    private static final String QUESTION = piece("41", "49", "4959", FIRST_PIECE);
 
     private static void assertRefused(Lines lines, int at, String words) {
         String refusal = lines.replay().refusal().orElse("accepted");
@@ -455,6 +463,140 @@ class ReplayTest {
                 assertRefused(lines, lines.all.size(), "police sends other bytes as piece 1 of SUPO to SUPP, ");
             }
         }
+    }
+
+    /** A key that two boards have. */
+    private static Lines keyed(Lines lines) {
+        lines.add(0.7, "police", "host-key", Map.of("address", "SUPP", "step", "set", "check", "010203"));
+        lines.add(0.7, "support", "host-key", Map.of("address", "SUPO", "step", "set", "check", "010203"));
+        return lines.add(0.7, "support", "host-radio", Map.of("radio", "open"));
+    }
+
+    /** The police has been asked for a message in two pieces, and the support's board has its key. */
+    private static Lines pieces(String model) {
+        Lines lines = keyed(severalAsked("SUPP"));
+        lines.madeUp = false;
+        lines.all.add(JsonParser.parseString("{'t': 0, 'event': 'scenario', 'boards': [{'name': 'support', 'model': '"
+                + model + "'}, 'none', {'name': 3}]}").getAsJsonObject());
+        return lines;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"mega, 1, true", "mega, 2, false", "uno, 0, false"})
+    void replay_piecesThatABoardWithRoomNeverAnswers_areNotUndelivered(String model, int others, boolean refused) {
+        Lines lines = pieces(model);
+        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+        reach(lines, 2.4, "police", SECOND_PIECE, "piece");
+        for (int attempt = 1; attempt < 8; attempt++) {
+            for (int other = 0; other < others; other++) {
+                reach(lines, 2.4 + attempt + other * 0.3, "thief",
+                        piece("4" + (2 + other), "49", "4259", "78".repeat(11)),
+                        "piece");
+            }
+            reach(lines, 2 + attempt, "police", QUESTION, "piece");
+            lines.add(2.39 + attempt, "support", "host-nothing", Map.of());
+        }
+        outcome(lines, 11, 0, "undelivered");
+        sort(lines);
+        if (refused) {
+            assertRefused(lines, lines.all.size(), "police reports undelivered what came undamaged to support 7 times");
+        } else {
+            assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        }
+    }
+
+    /** An answer of the support's board, which the police hears. */
+    private static void answer(Lines lines, double start, String pieces) {
+        String answer = "2b4b41415355505042" + "49" + pieces + "00".repeat(8);
+        send(lines, start, "support", answer, "acknowledgement");
+        hear(lines, start, "police", "support", answer, "acknowledgement");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3, sends again a piece that has come, though it was told 3 times", "2, accepted"})
+    void replay_questionsThatAreAnsweredAndRepeated_areRefused(int answers, String words) {
+        Lines lines = pieces("mega");
+        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+        send(lines, 2.4, "police", SECOND_PIECE, "piece");
+        for (int i = 0; i < 4; i++) {
+            reach(lines, 3 + 2 * i, "police", QUESTION, "piece");
+            if (i < answers) {
+                answer(lines, 4 + 2 * i, "01");
+            }
+        }
+        sort(lines);
+        assertTrue(lines.replay().verdict().contains(words), lines.replay().verdict());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"01, support answers 3 times in a row without a piece that came undamaged", "03, accepted"})
+    void replay_piecesThatCameAndAreNotTold_areRefused(String told, String words) {
+        Lines lines = pieces("mega");
+        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+        for (int i = 0; i < 3; i++) {
+            reach(lines, 2.5 + 1.5 * i, "police", SECOND_PIECE, "piece");
+            answer(lines, 3.2 + 1.5 * i, told);
+        }
+        sort(lines);
+        assertTrue(lines.replay().verdict().contains(words), lines.replay().verdict());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"none, refused", "second, accepted", "blocked, accepted"})
+    void replay_broadcastsThatCameAndAreNotHandedOver_areRefused(String handed, String verdict) {
+        Lines lines = keyed(severalAsked("////", "////", "////"));
+        lines.madeUp = false;
+        if (handed.equals("blocked")) {
+            lines.add(0.8, "support", "host-radio", Map.of("radio", "blocked"));
+        }
+        lines.add(1.9, "support", "host-nothing", Map.of());
+        for (int i = 0; i < 3; i++) {
+            reach(lines, 2 + 3 * i, "police", "2f2f2f2f5355504f41497" + i, "broadcast");
+            if (i == 1 && handed.equals("second")) {
+                lines.add(5.5, "support", "host-handed",
+                        Map.of("number", 0, "destination", "////", "origin", "SUPO", "id", "000000", "content", "q"));
+                take(lines, 5.6, 0);
+            }
+            lines.add(4 + 3 * i, "support", "host-nothing", Map.of());
+        }
+        sort(lines);
+        assertEquals(verdict, lines.replay().refusal().map(why -> "refused").orElse("accepted"),
+                lines.replay()::verdict);
+    }
+
+    @Test
+    void replay_undeliveredThoughItWasNeverSent_isRefusedIfItsBoardHasTheKey() {
+        Lines lines = keyed(severalAsked("SUPP", "////"));
+        sort(lines);
+        outcome(lines, 2, 0, "undelivered");
+        assertRefused(lines, lines.all.size(),
+                "police reports undelivered what was never on the air, to SUPP; expected that it is sent");
+        lines.add(1.5, "police", "host-key", Map.of("address", "SUPP", "step", "delete"));
+        sort(lines);
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
+    /** Two carriers together may be none to a board, also where they began while it sent. */
+    @ParameterizedTest
+    @CsvSource({"2.05, accepted", "2.15, refused"})
+    void replay_sentIntoCarriers_isAcceptedIfTheyOverlap(double second, String verdict) {
+        Lines lines = severalAsked("//SU");
+        lines.madeUp = false;
+        String noise = piece("41", "4a", "4259", "77".repeat(11));
+        send(lines, 2, "thief", noise, "piece");
+        send(lines, 2.0005, "police", unicast("//SU", 0), "multicast");
+        send(lines, second, "robber", noise, "piece");
+        send(lines, 2.13, "police", unicast("//SU", 0), "multicast");
+        damage(lines, 2, "police", "thief");
+        damage(lines, second, "police", "robber");
+        sort(lines);
+        assertEquals(verdict, lines.replay().refusal().map(why -> "refused").orElse("accepted"),
+                lines.replay()::verdict);
+    }
+
+    @Test
+    void replay_crash_isRefused() {
+        assertRefused(twoBoards().add(1, "support", "crash", Map.of()), 4, "support's program crashes");
     }
 
     /** Receivers combine damaged copies, and know what acknowledgement they wait for. */

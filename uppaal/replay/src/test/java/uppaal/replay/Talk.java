@@ -15,6 +15,7 @@ final class Talk {
     static final SharedKey GROUP = new SharedKey(HexFormat.of().parseHex("2b7e151628aed2a6abf7158809cf4f3c"));
     static final String LONG = "tell;" + "x".repeat(70);
     private static final Map<Integer, Integer> TYPES = Map.of(0, 6, 1, 7, 8, 8);
+    private static final int ASKS_PARITY = 0x10;
     private static final int PIECE = 67;
 
     final Lines lines = new Lines();
@@ -109,8 +110,13 @@ final class Talk {
 
     /** The support acknowledges. */
     static byte[] acknowledgement(String nonce, String body) {
+        return acknowledgement(nonce, body, false);
+    }
+
+    static byte[] acknowledgement(String nonce, String body, boolean asksParity) {
         byte[] said = HexFormat.of().parseHex(body);
-        byte[] proof = PAIR.proof(TYPES.get(said.length), SharedKey.join(HexFormat.of().parseHex(nonce),
+        int type = TYPES.get(said.length) + (asksParity ? ASKS_PARITY : 0);
+        byte[] proof = PAIR.proof(type, SharedKey.join(HexFormat.of().parseHex(nonce),
                 "SUPOSUPP".getBytes(StandardCharsets.US_ASCII), said));
         int last = Payload.lastBits(nonce);
         String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
