@@ -28,10 +28,10 @@ import javino.protocol.Content;
 import javino.protocol.Outcome;
 
 /**
- * Three boards that go all ways of the delivery in less than a minute of theirs: unicasts, multicasts and broadcasts,
- * contents in pieces, partners that are there and one that is not, bits that are wrong on the air, a reset, a loss of
- * power, and an attacker who repeats what was on the air, as it was or with a wrong bit, and later what was there before
- * the power was lost. Their hosts never wait. Where the seed is odd, no bits are wrong, and one board is away for long.
+ * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in pieces, partners that
+ * are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who repeats
+ * what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their hosts
+ * never wait. Where the seed is odd, no bits are wrong, and one board is away for long.
  */
 final class Conversation {
 

@@ -221,8 +221,8 @@ final class Message {
     /**
      * A piece comes to its receiver.
      *
-     * @param surely whether undamaged, and there is a place for it; but one that may have come before may be forgotten at
-     *        any moment, since only new pieces keep the others
+     * @param surely whether undamaged, and there is a place for it; but one that may have come before may be forgotten
+     *        at any moment, since only new pieces keep the others
      */
     void comes(int piece, boolean surely, double seconds) {
         Double before = lastCame.put(piece, seconds);

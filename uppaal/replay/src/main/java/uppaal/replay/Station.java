@@ -244,8 +244,8 @@ final class Station {
     }
 
     /**
-     * Whether it can keep what has just come. Of pieces: whether there is a place for them. Of a whole: whether its host
-     * has looked lately, and has taken all, since nothing else came.
+     * Whether it can keep what has just come. Of pieces: whether there is a place for them. Of a whole: whether its
+     * host has looked lately and has taken all, and nothing else has come since.
      */
     boolean hasRoom(Message message, Payload payload, double seconds) {
         if (payload.isPiece()) {
