@@ -457,21 +457,15 @@ final class RadioCell {
         if (message == null ? payload.isPiece() : message.concerns(board)) {
             board.comes(message, payload, seconds);
         }
-        boolean listens = undamaged && message != null && message.isUnicast() && board.hasBeen(message.destination)
-                && board.listensTo(board(packet.board()), message.origin, message.destination);
-        boolean isKept = listens && board.hasRoom(message, payload, seconds);
-        if (isKept && (!payload.isPiece() || payload.index() == 0 && payload.asks())) {
-            message.comes(seconds);
-        }
-        if (message != null && message.isUnicast() && board.hasBeen(message.destination)) {
+        if (message != null && message.concerns(board) && board.isConcernedBy(message.destination)) {
+            boolean isKept = undamaged && canOpen(board, packet) && board.hasRoom(message, payload, seconds);
+            if (isKept && message.isUnicast() && (!payload.isPiece() || payload.index() == 0 && payload.asks())) {
+                message.comes(seconds);
+            }
+            if (isKept && !message.isUnicast() && !payload.isPiece() && !message.hasCome(board)) {
+                board.expects(message, seconds);
+            }
             message.comes(payload.index(), isKept, seconds);
-        }
-        if (undamaged && message != null && !message.isUnicast() && !payload.isPiece() && !message.hasCome(board)
-                && message.concerns(board) && board.isConcernedBy(message.destination)
-                && (message.isBroadcast() ? board.isOpen()
-                        : board.listensTo(board(packet.board()), message.destination, message.destination))
-                && board.hasRoom(message, payload, seconds)) {
-            board.expects(message, seconds);
         }
         if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)) {
             if (packet.answer().equals("ack")) {
@@ -480,6 +474,14 @@ final class RadioCell {
                 packet.answered().get(0).told(payload.message()[0]);
             }
         }
+    }
+
+    /** Whether a board listens and has the key of what somebody else has sent. */
+    private boolean canOpen(Station board, Packet packet) {
+        Message message = packet.message();
+        String own = message.isUnicast() ? message.origin : message.destination;
+        return message.isBroadcast() ? board.isOpen()
+                : board.listensTo(board(packet.board()), own, message.destination);
     }
 
     /** What came so often undamaged to a board that listens and has key and room, that hands it on or answers. */
