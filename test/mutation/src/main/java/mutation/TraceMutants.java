@@ -420,7 +420,8 @@ final class TraceMutants {
 
     /** What a board itself does, in the order in which it does it. */
     private static boolean isOwn(JsonObject event) {
-        return is(event, "rf-tx") || is(event, "reset") || text(event, "event").startsWith("host-");
+        return is(event, "rf-tx") || is(event, "reset")
+                || text(event, "event").startsWith("host-") && !is(event, "host-nothing");
     }
 
     private Optional<Integer> next(int line) {
