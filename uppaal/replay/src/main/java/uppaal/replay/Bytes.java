@@ -214,6 +214,8 @@ final class Bytes {
             frame.content = opener.keysOf(frame).stream().flatMap(key -> key.open(frame.bytes).stream()).findFirst()
                     .orElse(null);
             frame.isForged = frame.content == null;
+        } else if (frame.isSealed() && desks.values().stream().anyMatch(desk -> desk.ids.contains(frame.origin))) {
+            frame.isForged = true; // a first piece that none of our boards has sent
         }
         strange.put(payload.identity(), frame);
     }

@@ -319,6 +319,19 @@ class BytesTest {
                 "police sends other bytes under the nonce of an earlier message");
     }
 
+    @Test
+    void handed_thoughAFirstPieceWasForged_isOnlyWhatWasSaid() {
+        for (String content : List.of(LONG, LONG + "y")) {
+            Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("stranger", changed(BEGIN, -1))
+                    .sends("police", END).hands(0, FIRST, content);
+            if (content.equals(LONG)) {
+                assertAccepted(talk, "1 messages opened, 0 proofs");
+            } else {
+                assertTrue(talk.verdict().contains("support hands its host '"), talk.verdict());
+            }
+        }
+    }
+
     /** Only the whole frame tells that a piece is forged. */
     @Test
     void acknowledgement_ofAForgedPieceOfWhatWasTaken_isAccepted() {
