@@ -76,6 +76,10 @@ final class Message {
         return forged;
     }
 
+    boolean isInPieces() {
+        return pieces > 1;
+    }
+
     boolean isUnicast() {
         return kind.equals("unicast");
     }

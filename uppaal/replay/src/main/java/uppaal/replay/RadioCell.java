@@ -68,9 +68,14 @@ final class RadioCell {
         }
     }
 
-    /** A board has begun anew, with its RAM as it was or without. */
+    /**
+     * A board loses its power, or begins anew, with its RAM as it was or without.
+     *
+     * @param power whether it loses its RAM
+     */
     void reset(Event event, boolean power) throws RefusedException {
         Station board = board(event.board());
+        boolean wasOff = board.turns(event.name().equals("fault"));
         if (board.lastEnd() > event.seconds() + DISORDER + board.ear.slot()) {
             throw new RefusedException(board.name() + " sends on after a reset; expected that its packet breaks off");
         }
@@ -79,13 +84,14 @@ final class RadioCell {
         for (Message message : messages.values()) {
             if (board.hasBeen(message.origin)) {
                 message.sender(event.seconds(), "sender_reset");
-            } else if (message.concerns(board) && message.hasReached(board)) {
-                message.receiver(event.seconds(), board, receiver);
-                if (!power) {
-                    // It may come while the board writes down there what its host has taken (SPEC 5.1).
-                    message.perhaps(event.seconds(), board, "receiver_power");
-                }
-            }
+            } else if (message.concerns(board) && message.hasReached(board)
+                    && (!wasOff || message.mayDo(event.seconds(), board, receiver))) {
+                        message.receiver(event.seconds(), board, receiver);
+                        if (!power) {
+                            // It may come while the board writes down there what its host has taken (SPEC 5.1).
+                            message.perhaps(event.seconds(), board, "receiver_power");
+                        }
+                    }
             message.forgetPieces(board);
         }
         forgetHeard(board);

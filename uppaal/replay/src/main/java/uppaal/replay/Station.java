@@ -28,6 +28,8 @@ final class Station {
     private static final double KEPT = 6;
     /** A broadcast of the same content is a repeat for 400 ms; far less than this, in seconds. */
     private static final double REPEATED = 2;
+    /** A Mega keeps more short messages than these. */
+    private static final int FEW = 5;
     private static final String MEGA = "mega";
     private static final int PLACES = 2;
 
@@ -53,13 +55,14 @@ final class Station {
     /** The number of the last transmission; the first one has 0. */
     private int last = LAST_NUMBER;
     private String id = "";
+    /** Whether it has no power. */
+    private boolean off;
     /** Whether its host has opened its radio. */
     private boolean open;
     /** The check values of the keys that its host has set and not touched since, by address. */
     private final Map<String, String> checks = new HashMap<>();
-    /** What has come since it has last told its host something, and whether more than that has. */
-    private Message came;
-    private boolean moreCame;
+    /** What has come since it has last told its host something; null stands for what nobody knows. */
+    private final Set<Message> came = new HashSet<>();
     /** What came undamaged to many and is to be handed over, and when. */
     private final Map<Message, Double> expected = new LinkedHashMap<>();
     /** How many of these in a row were not. */
@@ -203,8 +206,7 @@ final class Station {
         if (seconds > reply) {
             replyBefore = reply;
             reply = seconds;
-            came = null;
-            moreCame = false;
+            came.clear();
         }
         return replyBefore;
     }
@@ -236,8 +238,7 @@ final class Station {
 
     /** A packet comes to it, perhaps damaged, of a message that it may be for; of a strange piece nobody knows. */
     void comes(Message message, Payload payload, double seconds) {
-        moreCame |= came != null && came != message;
-        came = message;
+        came.add(message);
         if (payload.isPiece()) {
             pieces.put(payload.origin() + payload.pieceId(), seconds);
         }
@@ -245,14 +246,17 @@ final class Station {
 
     /**
      * Whether it can keep what has just come. Of pieces: whether there is a place for them. Of a whole: whether its
-     * host has looked lately and has taken all, and nothing else has come since.
+     * host has looked lately, and there is little else that it may not have taken.
      */
     boolean hasRoom(Message message, Payload payload, double seconds) {
         if (payload.isPiece()) {
             return !handed.containsValue(message)
                     && pieces.values().stream().filter(last -> last > seconds - KEPT).count() <= places;
         }
-        return !moreCame && handed.isEmpty() && reply > seconds - LOOKS;
+        int all = came.size() + handed.size();
+        boolean areShort = Stream.concat(came.stream(), handed.values().stream())
+                .allMatch(each -> each != null && !each.isInPieces());
+        return all <= (areShort && places > 0 ? FEW : 1) && reply > seconds - LOOKS;
     }
 
     boolean isOpen() {
@@ -317,10 +321,18 @@ final class Station {
         waiting.remove(transmission);
     }
 
+    /** Its power goes or comes. @return whether it had none */
+    boolean turns(boolean nowOff) {
+        boolean before = off;
+        off = nowOff;
+        return before;
+    }
+
     /** It begins anew: what it was to send and what it has not handed over is gone. */
     void reset() {
         open = false;
         last = LAST_NUMBER;
+        came.clear();
         taking.clear();
         numbers.clear();
         waiting.clear();

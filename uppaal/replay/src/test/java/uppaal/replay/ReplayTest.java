@@ -595,6 +595,17 @@ class ReplayTest {
     }
 
     @Test
+    void replay_powerThatGoesAndComes_isAcceptedThoughAMessageCameBefore() {
+        Lines lines = severalAsked("SUPP");
+        reach(lines, 2, "police", unicast("SUPP", 0), "unicast");
+        lines.add(3, "support", "fault", Map.of("do", "power-cut", "until", 4.0));
+        lines.add(4, "support", "reset", Map.of("why", "power"));
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        hand(lines, 5, 0, "010000");
+        assertRefused(lines, lines.all.size(), "support hands it to its host");
+    }
+
+    @Test
     void replay_crash_isRefused() {
         assertRefused(twoBoards().add(1, "support", "crash", Map.of()), 4, "support's program crashes");
     }
