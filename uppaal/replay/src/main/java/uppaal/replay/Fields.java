@@ -48,7 +48,7 @@ final class Fields {
         }
         String to = new String(frame, 0, ADDRESS, StandardCharsets.US_ASCII);
         if (to.startsWith("//")) {
-            return to.equals("////") ? "broadcast" : "multicast";
+            return to.equals(Payload.ALL) ? "broadcast" : "multicast";
         }
         if (to.startsWith("+F") && Payload.digit(to, INDEX_AT) < INDEXES) {
             return "piece";

@@ -53,7 +53,7 @@ final class Frame {
     }
 
     boolean isBroadcast() {
-        return destination.equals("////");
+        return destination.equals(Payload.ALL);
     }
 
     boolean isSealed() {

@@ -14,8 +14,8 @@ import java.util.stream.Collectors;
 final class Message {
     /** So long a receiver surely keeps a piece, in seconds. */
     private static final double KEPT = 4;
-    /** And after so long without another new piece it has forgotten all. */
-    private static final double FORGOTTEN = 6;
+    /** And after so long without another new piece it has forgotten all: 5 s, and some more. */
+    static final double FORGOTTEN = 6;
 
     final String kind;
     final String origin;

@@ -18,6 +18,8 @@ record Payload(String hex, String kind, String destination, String origin, byte[
     /** The longest piece. */
     static final int PART = 67;
     private static final int ASKS = 8;
+    /** The destination of broadcasts. */
+    static final String ALL = "////";
     private static final int BITS = 8;
 
     /** @throws JsonParseException where the event has no packet */
@@ -85,7 +87,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
             return this;
         }
         String to = text(message, 0);
-        String kind = to.equals("////") ? "broadcast" : to.startsWith("//") ? "multicast" : "unicast";
+        String kind = to.equals(ALL) ? "broadcast" : to.startsWith("//") ? "multicast" : "unicast";
         return of(HexFormat.of().formatHex(message), kind, message);
     }
 
@@ -145,7 +147,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** Whether devices with this address are meant. */
     static boolean concerns(String destination, String id) {
-        return destination.equals("////") || destination.equals(id)
+        return destination.equals(ALL) || destination.equals(id)
                 || destination.startsWith("//") && id.startsWith(destination.substring(2));
     }
 }

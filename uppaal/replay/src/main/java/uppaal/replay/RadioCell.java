@@ -33,7 +33,7 @@ final class RadioCell {
     /** So long a board may wait before it sends something, in seconds: 300 slots at 240 bit/s. */
     private static final double LONGEST_WAIT = 20;
     /** What a board tells only where no message waits for its host. */
-    private static final Set<String> NOTHING_WAITS = Set.of("percepts", "host-nothing");
+    static final Set<String> NOTHING_WAITS = Set.of("percepts", "host-nothing");
     /** So often what comes undamaged may be lost: to an interrupt that was late, or a full queue. */
     private static final int LOST = 2;
 
@@ -82,16 +82,16 @@ final class RadioCell {
         String receiver = power ? "receiver_power" : "receiver_reset";
         board.reset();
         for (Message message : messages.values()) {
+            boolean isHere = message.concerns(board) && message.hasReached(board);
             if (board.hasBeen(message.origin)) {
                 message.sender(event.seconds(), "sender_reset");
-            } else if (message.concerns(board) && message.hasReached(board)
-                    && (!wasOff || message.mayDo(event.seconds(), board, receiver))) {
-                        message.receiver(event.seconds(), board, receiver);
-                        if (!power) {
-                            // It may come while the board writes down there what its host has taken (SPEC 5.1).
-                            message.perhaps(event.seconds(), board, "receiver_power");
-                        }
-                    }
+            } else if (isHere && (!wasOff || message.mayDo(event.seconds(), board, receiver))) {
+                message.receiver(event.seconds(), board, receiver);
+                if (!power) {
+                    // It may come while the board writes down there what its host has taken (SPEC 5.1).
+                    message.perhaps(event.seconds(), board, "receiver_power");
+                }
+            }
             message.forgetPieces(board);
         }
         forgetHeard(board);

@@ -47,8 +47,6 @@ public final class Replay {
     private static final double FEW_ERRORS = 0.002;
     /** Commands that change nothing of what boards hear, or of which the trace tells that. */
     private static final Set<String> QUIET = Set.of("send", "speed", "light", "sensor");
-    /** Those that are not counted, since boards tell them all the time. */
-    private static final Set<String> SEEN_OFTEN = Set.of("percepts", "host-nothing");
     /** What makes reception uncertain. */
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
@@ -242,8 +240,8 @@ public final class Replay {
                     return;
                 }
                 perform(step);
-                events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && !SEEN_OFTEN.contains(event.name())
-                        ? 1 : 0;
+                boolean isCounted = !RadioCell.NOTHING_WAITS.contains(event.name()); // boards tell these all the time
+                events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && isCounted ? 1 : 0;
             } catch (RefusedException refused) {
                 refuse(event, refused.getMessage());
             } catch (JsonParseException wrong) {

@@ -20,12 +20,8 @@ final class Station {
     private static final int LAST_NUMBER = 255;
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
-    /** To all boards. */
-    private static final String ALL = "////";
     /** A host has looked lately if it has got something since then, in seconds: little comes in that time. */
     private static final double LOOKS = 3;
-    /** Pieces are forgotten after 5 s in which no new one comes. */
-    private static final double KEPT = 6;
     /** A broadcast of the same content is a repeat for 400 ms; far less than this, in seconds. */
     private static final double REPEATED = 2;
     /** A Mega keeps more short messages than these. */
@@ -140,7 +136,7 @@ final class Station {
                     name + " takes over transmission " + transmission.number + "; expected " + last);
         }
         transmission.mayFail =
-                !transmission.destination.equals(ALL) && !checks.containsKey(transmission.destination);
+                !transmission.destination.equals(Payload.ALL) && !checks.containsKey(transmission.destination);
         waiting.add(transmission);
         numbered.remove(transmission.number);
         numbered.put(transmission.number, transmission);
@@ -251,7 +247,7 @@ final class Station {
     boolean hasRoom(Message message, Payload payload, double seconds) {
         if (payload.isPiece()) {
             return !handed.containsValue(message)
-                    && pieces.values().stream().filter(last -> last > seconds - KEPT).count() <= places;
+                    && pieces.values().stream().filter(last -> last > seconds - Message.FORGOTTEN).count() <= places;
         }
         int all = came.size() + handed.size();
         boolean areShort = Stream.concat(came.stream(), handed.values().stream())
