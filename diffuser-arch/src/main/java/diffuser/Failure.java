@@ -25,7 +25,7 @@ import javino.protocol.Status;
  * @param error   an atom's name, such as {@code no_key}.
  * @param message one line: what was wrong and, where it helps, what to do.
  */
-record Failure(String error, String message) {
+public record Failure(String error, String message) {
 
     private static final String TOO_LONG = nameOf(Status.TOO_LONG);
     private static final String UNDELIVERED = "undelivered";
@@ -35,7 +35,7 @@ record Failure(String error, String message) {
             QueueFullException.class, "queue_full");
 
     /** Reads what a future of the board failed with. */
-    static Failure of(Throwable thrown) {
+    public static Failure of(Throwable thrown) {
         if (thrown instanceof CompletionException && thrown.getCause() != null) {
             return of(thrown.getCause());
         }
@@ -71,7 +71,7 @@ record Failure(String error, String message) {
     }
 
     /** As an exception of an internal action. */
-    JasonException toException() {
+    public JasonException toException() {
         return new JasonException(message, ASSyntax.createAtom(error));
     }
 
@@ -81,7 +81,7 @@ record Failure(String error, String message) {
     }
 
     /** {@code [error(Error), error_msg(Message)]}. */
-    ListTerm annotations() {
+    public ListTerm annotations() {
         return JasonException.createBasicErrorAnnots(error, message);
     }
 }
