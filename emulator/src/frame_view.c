@@ -32,8 +32,8 @@ static frame_kind kind_of(const uint8_t *destination) {
 
 // Whether the message is content in the clear: force;term or force#conversation;term in UTF-8.
 static bool is_plain_content(const frame_view *view) {
-  static const char *const FORCES[] = {"tell",   "untell", "achieve", "unachieve", "signal", "askOne",
-                                       "askAll", "askHow", "tellHow", "untellHow", "sorry",  NULL};
+  static const char *const FORCES[] = {"tell",   "untell",  "achieve",   "unachieve", "signal", "askOne", "askAll",
+                                       "askHow", "tellHow", "untellHow", "sorry",     "move",   NULL};
   const uint8_t *divider = memchr(view->message, ';', view->message_length);
   if (!divider || divider + 1 == view->message + view->message_length) return false;
   size_t force = (size_t)(divider - view->message);

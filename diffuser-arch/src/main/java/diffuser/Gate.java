@@ -130,7 +130,7 @@ final class Gate {
             // Jason drops only goals that have all the annotations.
             case UNACHIEVE -> Optional.of(broadcast ? marked(clean, mark) : clean);
             case ASK_ONE, ASK_ALL -> Optional.of(clean);
-            case ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY -> Optional.of(said);
+            case ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY, MOVE -> Optional.of(said);
         };
     }
 

@@ -47,7 +47,7 @@ public final class Texts {
     private static final Set<Class<?>> LITERALS =
             Set.of(Atom.class, Structure.class, Pred.class, LiteralImpl.class);
 
-    private static final String FORCES = Arrays.stream(Force.values()).filter(force -> force != Force.SORRY)
+    private static final String FORCES = Arrays.stream(Force.values()).filter(Force::isSaid)
             .map(Force::toString).collect(Collectors.joining(", "));
 
     /** Controls, and what turns the direction of writing. */
@@ -67,8 +67,7 @@ public final class Texts {
      * @throws JasonException wrong_arguments if it is none that can travel.
      */
     static Force force(String name) throws JasonException {
-        // Javino says sorry by itself.
-        return Force.of(name).filter(force -> force != Force.SORRY).orElseThrow(() -> new JasonException(
+        return Force.of(name).filter(Force::isSaid).orElseThrow(() -> new JasonException(
                 "the radio takes only " + FORCES + ", not " + name, JasonException.WRONG_ARGS));
     }
 
@@ -157,6 +156,7 @@ public final class Texts {
                 each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
             case ASK_HOW -> each(read(text), term -> term.isString() ? trigger(((StringTerm) term).getString()) : term);
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, SORRY -> read(text);
+            case MOVE -> throw new MalformedTextException(text, "it belongs to a move");
         };
     }
 
@@ -200,6 +200,7 @@ public final class Texts {
             case ASK_HOW -> term instanceof Trigger || term.isPlanBody() || term.isString();
             case TELL_HOW -> all(term, plan -> plan instanceof Plan || plan.isString());
             case SORRY -> term.isString();
+            case MOVE -> false;
         };
         expect(fits, text, expected(force, conversing));
     }
@@ -214,6 +215,7 @@ public final class Texts {
             case TELL_HOW -> "a plan such as { +!go <- run }, or a list of such, was expected";
             case UNTELL_HOW -> "a plan's label or a list of such was expected";
             case SORRY -> "a string was expected";
+            case MOVE -> "no term was expected";
         };
     }
 

@@ -8,38 +8,61 @@ import java.util.Optional;
  *
  * @param force        what the message is meant to do.
  * @param conversation the number that joins a question and its answer; else empty.
- * @param term         an AgentSpeak term, at least one byte; the whole content has at most 494 bytes.
+ * @param body         an AgentSpeak term in UTF-8, or of {@link Force#MOVE} any bytes; at least one byte. The whole
+ *                     content has at most 494 bytes.
  */
-public record Content(Force force, Optional<Conversation> conversation, String term) {
+public record Content(Force force, Optional<Conversation> conversation, Bytes body) {
 
     /** The most bytes of a content: the sealed content fits a frame, and the opened one a poll reply. */
     public static final int MAX_LENGTH = 494;
 
     private static final char DIVIDER = ';';
     private static final char CONVERSATION_MARK = '#';
+    private static final Bytes MOVE_HEAD = Bytes.ofText(Force.MOVE.toString() + DIVIDER);
 
     /**
-     * @throws IllegalArgumentException if the term is empty, has no UTF-8 form, or is too long; if a question or
-     *         {@code sorry} has no conversation, or a content that is no question and no answer has one.
+     * @throws IllegalArgumentException if the body is empty, is no UTF-8 where it must be, or is too long; if a
+     *         question or {@code sorry} has no conversation, or a content that is no question and no answer has one.
      */
     public Content {
         if (!fits(force, conversation.isPresent())) {
             throw new IllegalArgumentException("a " + force + (conversation.isEmpty() ? " needs a conversation"
                     : " belongs to no conversation"));
         }
-        if (term.isEmpty()) {
+        if (body.length() == 0) {
             throw new IllegalArgumentException("a content needs a term after \"" + force + ";\"");
         }
-        int length = Bytes.ofText(format(force, conversation, term)).length();
+        if (force != Force.MOVE) {
+            expectText(body);
+        }
+        int length = head(force, conversation).length() + body.length();
         if (length > MAX_LENGTH) {
             throw new IllegalArgumentException(
                     "a content has at most " + MAX_LENGTH + " bytes of UTF-8, not " + length);
         }
     }
 
+    /** A content of text. */
+    public Content(Force force, Optional<Conversation> conversation, String term) {
+        this(force, conversation, Bytes.ofText(term));
+    }
+
     /** A content that is no question and no answer. */
     public Content(Force force, String term) {
         this(force, Optional.empty(), term);
+    }
+
+    /** What a host says to another host about an agent that travels. */
+    public static Content move(Bytes body) {
+        return new Content(Force.MOVE, Optional.empty(), body);
+    }
+
+    private static void expectText(Bytes body) {
+        try {
+            body.text();
+        } catch (ProtocolException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
     }
 
     /**
@@ -51,6 +74,9 @@ public record Content(Force force, Optional<Conversation> conversation, String t
         if (bytes.length() > MAX_LENGTH) {
             throw new ProtocolException(ProtocolError.TOO_LONG,
                     "a content has at most " + MAX_LENGTH + " bytes, not " + bytes.length());
+        }
+        if (bytes.length() > MOVE_HEAD.length() && bytes.slice(0, MOVE_HEAD.length()).equals(MOVE_HEAD)) {
+            return move(bytes.from(MOVE_HEAD.length()));
         }
         String text = bytes.text();
         int divider = text.indexOf(DIVIDER);
@@ -95,18 +121,31 @@ public record Content(Force force, Optional<Conversation> conversation, String t
         }
     }
 
+    /** The term; of a move, whose term is bytes, their hexadecimal digits. */
+    public String term() {
+        try {
+            return force == Force.MOVE ? body.hex() : body.text();
+        } catch (ProtocolException e) {
+            throw new IllegalStateException("the constructor has read it", e);
+        }
+    }
+
     /** The content's bytes. */
     public Bytes encode() {
-        return Bytes.ofText(toString());
+        return Bytes.join(head(force, conversation), body);
     }
 
-    /** As on the line: {@code force;term} or {@code force#conversation;term}. */
+    /** As on the line, {@code force;term} or {@code force#conversation;term}; but a move in hexadecimal digits. */
     @Override
     public String toString() {
-        return format(force, conversation, term);
+        return headText(force, conversation) + term();
     }
 
-    private static String format(Force force, Optional<Conversation> conversation, String term) {
-        return force + conversation.map(known -> CONVERSATION_MARK + known.toString()).orElse("") + DIVIDER + term;
+    private static Bytes head(Force force, Optional<Conversation> conversation) {
+        return Bytes.ofText(headText(force, conversation));
+    }
+
+    private static String headText(Force force, Optional<Conversation> conversation) {
+        return force + conversation.map(known -> CONVERSATION_MARK + known.toString()).orElse("") + DIVIDER;
     }
 }

@@ -3,7 +3,10 @@ package javino.protocol;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** The effect that a message is to have on its receiver: the performatives of Jason, and {@code sorry} (SPEC 3). */
+/**
+ * The effect that a message is to have on its receiver: the performatives of Jason, {@code sorry}, and {@code move}
+ * (SPEC 3).
+ */
 public enum Force {
     /** The receiver comes to believe the term. */
     TELL("tell"),
@@ -26,7 +29,9 @@ public enum Force {
     /** The receiver drops the plans that it had from the sender. */
     UNTELL_HOW("untellHow"),
     /** The receiver's question has no answer that can be sent (KQML's term). */
-    SORRY("sorry");
+    SORRY("sorry"),
+    /** A step of an agent's move from one MAS to another; its term is bytes (SPEC 9). */
+    MOVE("move");
 
     private final String text;
 
@@ -43,7 +48,7 @@ public enum Force {
     public boolean isQuestion() {
         return switch (this) {
             case ASK_ONE, ASK_ALL, ASK_HOW -> true;
-            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, TELL_HOW, UNTELL_HOW, SORRY -> false;
+            case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL, TELL_HOW, UNTELL_HOW, SORRY, MOVE -> false;
         };
     }
 
@@ -51,19 +56,24 @@ public enum Force {
     public boolean canAnswer() {
         return switch (this) {
             case TELL, UNTELL, TELL_HOW, SORRY -> true;
-            case ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, UNTELL_HOW -> false;
+            case ACHIEVE, UNACHIEVE, SIGNAL, ASK_ONE, ASK_ALL, ASK_HOW, UNTELL_HOW, MOVE -> false;
         };
     }
 
     /**
      * Whether it is accepted only by unicast or multicast: no stranger may make an agent answer, see its plans or
-     * change them.
+     * change them, or move in.
      */
     public boolean requiresSeal() {
         return switch (this) {
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> false;
-            case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY -> true;
+            case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY, MOVE -> true;
         };
+    }
+
+    /** Whether an agent's program may say it; Javino says the others by itself. */
+    public boolean isSaid() {
+        return this != SORRY && this != MOVE;
     }
 
     /** The AgentSpeak name, such as {@code tell} or {@code askOne}. */

@@ -35,9 +35,9 @@ class ContentTest {
         assertEquals(VectorFile.text(vector, "force"), content.force().toString());
         assertEquals(vector.get("conversation").isJsonNull() ? Optional.empty()
                 : Optional.of(new Conversation(vector.get("conversation").getAsInt())), content.conversation());
-        assertEquals(VectorFile.text(vector, "term"), content.term());
+        assertEquals(VectorFile.text(vector, "term"), content.body().text());
         assertEquals(bytes, content.encode());
-        assertEquals(bytes, new Content(content.force(), content.conversation(), content.term()).encode());
+        assertEquals(bytes, new Content(content.force(), content.conversation(), content.body()).encode());
     }
 
     @ParameterizedTest
@@ -75,7 +75,7 @@ class ContentTest {
     @Test
     void requiresSeal_force_isWhatWantsAnAnswerGivesOneOrTouchesPlans() {
         assertEquals(EnumSet.of(Force.ASK_ONE, Force.ASK_ALL, Force.ASK_HOW, Force.TELL_HOW, Force.UNTELL_HOW,
-                Force.SORRY), Stream.of(Force.values()).filter(Force::requiresSeal).collect(Collectors.toSet()));
+                Force.SORRY, Force.MOVE), Stream.of(Force.values()).filter(Force::requiresSeal).collect(Collectors.toSet()));
     }
 
     @ParameterizedTest
@@ -88,6 +88,16 @@ class ContentTest {
     @ValueSource(ints = {-1, 1 << 18})
     void conversation_outOfRange_throws(int id) {
         assertThrows(IllegalArgumentException.class, () -> new Conversation(id));
+    }
+
+    @Test
+    void move_anyBytes_readsBackAndShowsThemInHex() throws ProtocolException {
+        Content content = Content.move(Bytes.of(0xFF, 0, ';'));
+        assertEquals(content, Content.decode(content.encode()));
+        assertEquals("move;ff003b", content.toString());
+        assertThrows(ProtocolException.class, () -> Content.decode(Bytes.ofText("move;")));
+        assertThrows(IllegalArgumentException.class,
+                () -> new Content(Force.TELL, Optional.empty(), Bytes.of(0xFF)));
     }
 
     @Test

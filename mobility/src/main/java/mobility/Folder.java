@@ -1,0 +1,253 @@
+package mobility;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+import javino.protocol.Bytes;
+
+/**
+ * Where a MAS keeps the records of its moves and the texts of the agents (SPEC 9.3). What a method has written is on
+ * the disk when it returns, so that a computer that loses power goes on from there.
+ *
+ * <p>All methods throw {@link UncheckedIOException} where the disk fails.
+ */
+final class Folder implements AutoCloseable {
+
+    private static final String RECORD = ".move";
+    private static final String PARTIAL = ".part";
+    private static final String NEW = ".new";
+    /** Texts that no record names are kept for visits to come, so many. */
+    private static final int MOST_SPARE = 64;
+
+    private final Path place;
+    private final FileChannel lock;
+
+    private Folder(Path place, FileChannel lock) {
+        this.place = place;
+        this.lock = lock;
+    }
+
+    /**
+     * Opens a folder, which is made if it is not there.
+     *
+     * @throws IOException if it cannot be written, or another MAS has it.
+     */
+    static Folder open(Path place) throws IOException {
+        Files.createDirectories(place.resolve("parts"));
+        FileChannel lock = FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE,
+                StandardOpenOption.WRITE);
+        try {
+            FileLock taken = lock.tryLock();
+            if (taken != null) {
+                return new Folder(place, lock);
+            }
+        } catch (OverlappingFileLockException e) {
+            // Another agent of this MAS has it.
+        }
+        lock.close();
+        throw new IOException("the folder " + place.toAbsolutePath()
+                + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
+    }
+
+    /** The records that are there; none if the folder is not there. One that cannot be read is left out. */
+    static List<Move> records(Path place) {
+        if (!Files.isDirectory(place)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(place)) {
+            List<Move> all = new ArrayList<>();
+            for (Path file : files.filter(each -> each.toString().endsWith(RECORD)).sorted().toList()) {
+                read(file).ifPresent(all::add);
+            }
+            return all;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    List<Move> records() {
+        return records(place);
+    }
+
+    private static Optional<Move> read(Path file) throws IOException {
+        Properties properties = new Properties();
+        try (var reader = Files.newBufferedReader(file)) {
+            properties.load(reader);
+            String name = file.getFileName().toString();
+            return Optional.of(Move.of(name.substring(0, name.length() - RECORD.length()), properties));
+        } catch (IllegalArgumentException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** Writes a record, in the place of the one before of that move. */
+    void write(Move move) {
+        StringWriter text = new StringWriter();
+        try {
+            move.properties().store(text, null);
+            replace(place.resolve(move.key() + RECORD), text.toString().getBytes(StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Deletes the record of a move, if there is one. */
+    void delete(Move.Key key) {
+        try {
+            Files.deleteIfExists(place.resolve(key + RECORD));
+            flush(place);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The text of a hash, if it is here. */
+    Optional<Bytes> text(Bytes hash) {
+        Path file = part(hash);
+        try {
+            return Files.exists(file) ? Optional.of(Bytes.copyOf(Files.readAllBytes(file))) : Optional.empty();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Keeps a text. */
+    void keep(Bytes hash, Bytes text) {
+        try {
+            if (Files.exists(part(hash))) {
+                Files.setLastModifiedTime(part(hash), FileTime.fromMillis(System.currentTimeMillis()));
+            } else {
+                replace(part(hash), text.toArray());
+            }
+            Files.deleteIfExists(partial(hash));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** How many packed bytes have come of a part which is not here as a whole. */
+    int here(Bytes hash) {
+        try {
+            return Files.exists(partial(hash)) ? (int) Files.size(partial(hash)) : 0;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Those packed bytes. */
+    Bytes partially(Bytes hash) {
+        try {
+            return Files.exists(partial(hash)) ? Bytes.copyOf(Files.readAllBytes(partial(hash))) : Bytes.EMPTY;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells what is wrong. */
+    void append(Bytes hash, Bytes packed) {
+        try {
+            Files.write(partial(hash), packed.toArray(), StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Forgets the packed bytes of a part. */
+    void forget(Bytes hash) {
+        try {
+            Files.deleteIfExists(partial(hash));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Deletes the oldest of those texts that no record names, where there are too many. */
+    void tidy() {
+        Set<String> needed = records().stream().flatMap(move -> move.parts().stream()).map(Bytes::hex)
+                .collect(Collectors.toSet());
+        try (Stream<Path> files = Files.list(place.resolve("parts"))) {
+            List<Path> spare = files.filter(file -> !needed.contains(hash(file)))
+                    .sorted(Comparator.comparing(Folder::written).reversed()).toList();
+            for (Path file : spare.stream().skip(MOST_SPARE).toList()) {
+                Files.deleteIfExists(file);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static String hash(Path file) {
+        return file.getFileName().toString().replace(PARTIAL, "").replace(NEW, "");
+    }
+
+    private static FileTime written(Path file) {
+        try {
+            return Files.getLastModifiedTime(file);
+        } catch (IOException e) {
+            return FileTime.fromMillis(0);
+        }
+    }
+
+    private Path part(Bytes hash) {
+        return place.resolve("parts").resolve(hash.hex());
+    }
+
+    private Path partial(Bytes hash) {
+        return place.resolve("parts").resolve(hash.hex() + PARTIAL);
+    }
+
+    private static void replace(Path file, byte[] bytes) throws IOException {
+        Path fresh = file.resolveSibling(file.getFileName() + NEW);
+        try (FileChannel channel = FileChannel.open(fresh, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
+                StandardOpenOption.TRUNCATE_EXISTING)) {
+            for (ByteBuffer rest = ByteBuffer.wrap(bytes); rest.hasRemaining();) {
+                channel.write(rest);
+            }
+            channel.force(true);
+        }
+        try {
+            Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException e) {
+            Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING);
+        }
+        flush(file.getParent());
+    }
+
+    /** So that the file's name is on the disk, too; Windows has no such call. */
+    private static void flush(Path directory) throws IOException {
+        try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
+            channel.force(true);
+        } catch (java.nio.file.AccessDeniedException e) {
+            return;
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            lock.close();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

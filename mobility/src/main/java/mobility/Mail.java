@@ -1,0 +1,191 @@
+package mobility;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.ProtocolError;
+import javino.protocol.ProtocolException;
+
+/**
+ * What the two hosts of a move say to each other (SPEC 9.1).
+ *
+ * @param move the number of the move, 32 bits, as its sender has chosen it.
+ * @param said what is said of it.
+ */
+record Mail(int move, Said said) {
+
+    private static final int HEAD = 5;
+    private static final int NUMBER = 3;
+    /** The most bytes of a part in one message: then the content has 494. */
+    static final int MOST_DATA = 480;
+    /** The most parts of an agent. */
+    static final int MOST_PARTS = 8;
+    private static final int MOST_NAME = 64;
+    private static final int MOST_REASON = 200;
+
+    /** One kind of message. */
+    sealed interface Said permits Offer, Want, Data, Ready, Go, Awake, Cancelled, Refused {
+    }
+
+    /** An agent wants to come. */
+    record Offer(Protocol protocol, List<Part> parts, Move.Identity identity) implements Said {
+
+        /** The bytes of all its texts. */
+        long length() {
+            return parts.stream().mapToLong(Part::length).sum();
+        }
+    }
+
+    /** It may; these bytes of its parts are here. */
+    record Want(List<Integer> offsets) implements Said {
+    }
+
+    /** Some bytes of a part. */
+    record Data(int part, int offset, Bytes bytes) implements Said {
+    }
+
+    /** The agent is here, as a whole, and sleeps. */
+    record Ready() implements Said {
+    }
+
+    /** It has gone from where it was: wake it. */
+    record Go() implements Said {
+    }
+
+    /** It is awake here, by that name. */
+    record Awake(String agent) implements Said {
+    }
+
+    /** It stays where it was: forget it. */
+    record Cancelled() implements Said {
+    }
+
+    /** It may not come. */
+    record Refused(String error, String reason) implements Said {
+    }
+
+    /** The bytes of the message. */
+    Bytes encode() {
+        return Bytes.join(Bytes.of(letter()), Bytes.ofNumber(move, 4), body());
+    }
+
+    private char letter() {
+        return said instanceof Offer ? 'O' : said instanceof Want ? 'W' : said instanceof Data ? 'D'
+                : said instanceof Ready ? 'R' : said instanceof Go ? 'G' : said instanceof Awake ? 'A'
+                : said instanceof Cancelled ? 'C' : 'X';
+    }
+
+    private Bytes body() {
+        if (said instanceof Offer offer) {
+            List<Bytes> parts = new ArrayList<>(List.of(Bytes.of(offer.protocol.letter(), offer.parts.size())));
+            offer.parts.forEach(part -> parts.add(Bytes.join(part.hash(), Bytes.ofNumber(part.packed(), NUMBER),
+                    Bytes.ofNumber(part.length(), NUMBER))));
+            parts.add(Bytes.ofText(offer.identity.home().toString() + offer.identity.name()));
+            return Bytes.join(parts.toArray(Bytes[]::new));
+        }
+        if (said instanceof Want want) {
+            return Bytes.join(want.offsets.stream().map(offset -> Bytes.ofNumber(offset, NUMBER))
+                    .toArray(Bytes[]::new));
+        }
+        if (said instanceof Data data) {
+            return Bytes.join(Bytes.of(data.part), Bytes.ofNumber(data.offset, NUMBER), data.bytes);
+        }
+        if (said instanceof Awake awake) {
+            return Bytes.ofText(awake.agent);
+        }
+        return said instanceof Refused refused ? Bytes.ofText(refused.error + " " + shortened(refused.reason))
+                : Bytes.EMPTY;
+    }
+
+    private static String shortened(String reason) {
+        return reason.length() <= MOST_REASON ? reason : reason.substring(0, MOST_REASON - 1) + "…";
+    }
+
+    /** @throws ProtocolException BAD_CONTENT or BAD_TEXT, if the bytes are no message of a move. */
+    static Mail decode(Bytes bytes) throws ProtocolException {
+        expect(bytes.length() >= HEAD, bytes);
+        Bytes body = bytes.from(HEAD);
+        return new Mail((int) bytes.number(1, HEAD), switch (bytes.at(0)) {
+            case 'O' -> offer(body);
+            case 'W' -> want(body);
+            case 'D' -> data(body);
+            case 'R' -> alone(body, new Ready());
+            case 'G' -> alone(body, new Go());
+            case 'A' -> new Awake(name(body));
+            case 'C' -> alone(body, new Cancelled());
+            case 'X' -> refused(body);
+            default -> throw wrong(bytes);
+        });
+    }
+
+    private static Said offer(Bytes body) throws ProtocolException {
+        expect(body.length() > 2, body);
+        Protocol protocol = Protocol.of(body.at(0)).orElseThrow(() -> wrong(body));
+        int count = body.at(1);
+        int each = Part.HASH_LENGTH + 2 * NUMBER;
+        expect(count > 0 && count <= MOST_PARTS && body.length() > 2 + count * each, body);
+        List<Part> parts = new ArrayList<>();
+        for (int at = 2; at < 2 + count * each; at += each) {
+            int numbers = at + Part.HASH_LENGTH;
+            parts.add(new Part(body.slice(at, numbers), (int) body.number(numbers, numbers + NUMBER),
+                    (int) body.number(numbers + NUMBER, numbers + 2 * NUMBER)));
+        }
+        Bytes identity = body.from(2 + count * each);
+        expect(identity.length() > Address.LENGTH, body);
+        return new Offer(protocol, List.copyOf(parts), new Move.Identity(device(identity.slice(0, Address.LENGTH)),
+                name(identity.from(Address.LENGTH))));
+    }
+
+    private static Said want(Bytes body) throws ProtocolException {
+        expect(body.length() > 0 && body.length() % NUMBER == 0 && body.length() <= MOST_PARTS * NUMBER, body);
+        List<Integer> offsets = new ArrayList<>();
+        for (int at = 0; at < body.length(); at += NUMBER) {
+            offsets.add((int) body.number(at, at + NUMBER));
+        }
+        return new Want(List.copyOf(offsets));
+    }
+
+    private static Said data(Bytes body) throws ProtocolException {
+        expect(body.length() > 1 + NUMBER, body);
+        return new Data(body.at(0), (int) body.number(1, 1 + NUMBER), body.from(1 + NUMBER));
+    }
+
+    private static Said refused(Bytes body) throws ProtocolException {
+        String text = body.text();
+        int divider = text.indexOf(' ');
+        expect(divider > 0 && text.substring(0, divider).matches("[a-z]\\w{0,31}"), body);
+        return new Refused(text.substring(0, divider), text.substring(divider + 1));
+    }
+
+    private static Address device(Bytes bytes) throws ProtocolException {
+        try {
+            Address home = Address.parse(bytes.text());
+            expect(home.kind() == Address.Kind.DEVICE, bytes);
+            return home;
+        } catch (IllegalArgumentException e) {
+            throw wrong(bytes);
+        }
+    }
+
+    private static String name(Bytes body) throws ProtocolException {
+        expect(body.length() <= MOST_NAME, body);
+        return body.text();
+    }
+
+    private static Said alone(Bytes body, Said said) throws ProtocolException {
+        expect(body.length() == 0, body);
+        return said;
+    }
+
+    private static void expect(boolean met, Bytes bytes) throws ProtocolException {
+        if (!met) {
+            throw wrong(bytes);
+        }
+    }
+
+    private static ProtocolException wrong(Bytes bytes) {
+        return new ProtocolException(ProtocolError.BAD_CONTENT, "no message of a move: " + bytes);
+    }
+}

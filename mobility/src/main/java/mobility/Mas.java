@@ -1,0 +1,47 @@
+package mobility;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+
+import diffuser.Failure;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+
+/** The MAS around the moves of one board, as {@link Moves} sees it. Called on the thread of the moves; must not block. */
+interface Mas {
+
+    /**
+     * Whether the agent with the board lets another in.
+     *
+     * @return completes when it does; fails with a {@link RefusedException}. On any thread.
+     */
+    CompletableFuture<Void> admit(String agent, Protocol protocol, Address from);
+
+    /** Whether these texts are an agent that can live here. @throws RefusedException if not. */
+    void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException;
+
+    /**
+     * Lets an agent live here.
+     *
+     * @param move  how it came.
+     * @param anew  whether it was here before, and this computer has started again since.
+     * @return the name that it has got.
+     */
+    String wake(Move move, List<Bytes> texts, boolean anew);
+
+    /** An agent has moved elsewhere: it ends here, if it is here still. */
+    void left(Move move);
+
+    /** An agent was on its way when this computer ended, and stays: its plan that wanted to move fails. */
+    void stays(Move move, List<Bytes> texts, Failure why);
+
+    /** Whether this MAS starts an agent of that name by itself. */
+    boolean starts(String agent);
+
+    /** So much of an agent has come or gone, of a move that takes long. */
+    void progress(String agent, Address peer, boolean out, int percent);
+
+    /** What the user should know. */
+    void warn(String what);
+}

@@ -1,0 +1,123 @@
+package mobility;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+
+/**
+ * The record of a move, as it is kept in a {@link Folder} (SPEC 9.3).
+ *
+ * @param key      which move.
+ * @param state    how far it is.
+ * @param protocol what becomes of the agent.
+ * @param identity who moves.
+ * @param name     what the agent is called on this side.
+ * @param parts    the hashes of its texts.
+ * @param isOurs   whether the program of this MAS starts the agent, so that it must not as long as the agent is away.
+ * @param before   of an agent that came by a move and moves on: the record of that one, which ends when this agent has
+ *                 gone.
+ */
+record Move(Key key, State state, Protocol protocol, Identity identity, String name, List<Bytes> parts,
+        boolean isOurs, Optional<Key> before) {
+
+    /**
+     * An agent that travels, wherever it is, and whatever it is called there.
+     *
+     * @param home the device of the MAS from which it first came.
+     * @param name what it was called there.
+     */
+    record Identity(Address home, String name) {
+    }
+
+    /** How far a move is: four states of a sender, then two of a receiver. */
+    enum State {
+        /** It may come back. */
+        OFFERED,
+        /** It will never wake here. */
+        GONE,
+        /** It is awake elsewhere. */
+        AWAY,
+        /** It is here, but may still belong to its sender. */
+        READY,
+        /** It is awake here. */
+        HERE
+    }
+
+    /**
+     * Which move, and on which side.
+     *
+     * @param out    whether the agent leaves.
+     * @param peer   the device on the other side.
+     * @param number as the sender has chosen it.
+     */
+    record Key(boolean out, Address peer, int number) {
+
+        /** As a file's name; the slash of an address is none. */
+        @Override
+        public String toString() {
+            return String.format("%s-%s-%08x", out ? "out" : "in", peer.toString().replace('/', '_'), number);
+        }
+
+        /** @throws IllegalArgumentException if it is no file's name of a key. */
+        static Key parse(String name) {
+            String[] words = name.split("-");
+            if (words.length != 3 || !name.matches("(out|in)-.{4}-[0-9a-f]{8}")) {
+                throw new IllegalArgumentException(name + " names no move");
+            }
+            return new Key(words[0].equals("out"), Address.parse(words[1].replace('_', '/')),
+                    Integer.parseUnsignedInt(words[2], 16));
+        }
+    }
+
+    Move in(State next) {
+        return new Move(key, next, protocol, identity, name, parts, isOurs, before);
+    }
+
+    Move named(String local) {
+        return new Move(key, state, protocol, identity, local, parts, isOurs, before);
+    }
+
+    /** Whether the agent is awake on the other side, or will be, and never here by this move. */
+    boolean isAbsent() {
+        return state == State.GONE || state == State.AWAY;
+    }
+
+    Move ours() {
+        return new Move(key, state, protocol, identity, name, parts, true, before);
+    }
+
+    /** As a file's text. */
+    Properties properties() {
+        Properties all = new Properties();
+        all.setProperty("state", state.name());
+        all.setProperty("protocol", protocol.name());
+        all.setProperty("home", identity.home.toString());
+        all.setProperty("agent", identity.name);
+        all.setProperty("name", name);
+        all.setProperty("parts", parts.stream().map(Bytes::hex).collect(Collectors.joining(",")));
+        all.setProperty("ours", String.valueOf(isOurs));
+        before.ifPresent(known -> all.setProperty("before", known.toString()));
+        return all;
+    }
+
+    /** @throws IllegalArgumentException if these are no record's. */
+    static Move of(String file, Properties all) {
+        for (String needed : List.of("state", "protocol", "home", "agent", "name", "parts")) {
+            if (all.getProperty(needed) == null) {
+                throw new IllegalArgumentException("it has no " + needed);
+            }
+        }
+        return new Move(Key.parse(file), State.valueOf(all.getProperty("state")),
+                Protocol.valueOf(all.getProperty("protocol")),
+                new Identity(Address.parse(all.getProperty("home")), all.getProperty("agent")), all.getProperty("name"),
+                Stream.of(all.getProperty("parts").split(",")).filter(hash -> !hash.isEmpty()).map(Bytes::ofHex)
+                        .toList(),
+                Boolean.parseBoolean(all.getProperty("ours")),
+                Optional.ofNullable(all.getProperty("before")).map(Key::parse));
+    }
+}

@@ -1,0 +1,812 @@
+package mobility;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
+import java.util.stream.Collectors;
+
+import diffuser.Failure;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Outcome;
+import javino.protocol.ProtocolException;
+
+/**
+ * The moves of agents by one board (SPEC 9): what is said when, and what is written before. It knows neither Jason nor
+ * boards, so that a test can end it at any step and begin a new one with the same folder.
+ *
+ * <p>All but {@link #depart}, {@link #received} and the counters is for the one thread of the {@link Clock}.
+ */
+final class Moves {
+
+    /** After a message was delivered, until it is said again. */
+    static final long ANSWER_MILLIS = 3_000;
+    /** After a message was not delivered, until it is said again, at first and at most. */
+    static final long LEAST_PAUSE_MILLIS = 2_000;
+    static final long MOST_PAUSE_MILLIS = 30_000;
+    /** A sender that has heard nothing for so long gives up, as long as the agent may come back. */
+    static final long PATIENCE_MILLIS = 60_000;
+    /** A receiver that has heard nothing for so long forgets an offer; the parts stay. */
+    static final long FORGET_MILLIS = 300_000;
+    /** Between two reports of progress. */
+    static final long PROGRESS_MILLIS = 5_000;
+    /** So many messages of data are under way, so that others pass between. */
+    private static final int WINDOW = 2;
+    private static final int PERCENT = 100;
+
+    /** The time, and the thread on which all happens. */
+    interface Clock extends Executor {
+
+        long millis();
+
+        void after(long millis, Runnable step);
+    }
+
+    /** Sends the bytes of one message to a device. */
+    interface Air {
+
+        /** @return the outcome; fails if the board does not take the message. On any thread. */
+        CompletableFuture<Outcome> send(Address to, Bytes bytes);
+    }
+
+    /**
+     * What a MAS bears.
+     *
+     * @param length the most bytes of text of one agent.
+     * @param agents the most agents that come or have come.
+     */
+    record Limits(long length, int agents) {
+
+        static final Limits USUAL = new Limits(65_536, 16);
+    }
+
+    /** What is counted, for who looks for a fault. */
+    enum Count {
+        CAME, LEFT, REFUSED, STAYED, DROPPED
+    }
+
+    private final Clock clock;
+    private final Air air;
+    private final Folder folder;
+    private final Mas mas;
+    private final Limits limits;
+    private final RandomGenerator random;
+    private final Map<Move.Key, Departure> departures = new LinkedHashMap<>();
+    private final Map<Move.Key, Arrival> arrivals = new LinkedHashMap<>();
+    private final Map<Count, AtomicLong> counts = new HashMap<>();
+    private boolean closed;
+
+    Moves(Clock clock, Air air, Folder folder, Mas mas, Limits limits, RandomGenerator random) {
+        this.clock = clock;
+        this.air = air;
+        this.folder = folder;
+        this.mas = mas;
+        this.limits = limits;
+        this.random = random;
+        for (Count count : Count.values()) {
+            counts.put(count, new AtomicLong());
+        }
+    }
+
+    /** How often that has happened. For any thread. */
+    long count(Count count) {
+        return counts.get(count).get();
+    }
+
+    /** Goes on from the records. */
+    void start() {
+        // What is one step, the program may have ended in the midst of.
+        folder.records().stream().filter(Move::isAbsent).forEach(move -> move.before().ifPresent(folder::delete));
+        Set<Move.Identity> back = folder.records().stream().filter(move -> move.state() == Move.State.HERE)
+                .map(Move::identity).collect(Collectors.toSet());
+        folder.records().stream().filter(move -> move.isAbsent() && back.contains(move.identity()))
+                .forEach(move -> folder.delete(move.key()));
+        List<Move> rest = folder.records();
+        Set<Move.Key> leaving = rest.stream().flatMap(move -> move.before().stream()).collect(Collectors.toSet());
+        for (Move move : rest) {
+            switch (move.state()) {
+                case OFFERED, GONE -> new Departure(move, texts(move), new CompletableFuture<>(), true).begin();
+                case AWAY -> mas.warn(move.name() + " is not started: it has moved to " + move.key().peer()
+                        + "; to start it anew delete the file " + move.key() + ".move");
+                case READY -> new Arrival(move).ready();
+                case HERE -> {
+                    Arrival arrival = new Arrival(move);
+                    if (leaving.contains(move.key())) {
+                        arrival.isBack();
+                    } else {
+                        arrival.wake(true);
+                    }
+                }
+            }
+        }
+        folder.tidy();
+    }
+
+    /** Says and does nothing more, as if the program had ended. */
+    void close() {
+        closed = true;
+    }
+
+    private List<Bytes> texts(Move move) {
+        List<Bytes> texts = new ArrayList<>();
+        for (Bytes hash : move.parts()) {
+            texts.add(folder.text(hash).orElseThrow(
+                    () -> new IllegalStateException("the folder of moves has lost part " + hash + " of " + move)));
+        }
+        return texts;
+    }
+
+    /**
+     * Moves an agent, which sleeps already unless it is cloned. For any thread.
+     *
+     * @param here this device's own address.
+     * @return the name that it has there; fails with a JasonException of {@link Failure}, when it may wake here.
+     */
+    CompletableFuture<String> depart(String agent, Protocol protocol, Address here, Address to, List<Bytes> texts) {
+        CompletableFuture<String> end = new CompletableFuture<>();
+        clock.execute(guarded(() -> {
+            Move.Key key;
+            do {
+                key = new Move.Key(true, to, random.nextInt());
+            } while (departures.containsKey(key));
+            Optional<Move> came = arrivals.values().stream().filter(arrival -> arrival.isHere(agent))
+                    .map(arrival -> arrival.move).findFirst();
+            Move move = new Move(key, Move.State.OFFERED, protocol,
+                    came.map(Move::identity).orElse(new Move.Identity(here, agent)), agent,
+                    texts.stream().map(Part::hash).toList(), came.map(Move::isOurs).orElse(mas.starts(agent)),
+                    came.map(Move::key).filter(known -> protocol != Protocol.CLONING));
+            try {
+                texts.forEach(text -> folder.keep(Part.hash(text), text));
+                write(move);
+            } catch (RuntimeException e) {
+                end.completeExceptionally(
+                        new Failure("disk", "the move cannot be recorded: " + e.getMessage()).toException());
+                return;
+            }
+            new Departure(move, texts, end, false).begin();
+        }));
+        return end;
+    }
+
+    /** A clone has no record: its original never sleeps. */
+    private void write(Move move) {
+        if (move.protocol() != Protocol.CLONING || !move.key().out()) {
+            folder.write(move);
+        }
+    }
+
+    /** What another device has said of a move. For any thread. */
+    void received(Address from, Bytes bytes) {
+        clock.execute(guarded(() -> {
+            try {
+                Mail mail = Mail.decode(bytes);
+                hear(from, mail.move(), mail.said());
+            } catch (ProtocolException e) {
+                drop(from, e.getMessage());
+            }
+        }));
+    }
+
+    private void drop(Address from, String why) {
+        counts.get(Count.DROPPED).incrementAndGet();
+        mas.warn("dropped a message of a move from " + from + ": " + why);
+    }
+
+    private void hear(Address from, int number, Mail.Said said) {
+        Departure departure = departures.get(new Move.Key(true, from, number));
+        Move.Key in = new Move.Key(false, from, number);
+        Arrival arrival = arrivals.get(in);
+        if (said instanceof Mail.Offer offer) {
+            offered(in, arrival, offer);
+        } else if (said instanceof Mail.Data data) {
+            whereThere(arrival, from, known -> known.data(data));
+        } else if (said instanceof Mail.Go) {
+            if (arrival == null) {
+                say(from, number, new Mail.Awake(""));
+            } else {
+                arrival.go();
+            }
+        } else if (said instanceof Mail.Cancelled) {
+            whereThere(arrival, from, Arrival::cancelled);
+        } else if (said instanceof Mail.Want want) {
+            whereThere(departure, from, known -> known.wanted(want));
+        } else if (said instanceof Mail.Ready) {
+            if (departure == null) {
+                say(from, number, new Mail.Cancelled());
+            } else {
+                departure.ready();
+            }
+        } else if (said instanceof Mail.Awake awake) {
+            whereThere(departure, from, known -> known.awake(awake.agent()));
+        } else if (said instanceof Mail.Refused refused) {
+            whereThere(departure, from, known -> known.refused(refused));
+        }
+    }
+
+    /** What is said of a move that has ended is late, and no fault. */
+    private <T> void whereThere(T known, Address from, Consumer<T> step) {
+        if (known == null) {
+            counts.get(Count.DROPPED).incrementAndGet();
+        } else {
+            step.accept(known);
+        }
+    }
+
+    private CompletableFuture<Outcome> say(Address to, int number, Mail.Said said) {
+        return air.send(to, new Mail(number, said).encode());
+    }
+
+    private Runnable guarded(Runnable step) {
+        return () -> {
+            if (!closed) {
+                step.run();
+            }
+        };
+    }
+
+    private void after(long millis, Runnable step) {
+        clock.after(millis, guarded(step));
+    }
+
+    /** One message that is said until it is answered. */
+    private final class Call {
+
+        private final Move.Key key;
+        private Mail.Said what;
+        private long pause;
+        private boolean speaking;
+        /** What was begun for an earlier message says no more. */
+        private int turn;
+
+        Call(Move.Key key) {
+            this.key = key;
+        }
+
+        void say(Mail.Said said) {
+            what = said;
+            pause = LEAST_PAUSE_MILLIS;
+            speak();
+        }
+
+        /** As {@link #say}, unless an answer comes first. */
+        void sayLater(Mail.Said said) {
+            what = said;
+            pause = LEAST_PAUSE_MILLIS;
+            again(ANSWER_MILLIS);
+        }
+
+        /** The other side is there: no pause is needed. */
+        void hurry() {
+            if (what != null && !speaking) {
+                speak();
+            }
+        }
+
+        void stop() {
+            what = null;
+            speaking = false;
+            turn++;
+        }
+
+        private void speak() {
+            int mine = ++turn;
+            speaking = true;
+            Moves.this.say(key.peer(), key.number(), what).whenCompleteAsync((outcome, thrown) -> guarded(() -> {
+                if (mine != turn) {
+                    return;
+                }
+                speaking = false;
+                if (thrown == null && outcome == Outcome.DELIVERED) {
+                    pause = LEAST_PAUSE_MILLIS;
+                    again(ANSWER_MILLIS);
+                } else {
+                    again(pause);
+                    pause = Math.min(MOST_PAUSE_MILLIS, 2 * pause);
+                }
+            }).run(), clock);
+        }
+
+        private void again(long millis) {
+            int mine = ++turn;
+            after(millis, () -> {
+                if (mine == turn && what != null) {
+                    speak();
+                }
+            });
+        }
+    }
+
+    /** A move of an agent that leaves. */
+    private final class Departure {
+
+        private Move move;
+        private final List<Bytes> texts;
+        private final List<Bytes> packed;
+        private final Mail.Offer offer;
+        private final CompletableFuture<String> end;
+        private final boolean restarted;
+        private final Call call;
+        private final long begun;
+        private long lastWord;
+        private long lastProgress;
+        /** Of each part, what is not sent yet. */
+        private int[] next;
+        private int sending;
+        private int round;
+        /** Of a clone: it may have come to be. */
+        private boolean went;
+
+        Departure(Move move, List<Bytes> texts, CompletableFuture<String> end, boolean restarted) {
+            this.move = move;
+            this.texts = texts;
+            this.end = end;
+            this.restarted = restarted;
+            this.packed = texts.stream().map(Part::pack).toList();
+            this.call = new Call(move.key());
+            List<Part> parts = new ArrayList<>();
+            for (int i = 0; i < texts.size(); i++) {
+                parts.add(new Part(Part.hash(texts.get(i)), packed.get(i).length(), texts.get(i).length()));
+            }
+            this.offer = new Mail.Offer(move.protocol(), parts, move.identity());
+            this.begun = clock.millis();
+            this.lastWord = begun;
+            this.lastProgress = begun;
+            departures.put(move.key(), this);
+        }
+
+        void begin() {
+            if (move.state() == Move.State.GONE) {
+                call.say(new Mail.Go());
+            } else {
+                call.say(offer);
+                watch();
+            }
+        }
+
+        private void watch() {
+            after(lastWord + PATIENCE_MILLIS - clock.millis(), () -> {
+                if (!isOpen()) {
+                    return;
+                }
+                if (clock.millis() - lastWord < PATIENCE_MILLIS) {
+                    watch();
+                    return;
+                }
+                String why = move.name() + " has stayed: nothing was heard of " + move.key().peer() + " for "
+                        + PATIENCE_MILLIS / 1_000 + " s";
+                stay(new Failure("undelivered", went ? why + "; a clone may have come to be" : why));
+            });
+        }
+
+        /** Whether it may come back. */
+        private boolean isOpen() {
+            return departures.get(move.key()) == this && move.state() == Move.State.OFFERED;
+        }
+
+        void wanted(Mail.Want want) {
+            if (!isOpen() || want.offsets().size() != packed.size()) {
+                counts.get(Count.DROPPED).incrementAndGet();
+                return;
+            }
+            lastWord = clock.millis();
+            call.stop();
+            round++;
+            sending = 0;
+            next = want.offsets().stream().mapToInt(Integer::intValue).toArray();
+            pump();
+        }
+
+        private void pump() {
+            while (sending < WINDOW) {
+                int part = 0;
+                while (part < next.length && next[part] >= packed.get(part).length()) {
+                    part++;
+                }
+                if (part == next.length) {
+                    if (sending == 0) {
+                        call.sayLater(offer);
+                    }
+                    return;
+                }
+                int from = next[part];
+                int to = Math.min(packed.get(part).length(), from + Mail.MOST_DATA);
+                next[part] = to;
+                sending++;
+                int mine = round;
+                say(move.key().peer(), move.key().number(),
+                        new Mail.Data(part, from, packed.get(part).slice(from, to)))
+                        .whenCompleteAsync((outcome, thrown) -> guarded(() -> sent(mine, outcome)).run(), clock);
+            }
+        }
+
+        private void sent(int mine, Outcome outcome) {
+            if (mine != round || !isOpen()) {
+                return;
+            }
+            sending--;
+            if (outcome != Outcome.DELIVERED) {
+                // Where to go on, the other side says.
+                round++;
+                call.say(offer);
+                return;
+            }
+            lastWord = clock.millis();
+            report();
+            pump();
+        }
+
+        private void report() {
+            if (clock.millis() - lastProgress >= PROGRESS_MILLIS) {
+                lastProgress = clock.millis();
+                long all = packed.stream().mapToLong(Bytes::length).sum();
+                long done = 0;
+                for (int offset : next) {
+                    done += offset;
+                }
+                mas.progress(move.name(), move.key().peer(), true, (int) (PERCENT * done / Math.max(1, all)));
+            }
+        }
+
+        void ready() {
+            lastWord = clock.millis();
+            if (move.state() == Move.State.OFFERED && move.protocol() != Protocol.CLONING) {
+                round++;
+                move = move.in(Move.State.GONE);
+                write(move);
+                move.before().ifPresent(this::forget);
+                call.say(new Mail.Go());
+            } else if (move.protocol() == Protocol.CLONING && !went) {
+                round++;
+                went = true;
+                call.say(new Mail.Go());
+            } else {
+                call.hurry();
+            }
+        }
+
+        private void forget(Move.Key before) {
+            arrivals.remove(before);
+            folder.delete(before);
+        }
+
+        void awake(String name) {
+            if (move.state() != Move.State.GONE && !went) {
+                counts.get(Count.DROPPED).incrementAndGet();
+                return;
+            }
+            close();
+            if (move.protocol() != Protocol.CLONING) {
+                if (move.isOurs()) {
+                    write(move.in(Move.State.AWAY));
+                } else {
+                    folder.delete(move.key());
+                }
+                mas.left(move);
+            }
+            counts.get(Count.LEFT).incrementAndGet();
+            folder.tidy();
+            end.complete(name.isEmpty() ? move.identity().name() : name);
+        }
+
+        void refused(Mail.Refused refused) {
+            if (!isOpen() || went) {
+                counts.get(Count.DROPPED).incrementAndGet();
+                return;
+            }
+            stay(new Failure(refused.error(), move.key().peer() + " does not take " + move.name() + " in: "
+                    + refused.reason()));
+        }
+
+        private void stay(Failure why) {
+            close();
+            folder.delete(move.key());
+            counts.get(Count.STAYED).incrementAndGet();
+            if (restarted) {
+                mas.stays(move, texts, why);
+            }
+            end.completeExceptionally(why.toException());
+        }
+
+        private void close() {
+            call.stop();
+            round++;
+            departures.remove(move.key());
+        }
+    }
+
+    private void offered(Move.Key key, Arrival arrival, Mail.Offer offer) {
+        if (arrival != null) {
+            arrival.offeredAgain(offer);
+            return;
+        }
+        try {
+            check(offer);
+            Move move = new Move(key, Move.State.READY, offer.protocol(), offer.identity(), offer.identity().name(),
+                    offer.parts().stream().map(Part::hash).toList(), false, Optional.empty());
+            Arrival fresh = new Arrival(move);
+            fresh.offer = offer;
+            arrivals.put(key, fresh);
+            fresh.ask();
+        } catch (RefusedException e) {
+            refuse(key, e);
+        }
+    }
+
+    private void check(Mail.Offer offer) throws RefusedException {
+        if (offer.length() > limits.length()) {
+            throw new RefusedException("too_large", "it has " + offer.length() + " bytes of text; at most "
+                    + limits.length() + " are taken");
+        }
+        if (arrivals.size() >= limits.agents()) {
+            throw new RefusedException("too_many", limits.agents() + " agents have come or are coming already");
+        }
+        if (!isName(offer.identity().name())) {
+            throw new RefusedException("bad_name", "an agent that travels has a name of letters, digits and _ that"
+                    + " begins with a small letter, and not of four of them, as a device's address");
+        }
+    }
+
+    /** Of an agent that may travel: messages to a device and what a source says must not be mistaken. */
+    static boolean isName(String agent) {
+        return agent.matches("[a-z]\\w*") && agent.length() != Address.LENGTH
+                && !List.of("self", "percept", "broadcast").contains(agent);
+    }
+
+    private void refuse(Move.Key key, RefusedException why) {
+        counts.get(Count.REFUSED).incrementAndGet();
+        mas.warn("an agent from " + key.peer() + " was not taken in: " + why.getMessage());
+        say(key.peer(), key.number(), new Mail.Refused(why.error(), why.getMessage()));
+    }
+
+    /** A move of an agent that comes. Its record is written when it is here as a whole. */
+    private final class Arrival {
+
+        private Move move;
+        private Mail.Offer offer;
+        private final Call call;
+        private boolean admitted;
+        private boolean recorded;
+        /** That the sender has to go on elsewhere was said, and nothing that fits has come since. */
+        private boolean complained;
+        private long lastWord;
+        private long lastProgress;
+
+        Arrival(Move move) {
+            this.move = move;
+            this.call = new Call(move.key());
+            lastWord = clock.millis();
+            lastProgress = lastWord;
+        }
+
+        boolean isHere(String agent) {
+            return recorded && move.state() == Move.State.HERE && move.name().equals(agent);
+        }
+
+        /** From its record. */
+        void ready() {
+            arrivals.put(move.key(), this);
+            recorded = true;
+            call.say(new Mail.Ready());
+        }
+
+        void ask() {
+            mas.admit(move.name(), offer.protocol(), move.key().peer())
+                    .whenCompleteAsync((done, thrown) -> guarded(() -> answered(thrown)).run(), clock);
+        }
+
+        private void answered(Throwable thrown) {
+            if (arrivals.get(move.key()) != this) {
+                return;
+            }
+            if (thrown == null) {
+                admitted = true;
+                lastWord = clock.millis();
+                watch();
+                goOn(true);
+                return;
+            }
+            arrivals.remove(move.key());
+            Throwable cause = thrown instanceof CompletionException ? thrown.getCause() : thrown;
+            refuse(move.key(), cause instanceof RefusedException refused ? refused
+                    : new RefusedException("refused", String.valueOf(cause.getMessage())));
+        }
+
+        private void watch() {
+            after(lastWord + FORGET_MILLIS - clock.millis(), () -> {
+                if (recorded || arrivals.get(move.key()) != this) {
+                    return;
+                }
+                if (clock.millis() - lastWord >= FORGET_MILLIS) {
+                    arrivals.remove(move.key());
+                } else {
+                    watch();
+                }
+            });
+        }
+
+        void offeredAgain(Mail.Offer again) {
+            lastWord = clock.millis();
+            if (recorded && move.state() == Move.State.HERE) {
+                awake();
+            } else if (recorded) {
+                call.hurry();
+            } else if (admitted && again.equals(offer)) {
+                goOn(true);
+            }
+        }
+
+        private int here(int part) {
+            Part known = offer.parts().get(part);
+            return folder.text(known.hash()).isPresent() ? known.packed() : folder.here(known.hash());
+        }
+
+        private boolean isWhole() {
+            for (int i = 0; i < offer.parts().size(); i++) {
+                if (here(i) < offer.parts().get(i).packed()) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        /** Takes it in if all is here; else says what lacks. */
+        private void goOn(boolean say) {
+            if (isWhole()) {
+                takeIn();
+            } else if (say) {
+                List<Integer> offsets = new ArrayList<>();
+                for (int i = 0; i < offer.parts().size(); i++) {
+                    offsets.add(here(i));
+                }
+                say(new Mail.Want(offsets));
+            }
+        }
+
+        private void say(Mail.Said said) {
+            Moves.this.say(move.key().peer(), move.key().number(), said);
+        }
+
+        void data(Mail.Data data) {
+            lastWord = clock.millis();
+            if (!admitted || recorded || data.part() >= offer.parts().size()) {
+                counts.get(Count.DROPPED).incrementAndGet();
+                return;
+            }
+            Part part = offer.parts().get(data.part());
+            int here = here(data.part());
+            int end = data.offset() + data.bytes().length();
+            if (data.offset() > here || end > part.packed()) {
+                if (!complained) {
+                    complained = true;
+                    goOn(true);
+                }
+            } else if (end > here) {
+                complained = false;
+                folder.append(part.hash(), data.bytes().from(here - data.offset()));
+                report();
+                goOn(false);
+            }
+        }
+
+        private void report() {
+            if (clock.millis() - lastProgress >= PROGRESS_MILLIS) {
+                lastProgress = clock.millis();
+                long all = 0;
+                long done = 0;
+                for (int i = 0; i < offer.parts().size(); i++) {
+                    all += offer.parts().get(i).packed();
+                    done += here(i);
+                }
+                mas.progress(move.name(), move.key().peer(), false, (int) (PERCENT * done / Math.max(1, all)));
+            }
+        }
+
+        private void takeIn() {
+            try {
+                List<Bytes> texts = new ArrayList<>();
+                for (Part part : offer.parts()) {
+                    texts.add(whole(part));
+                }
+                mas.check(move.name(), move.protocol(), texts);
+                for (int i = 0; i < texts.size(); i++) {
+                    folder.keep(move.parts().get(i), texts.get(i));
+                }
+                folder.write(move);
+                recorded = true;
+                call.say(new Mail.Ready());
+            } catch (RefusedException e) {
+                arrivals.remove(move.key());
+                refuse(move.key(), e);
+            }
+        }
+
+        private Bytes whole(Part part) throws RefusedException {
+            Optional<Bytes> text = folder.text(part.hash());
+            if (text.isPresent()) {
+                return text.get();
+            }
+            try {
+                return part.unpack(folder.partially(part.hash()));
+            } catch (RefusedException e) {
+                folder.forget(part.hash());
+                throw e;
+            }
+        }
+
+        void go() {
+            if (!recorded) {
+                counts.get(Count.DROPPED).incrementAndGet();
+            } else if (move.state() == Move.State.HERE) {
+                awake();
+            } else {
+                call.stop();
+                wake(false);
+                awake();
+            }
+        }
+
+        /** The record comes first: from then on this agent lives here and nowhere else. */
+        void wake(boolean anew) {
+            arrivals.put(move.key(), this);
+            recorded = true;
+            if (!anew) {
+                List<Move> absences = absences();
+                move = absences.stream().anyMatch(Move::isOurs) ? move.in(Move.State.HERE).ours()
+                        : move.in(Move.State.HERE);
+                folder.write(move);
+                absences.forEach(this::forget);
+                counts.get(Count.CAME).incrementAndGet();
+            }
+            String name = mas.wake(move, texts(move), anew);
+            if (!name.equals(move.name())) {
+                move = move.named(name);
+                folder.write(move);
+            }
+        }
+
+        /** What is known of its going, also where nobody has said that it arrived. */
+        private List<Move> absences() {
+            return folder.records().stream()
+                    .filter(each -> each.isAbsent() && each.identity().equals(move.identity())).toList();
+        }
+
+        private void forget(Move absence) {
+            Departure departure = departures.get(absence.key());
+            if (departure != null) {
+                departure.awake("");
+            }
+            folder.delete(absence.key());
+        }
+
+        /** It was about to leave when this computer ended: it sleeps, as the record of that move says. */
+        void isBack() {
+            arrivals.put(move.key(), this);
+            recorded = true;
+        }
+
+        private void awake() {
+            say(new Mail.Awake(move.name()));
+        }
+
+        void cancelled() {
+            if (recorded && move.state() == Move.State.HERE) {
+                counts.get(Count.DROPPED).incrementAndGet();
+                return;
+            }
+            call.stop();
+            arrivals.remove(move.key());
+            folder.delete(move.key());
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package mobility;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What becomes of an agent that moves in, and of the MAS that takes it in: the words of Hermes (SPEC 9.1). */
+public enum Protocol {
+    /** The newcomer lives as any agent of the MAS. */
+    MUTUALISM('m'),
+    /** The newcomer lives there as a {@link Guest}, without the board. */
+    INQUILINISM('i'),
+    /** As mutualism, but the original stays where it is. */
+    CLONING('c'),
+    /** The newcomer takes the MAS over: its other agents end. */
+    PREDATION('p');
+
+    private final char letter;
+
+    Protocol(char letter) {
+        this.letter = letter;
+    }
+
+    /** The protocol of an atom's name, such as {@code cloning}. */
+    static Optional<Protocol> of(String atom) {
+        return Arrays.stream(values()).filter(protocol -> protocol.atom().equals(atom)).findFirst();
+    }
+
+    /** The protocol of a letter in an offer. */
+    static Optional<Protocol> of(int letter) {
+        return Arrays.stream(values()).filter(protocol -> protocol.letter == letter).findFirst();
+    }
+
+    /** What an agent calls it. */
+    String atom() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** What an offer calls it. */
+    int letter() {
+        return letter;
+    }
+}

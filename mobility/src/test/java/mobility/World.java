@@ -1,0 +1,294 @@
+package mobility;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+
+import diffuser.Failure;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Outcome;
+
+/**
+ * Two MAS and the air between them, in memory and in a time of its own: messages are lost or told undelivered although
+ * they came, programs are killed between any two steps, and contact is lost for a while.
+ */
+final class World {
+
+    static final Address STATION = Address.parse("SUSS");
+    static final Address BUS = Address.parse("SUBB");
+
+    /** Bits a second, and what a message has beside its bytes: training, header, nonce, tag, acknowledgement. */
+    private static final double BITS = 2000;
+    private static final int BESIDE = 400;
+
+    private record Step(long at, long order, Runnable what) {
+    }
+
+    final Random random;
+    private final PriorityQueue<Step> steps =
+            new PriorityQueue<>(Comparator.comparingLong(Step::at).thenComparingLong(Step::order));
+    private long now;
+    private long order;
+    private final Map<Address, Side> sides = new LinkedHashMap<>();
+    /** Of a message: it does not come, it comes but is told undelivered, it comes again. */
+    double lost;
+    double untold;
+    double twice;
+    boolean contact = true;
+    /** Killed after so many steps of whoever is next; negative for never. */
+    int killAfter = -1;
+    Address victim = STATION;
+    /** Never are two awake of an agent of this name, or of one that was made of it. */
+    String watched = "";
+    long bits;
+    long messages;
+
+    World(long seed, Path folder) throws IOException {
+        random = new Random(seed);
+        for (Address address : List.of(STATION, BUS)) {
+            sides.put(address, new Side(address, folder.resolve(address.toString())));
+        }
+    }
+
+    Side side(Address address) {
+        return sides.get(address);
+    }
+
+    long millis() {
+        return now;
+    }
+
+    void after(long millis, Runnable what) {
+        steps.add(new Step(now + Math.max(0, millis), order++, what));
+    }
+
+    /** Runs until a time, or until nothing more happens. */
+    void runUntil(long millis) {
+        while (!steps.isEmpty() && steps.peek().at() <= millis) {
+            Step step = steps.poll();
+            now = Math.max(now, step.at());
+            step.what().run();
+            expectOne();
+        }
+        now = Math.max(now, millis);
+    }
+
+    /** What is thrown where a program is killed. */
+    private static final class Killed extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        Killed() {
+            super("killed", null, false, false);
+        }
+    }
+
+    private void expectOne() {
+        if (!watched.isEmpty() && awake(watched) > 1) {
+            throw new AssertionError("two are awake at " + now + ": "
+                    + sides.values().stream().map(side -> side.address + " " + side.awake.keySet() + side.told)
+                            .toList());
+        }
+    }
+
+    /** How many agents are awake by that name or one that was made of it, on both sides. */
+    int awake(String agent) {
+        return (int) sides.values().stream().flatMap(side -> side.awake.keySet().stream())
+                .filter(name -> name.matches(agent + "\\d*")).count();
+    }
+
+    /** A computer with a MAS. */
+    final class Side implements Mas, Moves.Clock, Moves.Air {
+
+        final Address address;
+        private final Path place;
+        private Folder folder;
+        Moves moves;
+        /** The agents that are awake, with what they are. */
+        final Map<String, List<Bytes>> awake = new HashMap<>();
+        final List<String> told = new ArrayList<>();
+        /** Names of agents that the program starts. */
+        final Map<String, List<Bytes>> program = new HashMap<>();
+        private int life;
+        boolean on;
+        boolean admits = true;
+        RefusedException refusal;
+
+        Side(Address address, Path place) {
+            this.address = address;
+            this.place = place;
+        }
+
+        void start() {
+            on = true;
+            life++;
+            try {
+                folder = Folder.open(place);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            for (Map.Entry<String, List<Bytes>> agent : program.entrySet()) {
+                boolean held = folder.records().stream().anyMatch(
+                        move -> move.identity().equals(new Move.Identity(address, agent.getKey()))
+                                && move.state() != Move.State.READY);
+                if (!held) {
+                    awake.put(agent.getKey(), agent.getValue());
+                }
+            }
+            moves = new Moves(this, this, folder, this, Moves.Limits.USUAL, random);
+            within(moves::start);
+        }
+
+        /** kill -9, now. */
+        void kill() {
+            on = false;
+            life++;
+            moves.close();
+            folder.close();
+            awake.clear();
+        }
+
+        private void within(Runnable step) {
+            try {
+                step.run();
+            } catch (Killed e) {
+                kill();
+                World.this.after(random.nextInt(20_000), this::start);
+            }
+        }
+
+        /** Where the program may be killed: before and after each thing that it does to the world. */
+        private void maybeKilled() {
+            if (killAfter >= 0 && victim.equals(address) && killAfter-- == 0) {
+                throw new Killed();
+            }
+        }
+
+        @Override
+        public long millis() {
+            return now;
+        }
+
+        @Override
+        public void after(long millis, Runnable step) {
+            int mine = life;
+            World.this.after(millis, () -> {
+                if (on && mine == life) {
+                    within(step);
+                }
+            });
+        }
+
+        @Override
+        public void execute(Runnable step) {
+            after(0, step);
+        }
+
+        @Override
+        public CompletableFuture<Outcome> send(Address to, Bytes bytes) {
+            maybeKilled();
+            CompletableFuture<Outcome> end = new CompletableFuture<>();
+            int mine = life;
+            long size = BESIDE + 14L * bytes.length();
+            bits += size;
+            messages++;
+            boolean arrives = contact && random.nextDouble() >= lost;
+            boolean tells = arrives && random.nextDouble() >= untold;
+            int copies = arrives ? random.nextDouble() < twice ? 2 : 1 : 0;
+            long takes = (long) (1000 * size / BITS);
+            for (int i = 0; i < copies; i++) {
+                World.this.after(takes + i * 50L, () -> {
+                    Side other = side(to);
+                    if (other.on) {
+                        other.moves.received(address, bytes);
+                    }
+                });
+            }
+            World.this.after(tells ? takes + 100 : takes + 6_000, () -> {
+                if (on && mine == life) {
+                    end.complete(tells ? Outcome.DELIVERED : Outcome.UNDELIVERED);
+                }
+            });
+            maybeKilled();
+            return end;
+        }
+
+        @Override
+        public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
+            maybeKilled();
+            return admits ? CompletableFuture.completedFuture(null)
+                    : CompletableFuture.failedFuture(new RefusedException("refused", "no plan admits it"));
+        }
+
+        @Override
+        public void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException {
+            if (refusal != null) {
+                throw refusal;
+            }
+        }
+
+        @Override
+        public String wake(Move move, List<Bytes> texts, boolean anew) {
+            maybeKilled();
+            String name = move.name();
+            for (int i = 1; awake.containsKey(name); i++) {
+                name = move.name() + i;
+            }
+            awake.put(name, texts);
+            maybeKilled();
+            return name;
+        }
+
+        @Override
+        public void left(Move move) {
+            maybeKilled();
+            told.add("left " + move.name());
+        }
+
+        @Override
+        public void stays(Move move, List<Bytes> texts, Failure why) {
+            maybeKilled();
+            awake.put(move.name(), texts);
+            told.add("stays " + move.name() + " " + why.error());
+        }
+
+        @Override
+        public boolean starts(String agent) {
+            return program.containsKey(agent);
+        }
+
+        @Override
+        public void progress(String agent, Address peer, boolean out, int percent) {
+            told.add("progress " + agent + " " + out + " " + percent);
+        }
+
+        @Override
+        public void warn(String what) {
+            told.add(what);
+        }
+
+        /** Moves an agent; until it has gone it sleeps, and where it stays it wakes. */
+        CompletableFuture<String> depart(String agent, Protocol protocol, Address to) {
+            List<Bytes> texts = protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent);
+            CompletableFuture<String> end = moves.depart(agent, protocol, address, to, texts);
+            int mine = life;
+            end.whenComplete((name, thrown) -> {
+                if (mine == life && thrown != null) {
+                    awake.put(agent, texts);
+                }
+                told.add(thrown == null ? "moved " + name : "stayed " + Failure.of(thrown).error());
+            });
+            return end;
+        }
+    }
+}
