@@ -5,7 +5,6 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -31,7 +30,7 @@ import javino.protocol.Bytes;
  *
  * <p>All methods throw {@link UncheckedIOException} where the disk fails.
  */
-final class Folder implements AutoCloseable {
+class Folder implements AutoCloseable {
 
     private static final String RECORD = ".move";
     private static final String PARTIAL = ".part";
@@ -42,31 +41,29 @@ final class Folder implements AutoCloseable {
     private final Path place;
     private final FileChannel lock;
 
-    private Folder(Path place, FileChannel lock) {
-        this.place = place;
-        this.lock = lock;
-    }
-
     /**
      * Opens a folder, which is made if it is not there.
      *
      * @throws IOException if it cannot be written, or another MAS has it.
      */
-    static Folder open(Path place) throws IOException {
+    Folder(Path place) throws IOException {
+        this.place = place;
         Files.createDirectories(place.resolve("parts"));
-        FileChannel lock = FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE,
-                StandardOpenOption.WRITE);
-        try {
-            FileLock taken = lock.tryLock();
-            if (taken != null) {
-                return new Folder(place, lock);
-            }
-        } catch (OverlappingFileLockException e) {
-            // Another agent of this MAS has it.
+        lock = FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        if (!isOurs(lock)) {
+            lock.close();
+            throw new IOException("the folder " + place.toAbsolutePath()
+                    + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
         }
-        lock.close();
-        throw new IOException("the folder " + place.toAbsolutePath()
-                + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
+    }
+
+    private static boolean isOurs(FileChannel lock) throws IOException {
+        try {
+            return lock.tryLock() != null;
+        } catch (OverlappingFileLockException e) {
+            // Another agent of this program has it.
+            return false;
+        }
     }
 
     /** The records that are there; none if the folder is not there. One that cannot be read is left out. */

@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import java.util.stream.Collectors;
@@ -255,6 +256,11 @@ final class Moves {
         };
     }
 
+    /** What is to be done when that has come, on the thread of the moves, where a fault in it shows. */
+    private <T> void afterwards(CompletableFuture<T> coming, BiConsumer<T, Throwable> step) {
+        coming.whenComplete((value, thrown) -> clock.execute(guarded(() -> step.accept(value, thrown))));
+    }
+
     private void after(long millis, Runnable step) {
         clock.after(millis, guarded(step));
     }
@@ -302,19 +308,19 @@ final class Moves {
         private void speak() {
             int mine = ++turn;
             speaking = true;
-            Moves.this.say(key.peer(), key.number(), what).whenCompleteAsync((outcome, thrown) -> guarded(() -> {
+            afterwards(Moves.this.say(key.peer(), key.number(), what), (outcome, thrown) -> {
                 if (mine != turn) {
                     return;
                 }
                 speaking = false;
-                if (thrown == null && outcome == Outcome.DELIVERED) {
+                if (outcome == Outcome.DELIVERED) {
                     pause = LEAST_PAUSE_MILLIS;
                     again(ANSWER_MILLIS);
                 } else {
                     again(pause);
                     pause = Math.min(MOST_PAUSE_MILLIS, 2 * pause);
                 }
-            }).run(), clock);
+            });
         }
 
         private void again(long millis) {
@@ -424,9 +430,9 @@ final class Moves {
                 next[part] = to;
                 sending++;
                 int mine = round;
-                say(move.key().peer(), move.key().number(),
-                        new Mail.Data(part, from, packed.get(part).slice(from, to)))
-                        .whenCompleteAsync((outcome, thrown) -> guarded(() -> sent(mine, outcome)).run(), clock);
+                afterwards(say(move.key().peer(), move.key().number(),
+                        new Mail.Data(part, from, packed.get(part).slice(from, to))),
+                        (outcome, thrown) -> sent(mine, outcome));
             }
         }
 
@@ -601,8 +607,8 @@ final class Moves {
         }
 
         void ask() {
-            mas.admit(move.name(), offer.protocol(), move.key().peer())
-                    .whenCompleteAsync((done, thrown) -> guarded(() -> answered(thrown)).run(), clock);
+            afterwards(mas.admit(move.name(), offer.protocol(), move.key().peer()),
+                    (done, thrown) -> answered(thrown));
         }
 
         private void answered(Throwable thrown) {

@@ -31,6 +31,8 @@ final class World {
     /** Bits a second, and what a message has beside its bytes: training, header, nonce, tag, acknowledgement. */
     private static final double BITS = 2000;
     private static final int BESIDE = 400;
+    /** Until a board says that something was not delivered. */
+    private static final long UNTOLD_MILLIS = 6_000;
 
     private record Step(long at, long order, Runnable what) {
     }
@@ -41,7 +43,7 @@ final class World {
     private long now;
     private long order;
     private final Map<Address, Side> sides = new LinkedHashMap<>();
-    /** Of a message: it does not come, it comes but is told undelivered, it comes again. */
+    /** Of a message: it does not come; it comes, but is told undelivered; it comes again to a program that starts again. */
     double lost;
     double untold;
     double twice;
@@ -85,7 +87,7 @@ final class World {
     }
 
     /** What is thrown where a program is killed. */
-    private static final class Killed extends RuntimeException {
+    private static final class Killed extends Error {
         private static final long serialVersionUID = 1L;
 
         Killed() {
@@ -120,6 +122,10 @@ final class World {
         /** Names of agents that the program starts. */
         final Map<String, List<Bytes>> program = new HashMap<>();
         private int life;
+        /** When its board has sent all. */
+        private long free;
+        /** What came last. */
+        private Runnable last = () -> {};
         boolean on;
         boolean admits = true;
         RefusedException refusal;
@@ -132,8 +138,9 @@ final class World {
         void start() {
             on = true;
             life++;
+            killAfter = victim.equals(address) ? -1 : killAfter;
             try {
-                folder = Folder.open(place);
+                folder = new Deadly(place);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
@@ -147,6 +154,44 @@ final class World {
             }
             moves = new Moves(this, this, folder, this, Moves.Limits.USUAL, random);
             within(moves::start);
+            if (random.nextDouble() < twice) {
+                // The program ended before it could tell the board that it has the message.
+                last.run();
+            }
+        }
+
+        /** A folder before and after whose every change the program may be killed. */
+        private final class Deadly extends Folder {
+
+            Deadly(Path place) throws IOException {
+                super(place);
+            }
+
+            @Override
+            void write(Move move) {
+                maybeKilled();
+                super.write(move);
+                maybeKilled();
+            }
+
+            @Override
+            void delete(Move.Key key) {
+                maybeKilled();
+                super.delete(key);
+                maybeKilled();
+            }
+
+            @Override
+            void keep(Bytes hash, Bytes text) {
+                maybeKilled();
+                super.keep(hash, text);
+            }
+
+            @Override
+            void append(Bytes hash, Bytes packed) {
+                super.append(hash, packed);
+                maybeKilled();
+            }
         }
 
         /** kill -9, now. */
@@ -156,6 +201,12 @@ final class World {
             moves.close();
             folder.close();
             awake.clear();
+        }
+
+        /** What is recorded of moves that have not ended. */
+        List<Move> open() {
+            return folder.records().stream()
+                    .filter(move -> move.state() != Move.State.HERE && move.state() != Move.State.AWAY).toList();
         }
 
         private void within(Runnable step) {
@@ -204,17 +255,20 @@ final class World {
             messages++;
             boolean arrives = contact && random.nextDouble() >= lost;
             boolean tells = arrives && random.nextDouble() >= untold;
-            int copies = arrives ? random.nextDouble() < twice ? 2 : 1 : 0;
-            long takes = (long) (1000 * size / BITS);
-            for (int i = 0; i < copies; i++) {
-                World.this.after(takes + i * 50L, () -> {
+            // A board sends one after the other.
+            long begins = Math.max(now, free);
+            long takes = begins - now + (long) (1000 * size / BITS) + (tells ? 0 : UNTOLD_MILLIS);
+            free = now + takes;
+            if (arrives) {
+                World.this.after(takes, () -> {
                     Side other = side(to);
                     if (other.on) {
-                        other.moves.received(address, bytes);
+                        other.last = () -> other.moves.received(address, bytes);
+                        other.last.run();
                     }
                 });
             }
-            World.this.after(tells ? takes + 100 : takes + 6_000, () -> {
+            World.this.after(takes + 100, () -> {
                 if (on && mine == life) {
                     end.complete(tells ? Outcome.DELIVERED : Outcome.UNDELIVERED);
                 }
