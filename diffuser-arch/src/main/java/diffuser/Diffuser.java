@@ -387,7 +387,8 @@ public class Diffuser extends AgArch {
         if (!device.communicates()) {
             return Set.of();
         }
-        return moves.map(MoveService::admits).orElse(false) ? Set.of(Ability.COM, Ability.MOB) : Set.of(Ability.COM);
+        boolean mobile = moves.map(MoveService::admits).orElse(false);
+        return mobile ? Set.of(Ability.COM, Ability.MOB) : Set.of(Ability.COM);
     }
 
     private Device requireDevice() throws JasonException {

@@ -160,7 +160,7 @@ class Folder implements AutoCloseable {
         }
     }
 
-    /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells what is wrong. */
+    /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells a fault. */
     void append(Bytes hash, Bytes packed) {
         try {
             Files.write(partial(hash), packed.toArray(), StandardOpenOption.CREATE, StandardOpenOption.APPEND);

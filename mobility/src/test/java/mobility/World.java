@@ -43,7 +43,7 @@ final class World {
     private long now;
     private long order;
     private final Map<Address, Side> sides = new LinkedHashMap<>();
-    /** Of a message: it does not come; it comes, but is told undelivered; it comes again to a program that starts again. */
+    /** Of a message: it is lost; it comes, but is told undelivered; it comes again to a program that starts again. */
     double lost;
     double untold;
     double twice;
