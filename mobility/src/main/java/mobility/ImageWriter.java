@@ -129,7 +129,7 @@ final class ImageWriter {
         if (known.hasSource()) {
             Variables variables = new Variables();
             beliefs.add("B" + within("the belief " + Writing.brief(belief),
-                    () -> Writing.text(Writing.withoutSelf(known), variables::name)));
+                    () -> Writing.value(Writing.withoutSelf(known), variables::name)));
         }
     }
 
@@ -160,7 +160,7 @@ final class ImageWriter {
         }
         List<Intention> running = new ArrayList<>();
         circumstance.getRunningIntentionsPlusAtomic().forEachRemaining(running::add);
-        running.removeIf(intention -> intention == mover
+        running.removeIf(intention -> intention == mover || intention.isFinished()
                 || circumstance.getPendingIntentions().containsValue(intention));
         if (mover != null && !mover.isSuspended()) {
             running.add(0, mover);
@@ -221,7 +221,7 @@ final class ImageWriter {
     }
 
     private String text(Trigger event, Intention intention, boolean suspended) throws CannotTravelException {
-        if (intention == null) {
+        if (intention == null || intention.isFinished()) {
             return within("the event " + Writing.brief(event), () -> new IntentionText(numbers, plans).of(event,
                     List.of(), suspended));
         }

@@ -14,6 +14,7 @@ import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.ListTermImpl;
+import jason.asSyntax.Literal;
 import jason.asSyntax.ObjectTerm;
 import jason.asSyntax.ObjectTermImpl;
 import jason.asSyntax.Plan;
@@ -222,10 +223,12 @@ final class IntentionText {
     private ListTerm values(Object unifier, Set<Term> needed) {
         ListTerm list = new ListTermImpl();
         Map<VarTerm, Term> values = needed(Frames.values((Unifier) unifier), new HashSet<>(needed));
-        sorted(values).forEach(variable -> {
-            list.add(key(variable));
+        // First all variables, as their numbers must not depend on the values.
+        sorted(values).forEach(this::name);
+        for (VarTerm variable : sorted(values)) {
+            list.add(variable.clone());
             list.add(values.get(variable).clone());
-        });
+        }
         return list;
     }
 
@@ -262,13 +265,10 @@ final class IntentionText {
             return;
         }
         String separator = "\n" + tag;
-        // First all variables, as their numbers must not depend on the values.
-        for (VarTerm variable : sorted(values)) {
-            key(variable);
-        }
+        sorted(values).forEach(this::name);
         for (VarTerm variable : sorted(values)) {
             text.append(separator).append(key(variable)).append(',')
-                    .append(Writing.text(values.get(variable), this::name));
+                    .append(Writing.value(values.get(variable), this::name));
             separator = ",";
         }
     }
@@ -286,7 +286,8 @@ final class IntentionText {
         return variable.isUnnamedVar() && !names.containsKey(variable);
     }
 
-    private VarTerm key(VarTerm variable) {
+    private VarTerm key(VarTerm variable) throws CannotTravelException {
+        Writing.check(variable);
         return new VarTerm(name(variable).getFunctor());
     }
 
@@ -302,6 +303,7 @@ final class IntentionText {
         Trigger plain = trigger.clone();
         plain.setAsTriggerTerm(false);
         plain.setLiteral(Writing.withoutSelf(plain.getLiteral()));
+        plain.setLiteral((Literal) Writing.plain(plain.getLiteral()));
         return Writing.text(plain, this::name);
     }
 }

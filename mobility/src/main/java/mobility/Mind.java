@@ -145,7 +145,7 @@ final class Mind {
 
     /** @return the first line behind it; null if there is none. */
     private String readIntention(boolean suspended, String event, Iterator<String> lines) throws RefusedException {
-        Reading reading = new Reading();
+        Reading reading = Reading.ofState();
         Trigger trigger = event.isEmpty() ? null : reading.trigger(event, false);
         List<IntendedMeans> stack = new ArrayList<>();
         String line = lines.hasNext() ? lines.next() : null;

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
+import jason.asSyntax.ListTerm;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Pred;
 import jason.asSyntax.Rule;
@@ -41,6 +42,9 @@ final class PlanText {
         visits.accept(part -> {
             if (part instanceof UnnamedVar && !once.add(part)) {
                 twice.add(part);
+            } else if (part.isList() && ((ListTerm) part).getTail() instanceof UnnamedVar tail) {
+                // The text of a list cannot end with it.
+                twice.add(tail);
             } else if (part.isVar()) {
                 taken.add(((VarTerm) part).getFunctor());
             }

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
+import jason.asSemantics.Agent;
 import jason.asSemantics.InternalAction;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.ArithExpr;
@@ -21,11 +22,13 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
+import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.SimpleCharStream;
+import jason.asSyntax.parser.TokenMgrError;
+import jason.asSyntax.parser.as2j;
 import jason.asSyntax.parser.as2jConstants;
 import jason.asSyntax.parser.as2jTokenManager;
 import jason.bb.BeliefBase;
-import jason.functions.Count;
 
 import diffuser.Gate;
 import diffuser.MalformedTextException;
@@ -34,8 +37,10 @@ import diffuser.Texts;
 /** Reads the texts of an agent from elsewhere. What is read is looked at, and nothing in it is computed. */
 final class Reading {
 
-    /** The one function that a parser without an agent takes for an internal action. */
+    /** The one function that belongs to each agent, and not to Jason as a whole. */
     static final String COUNT = ".count";
+
+    private static final Agent NOBODY = new Nobody();
 
     /** Jason's parser and its terms call themselves for each; so many need a quarter of a thread's usual stack. */
     private static final int MOST_TOKENS = 4096;
@@ -44,16 +49,30 @@ final class Reading {
     private static final String STDLIB = "jason.stdlib";
     private static final String JASONS_LABELS = "kqml";
 
-    /** What is right here for variables without a name: one each, in the place of each number in the text. */
+    private final boolean numbersVariables;
+    /** The variables without a name, by their numbers. */
     private final List<UnnamedVar> fresh = new ArrayList<>();
 
+    private Reading(boolean numbersVariables) {
+        this.numbersVariables = numbersVariables;
+    }
+
+    /** What belongs together in the state of an agent: a belief, or an event with its intention. */
+    static Reading ofState() {
+        return new Reading(true);
+    }
+
+    private static Reading ofProgram() {
+        return new Reading(false);
+    }
+
     static Rule rule(String text) throws RefusedException {
-        return new Reading().checked(text, ASSyntax::parseRule);
+        return ofProgram().checked(text, parser -> (Rule) parser.belief());
     }
 
     static Plan plan(String text) throws RefusedException {
-        Plan plan = parsed(text, ASSyntax::parsePlan);
-        Reading reading = new Reading();
+        Plan plan = parsed(text, as2j::plan);
+        Reading reading = ofProgram();
         for (Plan part : Library.all(plan)) {
             refuseJasonsOwn(text, part);
             if (part.getGoalCondition() != null) {
@@ -74,7 +93,7 @@ final class Reading {
     }
 
     static Literal belief(String text) throws RefusedException {
-        Term term = new Reading().checked(text, ASSyntax::parseTerm);
+        Term term = ofState().checked(text, as2j::term);
         expect(Texts.isBelief(term), text, "a belief was expected");
         Literal belief = ((Literal) datum(text, term)).forceFullLiteralImpl();
         expect(!belief.hasAnnot(BeliefBase.TPercept), text, "what is perceived there is no percept here");
@@ -83,7 +102,7 @@ final class Reading {
 
     /** @param past whether what it says has happened: then a percept may have been its cause. */
     Trigger trigger(String text, boolean past) throws RefusedException {
-        Trigger trigger = checked(text, ASSyntax::parseTrigger);
+        Trigger trigger = checked(text, as2j::trigger);
         Literal literal = trigger.getLiteral();
         expect(Texts.isBelief(literal), text, "an event was expected");
         literal = ((Literal) datum(text, literal)).forceFullLiteralImpl();
@@ -102,12 +121,12 @@ final class Reading {
     }
 
     PlanBody body(String text) throws RefusedException {
-        return checked(text, ASSyntax::parsePlanBody);
+        return checked(text, as2j::plan_body);
     }
 
     /** Pairs of a variable and its value, all separated by commas. */
     Map<VarTerm, Term> values(String text) throws RefusedException {
-        return values(text, checked("[" + text + "]", ASSyntax::parseTerm));
+        return values(text, checked("[" + text + "]", as2j::term));
     }
 
     static Map<VarTerm, Term> values(String text, Term list) throws RefusedException {
@@ -127,17 +146,45 @@ final class Reading {
 
     // Checks
 
-    private <T extends Term> T checked(String text, Texts.Parser<T> parser) throws RefusedException {
-        T term = parsed(text, parser);
+    /** One of the parser's ways to read. */
+    private interface Kind<T> {
+        T read(as2j parser) throws ParseException;
+    }
+
+    /** Knows the functions that each agent has. An internal action's class is looked for when the action runs. */
+    private static final class Nobody extends Agent {
+
+        private static final long serialVersionUID = 1L;
+
+        Nobody() {
+            initDefaultFunctions();
+        }
+
+        @Override
+        public InternalAction getIA(String name) {
+            return null;
+        }
+    }
+
+    private <T extends Term> T checked(String text, Kind<T> kind) throws RefusedException {
+        T term = parsed(text, kind);
         refuseJasonsOwn(text, term);
         return revised(text, term);
     }
 
-    private static <T extends Term> T parsed(String text, Texts.Parser<T> parser) throws RefusedException {
+    private static <T extends Term> T parsed(String text, Kind<T> kind) throws RefusedException {
         try {
             Texts.expectNoCommand(text);
             expectModest(text);
-            return Texts.parsed(text, parser);
+            return Texts.parsed(text, whole -> {
+                as2j parser = new as2j(new StringReader(whole));
+                parser.setAg(NOBODY);
+                T term = kind.read(parser);
+                if (parser.getNextToken().kind != as2jConstants.EOF) {
+                    throw new ParseException("there is something behind it");
+                }
+                return term;
+            });
         } catch (MalformedTextException e) {
             throw refused(text, e.getMessage().substring(e.getMessage().indexOf("\": ") + 3));
         } catch (StackOverflowError e) {
@@ -155,7 +202,7 @@ final class Reading {
                 depth += token.image.equals("(") ? 1 : token.image.equals(")") ? -1 : 0;
                 expect(count <= MOST_TOKENS && depth <= DEEPEST, text, "it is too long or nests too deeply");
             }
-        } catch (jason.asSyntax.parser.TokenMgrError e) {
+        } catch (TokenMgrError e) {
             throw refused(text, "it has a character that AgentSpeak does not know");
         }
     }
@@ -168,38 +215,29 @@ final class Reading {
         }
     }
 
-    /** With variables of its own, and the functions that the parser did not know. */
+    /** With variables of its own. */
     @SuppressWarnings("unchecked")
     private <T extends Term> T revised(String text, T term) throws RefusedException {
         return (T) Terms.replace(term, part -> {
-            if (part instanceof UnnamedVar variable && variable.myId <= 0) {
-                return Writing.like(variable, fresh(text, -variable.myId));
+            if (part instanceof UnnamedVar variable) {
+                // Jason takes _1 for the same variable wherever it stands, also in other plans.
+                expect(variable.myId > 0, text, "a variable has a number");
+            } else if (part instanceof VarTerm variable && numbersVariables && Variables.numberOf(variable) >= 0) {
+                return Writing.like(variable, fresh(Variables.numberOf(variable)));
             }
             if (part instanceof InternalActionLiteral action) {
                 expectAction(text, action.getFunctor());
-                return isCount(action) ? count(action) : part;
             }
             return part;
         });
     }
 
     /** In the order of the numbers, since Jason looks at which of two is the older one. */
-    private UnnamedVar fresh(String text, int number) throws RefusedException {
-        expect(number >= 0 && number <= MOST_TOKENS, text, "a variable has too high a number");
+    private UnnamedVar fresh(int number) {
         while (fresh.size() <= number) {
             fresh.add(new UnnamedVar());
         }
         return fresh.get(number);
-    }
-
-    private static boolean isCount(InternalActionLiteral action) {
-        return action.getFunctor().equals(COUNT) && action.getArity() == 1;
-    }
-
-    private static Term count(InternalActionLiteral action) {
-        ArithFunctionTerm count = new ArithFunctionTerm(new Count());
-        count.addTerm(action.getTerm(0));
-        return count;
     }
 
     private static void expectAction(String text, String name) throws RefusedException {
@@ -213,7 +251,7 @@ final class Reading {
     }
 
     /** A value: nothing in it is to be computed but what plans in it compute when they run. */
-    private static Term datum(String text, Term term) throws RefusedException {
+    static Term datum(String text, Term term) throws RefusedException {
         if (term instanceof PlanBody || term instanceof Plan || term instanceof Rule) {
             return term;
         }

@@ -42,6 +42,20 @@ final class Writing {
         return TermWriter.write(named(term, naming));
     }
 
+    /** The text of a value, in which nothing is left to be computed. */
+    static String value(Term term, Naming naming) throws CannotTravelException, MalformedTextException {
+        return text(plain(term), naming);
+    }
+
+    /** With numbers in place of what Jason's parser takes for an expression, as {@code -3}. */
+    static Term plain(Term term) throws CannotTravelException {
+        try {
+            return Reading.datum(brief(term), term.clone());
+        } catch (RefusedException e) {
+            throw new CannotTravelException(e.getMessage());
+        }
+    }
+
     /** The steps of a body, without braces around them. */
     static String body(PlanBody body, Naming naming) throws CannotTravelException, MalformedTextException {
         PlanBody copy = body.clonePB();
@@ -71,7 +85,8 @@ final class Writing {
         return result;
     }
 
-    private static void check(Term part) throws CannotTravelException {
+    /** Refuses what has no text. */
+    static void check(Term part) throws CannotTravelException {
         if (part instanceof ObjectTerm || part instanceof SetTerm || part instanceof MapTerm) {
             throw new CannotTravelException("it holds a Java object, " + brief(part));
         }
@@ -83,6 +98,9 @@ final class Writing {
         }
         if (part instanceof NumberTermImpl number && !Double.isFinite(number.solve())) {
             throw new CannotTravelException("it holds a number that has no text, " + number);
+        }
+        if (part instanceof VarTerm variable && Variables.numberOf(variable) >= 0) {
+            throw new CannotTravelException("a variable's name is " + part + ", by which others travel; rename it");
         }
         boolean unknown = part instanceof ArithFunctionTerm function && !(part instanceof ArithExpr)
                 && !function.getFunctor().equals(Reading.COUNT)
