@@ -47,7 +47,7 @@ import javino.protocol.Force;
  * annotations: otherwise a belief that ROMA has unicast and somebody has broadcast in the name of SUPO would seem to be
  * unicast by both, and SUPO's own unicast would be no event.
  */
-final class Gate {
+public final class Gate {
 
     private static final String CAST = "cast";
     private static final String BROADCAST = "broadcast";
@@ -70,7 +70,7 @@ final class Gate {
     }
 
     /** A message does not pass. */
-    static final class RefusedException extends Exception {
+    public static final class RefusedException extends Exception {
 
         private static final long serialVersionUID = 1L;
 
@@ -245,8 +245,12 @@ final class Gate {
         return Set.copyOf(goals);
     }
 
-    /** Refuses what names a goal or an event of Jason's, at any depth. */
-    private static void refuseJasonsOwn(Term term) throws RefusedException {
+    /**
+     * Refuses what names a goal or an event of Jason's, at any depth.
+     *
+     * @throws RefusedException if it does.
+     */
+    public static void refuseJasonsOwn(Term term) throws RefusedException {
         if (term instanceof Plan plan && plan.getTrigger().getLiteral().isVar()) {
             throw new RefusedException("a plan for all events would handle Jason's own, too");
         }

@@ -1,7 +1,7 @@
 package diffuser;
 
 /** A text from a board or from the air that is no AgentSpeak of the kind that was expected. */
-final class MalformedTextException extends Exception {
+public final class MalformedTextException extends Exception {
 
     private static final long serialVersionUID = 1L;
 

@@ -7,8 +7,10 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
+import jason.asSyntax.LogicalFormula;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.Rule;
 import jason.asSyntax.StringTerm;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
@@ -18,7 +20,7 @@ import jason.asSyntax.Trigger;
  * Writes a term as a text that reads back as the term. Jason's own text of one is for people: it leaves out what its
  * parser takes off strings, and does not quote the atom {@code ROMA}, which then reads as a variable.
  */
-final class TermWriter {
+public final class TermWriter {
 
     /** What Jason's parser takes for a string; of its escapes it resolves only \n and \". */
     private static final Pattern STRING =
@@ -29,7 +31,7 @@ final class TermWriter {
     }
 
     /** @throws MalformedTextException if a string in it has no text that reads back, as with a single backslash. */
-    static String write(Term term) throws MalformedTextException {
+    public static String write(Term term) throws MalformedTextException {
         return readable(term.clone()).toString();
     }
 
@@ -44,6 +46,11 @@ final class TermWriter {
         if (term instanceof PlanBody body) {
             return readableBody(body);
         }
+        if (term instanceof Rule rule) {
+            Rule result = new Rule((Literal) readable(rule.getHead()), (LogicalFormula) readable(rule.getBody()));
+            result.setAsTerm(rule.isTerm());
+            return result;
+        }
         if (term instanceof Trigger trigger) {
             trigger.setLiteral((Literal) readable(trigger.getLiteral()));
             return trigger;
@@ -55,6 +62,14 @@ final class TermWriter {
             return readableStructure(structure);
         }
         return term.getClass() == Atom.class ? readableAtom((Atom) term) : term;
+    }
+
+    /** Jason keeps no braces for what {@code if}, {@code while} and {@code for} have in braces. */
+    private static Term part(Term term) throws MalformedTextException {
+        if (term instanceof PlanBody body) {
+            body.setAsBodyTerm(true);
+        }
+        return readable(term);
     }
 
     private static Plan readablePlan(Plan plan) throws MalformedTextException {
@@ -75,22 +90,22 @@ final class TermWriter {
     private static PlanBody readableBody(PlanBody body) throws MalformedTextException {
         for (PlanBody step = body; step != null; step = step.getBodyNext()) {
             if (step.getBodyTerm() != null) {
-                step.setBodyTerm(readable(step.getBodyTerm()));
+                step.setBodyTerm(part(step.getBodyTerm()));
             }
         }
         return body;
     }
 
     private static ListTerm readableList(ListTerm list) throws MalformedTextException {
-        for (ListTerm cell = list; cell != null && !cell.isEmpty(); cell = cell.getNext()) {
-            cell.setTerm(readable(cell.getTerm()));
+        for (ListTerm cell = list; cell != null && !cell.isVar() && !cell.isEmpty(); cell = cell.getNext()) {
+            cell.setTerm(part(cell.getTerm()));
         }
         return list;
     }
 
     private static Structure readableStructure(Structure structure) throws MalformedTextException {
         for (int i = 0; i < structure.getArity(); i++) {
-            structure.setTerm(i, readable(structure.getTerm(i)));
+            structure.setTerm(i, part(structure.getTerm(i)));
         }
         if (structure.hasAnnot()) {
             readableList(structure.getAnnots());

@@ -219,7 +219,12 @@ public final class Texts {
         };
     }
 
-    private static void expectNoCommand(String text) throws MalformedTextException {
+    /**
+     * Refuses what commands a terminal.
+     *
+     * @throws MalformedTextException if such a character is in it.
+     */
+    public static void expectNoCommand(String text) throws MalformedTextException {
         expect(!COMMANDS.matcher(text).find(), text,
                 "it has a character that commands a terminal; of these only line feeds may be sent");
     }
@@ -242,7 +247,7 @@ public final class Texts {
     }
 
     /** Plain literals only: Jason's classes for variables, formulas, plans and internal actions extend these. */
-    static boolean isBelief(Term term) {
+    public static boolean isBelief(Term term) {
         return LITERALS.contains(term.getClass());
     }
 
@@ -278,7 +283,7 @@ public final class Texts {
     }
 
     /** What a term is made of. */
-    static List<Term> parts(Term term) {
+    public static List<Term> parts(Term term) {
         Stream<Term> parts = Stream.of();
         if (term instanceof Plan plan) {
             parts = Stream.of(plan.getLabel(), plan.getTrigger(), plan.getContext(), plan.getBody());
@@ -300,12 +305,22 @@ public final class Texts {
         return parsed(text, ASSyntax::parseTerm);
     }
 
-    /** One of Jason's parsers. */
-    private interface Parser<T> {
+    /**
+     * One of Jason's parsers.
+     *
+     * @param <T> what it makes of a text.
+     */
+    public interface Parser<T> {
+        /** @throws ParseException if it is no such text. */
         T parse(String text) throws ParseException;
     }
 
-    private static <T extends Term> T parsed(String text, Parser<T> parser) throws MalformedTextException {
+    /**
+     * Reads a text without computing anything in it.
+     *
+     * @throws MalformedTextException if the parser does not take it.
+     */
+    public static <T extends Term> T parsed(String text, Parser<T> parser) throws MalformedTextException {
         try {
             expect(depth(text) <= DEEPEST, text, "it nests too many braces, lists and annotations");
             return parser.parse(text);

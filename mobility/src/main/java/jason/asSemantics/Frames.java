@@ -1,0 +1,62 @@
+package jason.asSemantics;
+
+import java.util.Map;
+
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Plan;
+import jason.asSyntax.PlanBody;
+import jason.asSyntax.Term;
+import jason.asSyntax.Trigger;
+import jason.asSyntax.VarTerm;
+
+/** What Jason keeps to its own package of an {@link IntendedMeans}, a plan that is being carried out. */
+public final class Frames {
+
+    /** Jason computes what is in a trigger that it is given; in this one there is nothing. */
+    private static final Trigger NOTHING =
+            new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, ASSyntax.createLiteral("nothing"));
+
+    private Frames() {
+    }
+
+    /**
+     * A plan that is being carried out.
+     *
+     * @param toDo    its steps that are still to be done; null if none.
+     * @param values  of its variables.
+     * @param renamed what its variables are called in the goal that it waits for; null if it has not waited.
+     * @param atFirst the values when it began, which its goal's condition and its plans within have.
+     */
+    public static IntendedMeans of(Plan plan, Trigger trigger, PlanBody toDo, Map<VarTerm, Term> values,
+            Map<VarTerm, Term> renamed, Map<VarTerm, Term> atFirst) {
+        IntendedMeans frame = new IntendedMeans(new Option(plan, new Unifier()), NOTHING);
+        frame.setTrigger(trigger);
+        frame.planBody = toDo;
+        frame.unif = unifier(values);
+        frame.renamedVars = renamed == null ? null : unifier(renamed);
+        frame.triggerUnif = unifier(atFirst);
+        return frame;
+    }
+
+    /** With these values, as Jason may change them. */
+    public static Unifier unifier(Map<VarTerm, Term> values) {
+        Unifier unifier = new Unifier();
+        unifier.function.putAll(values);
+        return unifier;
+    }
+
+    /** What a unifier has; it may be null. */
+    public static Map<VarTerm, Term> values(Unifier unifier) {
+        return unifier == null ? Map.of() : unifier.function;
+    }
+
+    /** What a plan's variables are called in the goal that it waits for. */
+    public static Map<VarTerm, Term> renamed(IntendedMeans frame) {
+        return values(frame.renamedVars);
+    }
+
+    /** The values when the plan began. */
+    public static Map<VarTerm, Term> atFirst(IntendedMeans frame) {
+        return values(frame.triggerUnif);
+    }
+}

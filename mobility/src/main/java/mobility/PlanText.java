@@ -1,0 +1,131 @@
+package mobility;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.Plan;
+import jason.asSyntax.Pred;
+import jason.asSyntax.Rule;
+import jason.asSyntax.Term;
+import jason.asSyntax.UnnamedVar;
+import jason.asSyntax.VarTerm;
+
+import diffuser.MalformedTextException;
+
+/** The text of a plan or a rule, the same on every side (SPEC 9.5). */
+final class PlanText {
+
+    /** The labels that Jason gives to plans without one; they differ from run to run. */
+    static final Pattern GENERATED = Pattern.compile("p__\\d+");
+
+    private PlanText() {
+    }
+
+    /**
+     * What the variables without a name are called in a plan where they stand more than once; plans within it have the
+     * same variables.
+     */
+    static Map<Term, VarTerm> names(Plan plan) {
+        return names(visitor -> Library.all(plan).forEach(part -> visit(part, visitor)));
+    }
+
+    private static Map<Term, VarTerm> names(Consumer<Consumer<Term>> visits) {
+        Set<Term> once = new HashSet<>();
+        Set<Term> twice = new HashSet<>();
+        Set<String> taken = new HashSet<>();
+        visits.accept(part -> {
+            if (part instanceof UnnamedVar && !once.add(part)) {
+                twice.add(part);
+            } else if (part.isList() && ((ListTerm) part).getTail() instanceof UnnamedVar tail) {
+                // The text of a list cannot end with it.
+                twice.add(tail);
+            } else if (part.isVar()) {
+                taken.add(((VarTerm) part).getFunctor());
+            }
+        });
+        Map<Term, VarTerm> names = new HashMap<>();
+        visits.accept(part -> {
+            if (twice.contains(part) && !names.containsKey(part)) {
+                int number = names.size() + 1;
+                while (!taken.add("V" + number)) {
+                    number++;
+                }
+                names.put(part, new VarTerm("V" + number));
+            }
+        });
+        return names;
+    }
+
+    private static void visit(Plan plan, Consumer<Term> visitor) {
+        if (plan.getGoalCondition() != null) {
+            Terms.visit(plan.getGoalCondition(), visitor);
+        }
+        Terms.visit(plan, visitor);
+    }
+
+    static String of(Rule rule) throws CannotTravelException, MalformedTextException {
+        Map<Term, VarTerm> names = names(visitor -> Terms.visit(rule, visitor));
+        return Writing.text(Writing.withoutSelf(rule.getHead()), variable -> named(variable, names)) + " :- "
+                + Writing.text(rule.getBody(), variable -> named(variable, names)) + ".";
+    }
+
+    static String of(Plan plan) throws CannotTravelException, MalformedTextException {
+        return of(plan, names(plan));
+    }
+
+    private static String of(Plan plan, Map<Term, VarTerm> names) throws CannotTravelException, MalformedTextException {
+        Writing.Naming naming = variable -> named(variable, names);
+        StringBuilder text = new StringBuilder(label(plan.getLabel(), naming));
+        text.append(Writing.text(plan.getTrigger(), naming));
+        if (plan.getContext() != null) {
+            text.append(" : ").append(Writing.text(plan.getContext(), naming));
+        }
+        if (plan.getGoalCondition() != null) {
+            text.append(" <: ").append(Writing.text(plan.getGoalCondition(), naming));
+        }
+        if (!plan.getBody().isEmptyBody()) {
+            text.append(" <- ").append(Writing.body(plan.getBody(), naming));
+        } else if (plan.hasSubPlans()) {
+            text.append(" <- true");
+        }
+        text.append('.');
+        if (plan.hasSubPlans()) {
+            text.append(" {");
+            for (Plan inner : Library.within(plan)) {
+                text.append(' ').append(of(inner, names));
+            }
+            text.append(" }");
+        }
+        return text.toString();
+    }
+
+    private static VarTerm named(UnnamedVar variable, Map<Term, VarTerm> names) {
+        return names.getOrDefault(variable, new VarTerm("_"));
+    }
+
+    private static String label(Pred label, Writing.Naming naming)
+            throws CannotTravelException, MalformedTextException {
+        if (label == null) {
+            return "";
+        }
+        Pred plain = (Pred) Writing.withoutSelf(label);
+        // Jason notes there which file it read the plan from.
+        plain.delAnnots(plain.getAnnots("url"));
+        boolean generated = GENERATED.matcher(plain.getFunctor()).matches();
+        if (!generated) {
+            return "@" + Writing.text(plain, naming) + " ";
+        }
+        return plain.hasAnnot() ? "@" + Writing.text(plain.getAnnots(), naming) + " " : "";
+    }
+
+    /** The text of a plan's place, for messages. */
+    static String brief(Plan plan) {
+        return plan.getTrigger().toString().lines().collect(Collectors.joining(" "));
+    }
+}

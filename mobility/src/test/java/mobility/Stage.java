@@ -1,0 +1,124 @@
+package mobility;
+
+import java.io.StringReader;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+
+import jason.architecture.AgArch;
+import jason.asSemantics.ActionExec;
+import jason.asSemantics.Agent;
+import jason.asSemantics.Intention;
+import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.StringTerm;
+import jason.asSyntax.Term;
+import jason.runtime.Settings;
+import jason.util.Config;
+
+/** An agent whose cycles the test runs, and which tells the test by its actions. */
+final class Stage extends AgArch {
+
+    private static final long serialVersionUID = 1L;
+
+    private static final Logger LOG = Logger.getLogger("jason");
+
+    static {
+        Config.get().setProperty(Config.START_WEB_MI, "false");
+        // Its complaints of goals without plans are what some tests are about.
+        LOG.setLevel(Level.OFF);
+    }
+
+    /** What the agent has done, an action each. */
+    final List<String> done = new ArrayList<>();
+    final TransitionSystem ts;
+    /** The intention that has said {@code mobility.leave}. */
+    Intention mover;
+
+    private Stage(Agent agent) throws Exception {
+        ts = new TransitionSystem(agent, null, new Settings(), this);
+        agent.setTS(ts);
+        agent.initAg();
+    }
+
+    static Stage of(String program) {
+        try {
+            Agent agent = new Agent();
+            Stage stage = new Stage(agent);
+            agent.parseAS(new StringReader(program), "test.asl");
+            agent.loadInitialAS(null);
+            return stage;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** An agent as its texts make it. */
+    static Stage of(Image image) throws RefusedException {
+        return of(Mind.read(image), new Agent());
+    }
+
+    static Stage of(Mind mind, Agent agent) {
+        try {
+            Stage stage = new Stage(agent);
+            agent.loadInitialAS(null);
+            mind.enter(stage.ts);
+            return stage;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    Stage run(int cycles) {
+        for (int i = 0; i < cycles; i++) {
+            ts.reasoningCycle();
+        }
+        return this;
+    }
+
+    /** Runs until an intention says {@code mobility.leave}, and writes the agent as it is then. */
+    Image leave() throws Exception {
+        mover = null;
+        for (int i = 0; i < 1000 && mover == null; i++) {
+            ts.reasoningCycle();
+            mover = ts.getC().getPendingIntentions().get("leave");
+        }
+        return ImageWriter.write(ts, mover);
+    }
+
+    /** The agent when it has left and arrived, its texts having been looked at. */
+    Stage moved() throws Exception {
+        Image image = leave();
+        Stage there = of(image);
+        Image again = ImageWriter.write(there.ts, null);
+        org.junit.jupiter.api.Assertions.assertEquals(image.program(), again.program());
+        org.junit.jupiter.api.Assertions.assertEquals(image.state(), again.state());
+        return there;
+    }
+
+    @Override
+    public String getAgName() {
+        return "traveller";
+    }
+
+    @Override
+    public boolean isRunning() {
+        return true;
+    }
+
+    @Override
+    public void act(ActionExec action) {
+        if (action.getActionTerm().getFunctor().equals("hang")) {
+            return;
+        }
+        StringBuilder text = new StringBuilder();
+        for (Term term : action.getActionTerm().getTerms() == null ? List.<Term>of()
+                : action.getActionTerm().getTerms()) {
+            text.append(text.isEmpty() ? "" : " ")
+                    .append(term instanceof StringTerm string ? string.getString() : term.toString());
+        }
+        done.add(action.getActionTerm().getFunctor() + (text.isEmpty() ? "" : " " + text));
+        action.setResult(!action.getActionTerm().getFunctor().equals("stumble"));
+        ts.getC().addFeedbackAction(action);
+    }
+}
