@@ -1,0 +1,151 @@
+package mobility;
+
+import java.util.Collection;
+import java.util.List;
+
+import jason.architecture.AgArch;
+import jason.asSemantics.Circumstance;
+import jason.asSemantics.CircumstanceListener;
+import jason.asSemantics.Event;
+import jason.asSemantics.IntendedMeans;
+import jason.asSemantics.Intention;
+import jason.asSemantics.Message;
+import jason.asSemantics.Option;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Plan;
+import jason.asSyntax.PlanBodyImpl;
+import jason.asSyntax.Pred;
+import jason.asSyntax.Term;
+import jason.asSyntax.Trigger;
+
+/**
+ * An agent that can move, and sleeps while it is on its way. Written as {@code agentArchClass mobility.Mobile}, behind
+ * other architectures of the agent if it has any, so that it is the first to be asked.
+ *
+ * <p>An agent that sleeps perceives nothing, reads no mail, and carries out nothing. Its events and intentions stay
+ * where they are: Jason lets all of them wait for an atomic intention that waits itself, and so for this one.
+ *
+ * <p>Its methods are for the agent's own thread. {@link #wake} is Jason's, and means the thread.
+ */
+public class Mobile extends AgArch {
+
+    private static final long serialVersionUID = 1L;
+
+    static final String ASLEEP = "asleep";
+
+    /** The intention for which all others wait; null if the agent is awake. */
+    private transient Intention sleep;
+    /** The atomic intention that the agent had itself; null if it had none. */
+    private transient Intention atomic;
+    private transient List<Message> unread;
+    private transient CircumstanceListener guard;
+
+    /** Whether the agent sleeps. */
+    public boolean isAsleep() {
+        return sleep != null;
+    }
+
+    /** Puts the agent to sleep, after {@link ImageWriter} has written it; nothing if it sleeps already. */
+    public void fallAsleep() {
+        if (isAsleep()) {
+            return;
+        }
+        Circumstance circumstance = getTS().getC();
+        sleep = intention();
+        atomic = null;
+        circumstance.getRunningIntentionsPlusAtomic().forEachRemaining(this::keep);
+        unread = List.copyOf(circumstance.getMailBox());
+        circumstance.getMailBox().clear();
+        hold();
+        guard = new Guard();
+        circumstance.addEventListener(guard);
+    }
+
+    private static Intention intention() {
+        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, ASSyntax.createLiteral(ASLEEP));
+        Pred label = new Pred(ASLEEP);
+        label.addAnnot(ASSyntax.createAtom("atomic"));
+        Plan plan = new Plan(label, trigger, null, new PlanBodyImpl());
+        Intention intention = new Intention();
+        intention.push(new IntendedMeans(new Option(plan, new Unifier()), null));
+        return intention;
+    }
+
+    /** Jason has one place for an atomic intention. */
+    private void keep(Intention intention) {
+        if (intention.isAtomic() && intention != sleep) {
+            atomic = intention;
+        }
+    }
+
+    private void hold() {
+        getTS().getC().addPendingIntention(ASLEEP, ASSyntax.createAtom(ASLEEP), sleep, false);
+    }
+
+    /** What comes while the agent sleeps, as the end of a {@code .wait}, takes its place and waits like all else. */
+    private final class Guard implements CircumstanceListener {
+
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void eventAdded(Event event) {
+            if (event.isAtomic()) {
+                hold();
+            }
+        }
+
+        @Override
+        public void intentionAdded(Intention intention) {
+            if (intention.isAtomic()) {
+                keep(intention);
+                hold();
+            }
+        }
+
+        @Override
+        public void intentionSuspended(Trigger trigger, Intention intention, Term reason) {
+            if (intention != null && intention.isAtomic() && intention != sleep) {
+                hold();
+            }
+        }
+    }
+
+    /** Wakes the agent, as it was; nothing if it is awake. */
+    public void awaken() {
+        if (!isAsleep()) {
+            return;
+        }
+        Circumstance circumstance = getTS().getC();
+        circumstance.removeEventListener(guard);
+        circumstance.removePendingIntention(ASLEEP);
+        circumstance.setAtomicIntention(null);
+        sleep = null;
+        String awaited = atomic == null ? null : circumstance.getPendingIntentionKey(atomic);
+        if (awaited != null) {
+            circumstance.addPendingIntention(awaited, atomic.getSuspendedReason(), atomic, false);
+        } else if (atomic != null) {
+            circumstance.setAtomicIntention(atomic);
+        }
+        unread.forEach(circumstance::addMsg);
+        getTS().getAgArch().wake();
+    }
+
+    @Override
+    public Collection<Literal> perceive() {
+        return isAsleep() ? null : super.perceive();
+    }
+
+    @Override
+    public void checkMail() {
+        if (!isAsleep()) {
+            super.checkMail();
+        }
+    }
+
+    @Override
+    public boolean canSleep() {
+        return isAsleep() || super.canSleep();
+    }
+}
