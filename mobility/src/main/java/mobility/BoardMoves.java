@@ -69,7 +69,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
         if (!Folder.records(place()).isEmpty()) {
             if (Inhabitants.isAway(name())) {
                 Mobile.empty(ts());
-                Mobile.of(ts()).sleep();
+                Mobile.of(ts()).fallAsleep();
             }
             // As soon as the agent runs, the MAS has all its agents.
             ts().runAtBeginOfNextCycle(() -> execute(this::opened));

@@ -117,12 +117,12 @@ public final class Departures {
             Address to, Image image) {
         boolean sleeps = protocol != Protocol.CLONING;
         if (sleeps) {
-            Mobile.of(ts).sleep();
+            Mobile.of(ts).fallAsleep();
         }
         return moves.depart(ts.getAgArch().getAgName(), protocol, to,
                 List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state()))).whenComplete((name, thrown) -> {
                     if (sleeps && thrown != null) {
-                        ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).wake());
+                        ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).awaken());
                         ts.getAgArch().wakeUpDeliberate();
                     }
                 });

@@ -28,6 +28,8 @@ final class Inhabitants {
     private static final String ARCHITECTURES = "newcomers";
     private static final String LENGTH = "movesLength";
     private static final String AGENTS = "movesAgents";
+    /** Set while an agent is made here, which is not away, whatever its record says. */
+    private static final ThreadLocal<Boolean> MAKING = ThreadLocal.withInitial(() -> false);
 
     private final Diffuser diffuser;
 
@@ -84,6 +86,7 @@ final class Inhabitants {
             remove(move.name());
             RuntimeServices services = RuntimeServicesFactory.get();
             Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs());
+            MAKING.set(true);
             String name = services.createAgent(move.name(), null,
                     guest ? Guest.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
                     architectures(ours, guest), null, new Settings(), null);
@@ -94,6 +97,8 @@ final class Inhabitants {
             throw new IllegalStateException("what was checked can be read no longer: " + e.getMessage(), e);
         } catch (Exception e) {
             throw new IllegalStateException("the agent " + move.name() + " cannot live here: " + e.getMessage(), e);
+        } finally {
+            MAKING.remove();
         }
     }
 
@@ -141,7 +146,7 @@ final class Inhabitants {
 
     /** Whether the records of this MAS say that an agent which its program starts is elsewhere, or is to be made anew. */
     static boolean isAway(String name) {
-        return isOfProgram(name) && project().stream()
+        return !MAKING.get() && isOfProgram(name) && project().stream()
                 .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))
                 .flatMap(each -> Folder.records(folder(each.name, each.getAsSetts(false, false))).stream())
                 .anyMatch(move -> move.isOurs() && move.name().equals(name) && move.state() != Move.State.READY);

@@ -31,7 +31,7 @@ import jason.asSyntax.Trigger;
  * <p>An agent that sleeps perceives nothing, reads no mail, and carries out nothing. Its events and intentions stay
  * where they are: Jason lets all of them wait for an atomic intention that waits itself, and so for this one.
  *
- * <p>Its methods are for the agent's own thread.
+ * <p>Its methods are for the agent's own thread. {@link #wake} is Jason's, and means the thread.
  */
 public class Mobile extends AgArch {
 
@@ -52,7 +52,7 @@ public class Mobile extends AgArch {
         super.init();
         if (Inhabitants.isAway(getTS().getAgArch().getAgName())) {
             empty(getTS());
-            sleep();
+            fallAsleep();
         }
     }
 
@@ -95,7 +95,7 @@ public class Mobile extends AgArch {
     }
 
     /** Puts the agent to sleep, after {@link ImageWriter} has written it; nothing if it sleeps already. */
-    public void sleep() {
+    public void fallAsleep() {
         if (isAsleep()) {
             return;
         }
@@ -160,7 +160,7 @@ public class Mobile extends AgArch {
     }
 
     /** Wakes the agent, as it was; nothing if it is awake. */
-    public void wake() {
+    public void awaken() {
         if (!isAsleep()) {
             return;
         }

@@ -19,7 +19,7 @@ class EveryCycleTest {
 
     private static final int CYCLES = 80;
 
-    private static final Map<String, String> PROGRAMS = new TreeMap<>(Map.ofEntries(
+    static final Map<String, String> PROGRAMS = new TreeMap<>(Map.ofEntries(
             Map.entry("values come back through levels", """
                     !start.
                     +!start <- !outer(X,k); say(X); !outer(Y,X); say(Y).

@@ -3,6 +3,8 @@ package mobility;
 import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -39,6 +41,14 @@ final class Stage extends AgArch {
         ts = new TransitionSystem(agent, null, new Settings(), this);
         agent.setTS(ts);
         agent.initAg();
+        insertAgArch(this);
+    }
+
+    /** Puts an architecture in front. */
+    <A extends AgArch> A front(A arch) {
+        insertAgArch(arch);
+        arch.setTS(ts);
+        return arch;
     }
 
     static Stage of(String program) {
@@ -74,6 +84,15 @@ final class Stage extends AgArch {
             ts.reasoningCycle();
         }
         return this;
+    }
+
+    /** Runs until it has done so much, and no further for some cycles. */
+    Stage untilDone(int much) {
+        for (int i = 0; i < 2000 && done.size() < much; i++) {
+            ts.reasoningCycle();
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        }
+        return run(5);
     }
 
     /** Runs until an intention says {@code mobility.leave}, and writes the agent as it is then. */

@@ -1,0 +1,72 @@
+package mobility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+
+import jason.asSemantics.Message;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Trigger;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** An agent that sleeps does nothing, and is afterwards as it was. */
+class MobileTest {
+
+    private static final String BUSY = """
+            !a(1). !b.
+            +!a(N) : N < 9 <- say(a,N); .wait({+never},20,_); !a(N+1).
+            +!a(9).
+            %s +!b <- say(b); !c(X); say(X); .wait({+never},30,_); say(d); .wait(20); !c(Y); say(Y); +done.
+            +!c(c) <- say(c).
+            +done <- say(done).
+            """;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "@x[atomic]"})
+    void agent_asleepInAnyCycle_doesNothing_andGoesOnWhenAwake(String label) {
+        List<String> all = Stage.of(BUSY.formatted(label)).untilDone(15).done.stream().sorted().toList();
+        for (int before = 0; before < 36; before++) {
+            Stage stage = Stage.of(BUSY.formatted(label));
+            Mobile mobile = stage.front(new Mobile());
+            stage.run(before);
+            if (stage.ts.getC().hasPendingAction()) {
+                continue;
+            }
+            List<String> done = List.copyOf(stage.done);
+            mobile.fallAsleep();
+            // Longer than its waits.
+            for (int i = 0; i < 12; i++) {
+                LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(5));
+                stage.run(3);
+            }
+            assertEquals(done, stage.done);
+            assertTrue(stage.ts.canSleep());
+            mobile.awaken();
+            assertFalse(mobile.isAsleep());
+            assertEquals(all, stage.untilDone(15).done.stream().sorted().toList());
+            assertNull(stage.ts.getC().getPendingIntentions().get(Mobile.ASLEEP));
+        }
+    }
+
+    @Test
+    void whatComesToSleeper_waits() {
+        Stage stage = Stage.of("+!go <- say(go). +told(X) <- say(told,X). +seen <- say(seen).").run(3);
+        Mobile mobile = stage.front(new Mobile());
+        stage.ts.getC().addMsg(new Message("tell", "bob", "traveller", "told(1)"));
+        mobile.fallAsleep();
+        stage.ts.getC().addExternalEv(new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve,
+                ASSyntax.createLiteral("go")));
+        stage.run(10);
+        assertEquals(List.of(), stage.done);
+        mobile.awaken();
+        assertEquals(List.of("say go", "say told 1"), stage.run(10).done);
+    }
+}
