@@ -133,15 +133,16 @@ final class Inhabitants {
 
     /** Ends an agent that sleeps: one that has moved away, or that was not to start. */
     void remove(String name) {
-        agent(name).filter(known -> Mobile.find(known.getTS()).filter(Mobile::isAsleep).isPresent()).ifPresent(asleep -> {
-            if (asleep.getTS() != diffuser.getTS()) {
-                try {
-                    RuntimeServicesFactory.get().killAgent(name, name, 0);
-                } catch (RemoteException e) {
-                    throw new IllegalStateException(e);
-                }
-            }
-        });
+        agent(name).filter(known -> Mobile.find(known.getTS()).filter(Mobile::isAsleep).isPresent())
+                .ifPresent(asleep -> {
+                    if (asleep.getTS() != diffuser.getTS()) {
+                        try {
+                            RuntimeServicesFactory.get().killAgent(name, name, 0);
+                        } catch (RemoteException e) {
+                            throw new IllegalStateException(e);
+                        }
+                    }
+                });
     }
 
     /** Whether the records of this MAS say that an agent which its program starts is elsewhere, or is to be made anew. */
