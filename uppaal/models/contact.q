@@ -1,0 +1,22 @@
+/* W1 holds: at no moment are two awake. */
+A[] awake[SUPPORT] + awake[BUS] <= 1
+/* W2 holds: an agent that sleeps to leave is awake in the end, here or there. */
+Sender1.Sleeping --> awake[SUPPORT] + awake[BUS] == 1
+/* W3 holds: also from each moment on. */
+Sender1.Offered --> awake[SUPPORT] + awake[BUS] == 1
+/* W4 holds: a sender learns how its move ends. */
+Sender1.Offered --> Sender1.Over || Sender1.Away
+/* W5 holds: what has gone is awake there in the end, and its sender knows. */
+Sender1.Gone --> Sender1.Away && awake[BUS] == 1
+/* W6 holds: a receiver that is ready does not wait for ever. */
+Receiver1.Ready --> Receiver1.Here || Receiver1.None
+/* W7 holds: nor does one to which parts come. */
+Receiver1.Coming --> !Receiver1.Coming
+/* W8 holds: in the end exactly one is awake, and nobody waits. */
+A[] deadlock imply ((Sender1.Home || Sender1.Over || Sender1.Away) && (Receiver1.None || Receiver1.Here) && awake[SUPPORT] + awake[BUS] == 1 && underWay[0] == 0)
+/* W9 holds: it may be there in the end, though all was lost and killed that could be. */
+E<> deadlock && awake[BUS] == 1 && losses == LOSSES && kills == KILLS && copies == COPIES
+/* W10 holds: or here. */
+E<> deadlock && awake[SUPPORT] == 1 && Sender1.Over && has[0] == PARTS
+/* W11 holds: patience lasts as long as it should. */
+E<> Sender1.tries == TRIES
