@@ -20,3 +20,7 @@ E<> Receiver1.Answering && Sender1.Gone
 E<> Receiver1.Unknown && woken[0] == 0
 /* Z11 holds: a sender may give up. */
 E<> Sender1.told && Receiver1.Ready
+/* Z12 holds: a clone that has ended is not awake. */
+A[] (Receiver1.Left || Receiver1.Answering) imply awake[BUS] == 0
+/* Z13 holds: a clone is awake, also where its process was killed. */
+A[] Receiver1.Here imply awake[BUS] == 1

@@ -15,8 +15,14 @@ Receiver1.Coming --> !Receiver1.Coming
 /* W8 holds: in the end exactly one is awake, and nobody waits. */
 A[] deadlock imply ((Sender1.Home || Sender1.Over || Sender1.Away) && (Receiver1.None || Receiver1.Here) && awake[SUPPORT] + awake[BUS] == 1 && underWay[0] == 0)
 /* W9 holds: it may be there in the end, though all was lost and killed that could be. */
-E<> deadlock && awake[BUS] == 1 && losses == LOSSES && kills == KILLS && copies == COPIES
+E<> deadlock && awake[BUS] == 1 && losses == 2 && kills == 1 && copies == 1
 /* W10 holds: or here. */
 E<> deadlock && awake[SUPPORT] == 1 && Sender1.Over && has[0] == PARTS
 /* W11 holds: patience lasts as long as it should. */
-E<> Sender1.tries == TRIES
+E<> Sender1.tries == 5
+/* W19 holds: an agent of which a part is there goes on from there. */
+E<> kills == 0 && copies == 0 && Sender1.grown && Receiver1.Here
+/* W20 holds: what is new there prolongs the patience. */
+E<> Sender1.grown && Sender1.tries == 0 && W1_1.Silent && Sender1.next == 1
+/* W21 holds: a part may be wrong; then it is forgotten. */
+E<> kills == 0 && Sender1.grown && X1.UnderWay && has[0] == 0

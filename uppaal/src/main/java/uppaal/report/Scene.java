@@ -54,15 +54,15 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene HOST = new Scene("host", "Messages for a host that dies", "host.xml", Map.of(), Map.of(),
             List.of("host.q"));
 
-    /** Those of moves. Where contact returns, all that is lost or killed is so a few times at most. */
+    /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(
-            ofMoves("handover", "An agent moves, and again if that has failed", Map.of()),
-            ofMoves("return", "An agent moves, and comes back", Map.of()),
-            ofMoves("cloning", "An agent is cloned", Map.of()),
+            ofMoves("handover", "An agent moves, and again if that has failed", Map.of(), "move.q"),
+            ofMoves("return", "An agent moves, and comes back", Map.of(), "move.q"),
+            ofMoves("cloning", "An agent is cloned", Map.of(), "move.q"),
             ofMoves("contact", "An agent moves, and contact returns", Map.of("FAIR", "true")),
             ofMoves("round", "An agent moves and comes back, and contact returns",
                     Map.of("FAIR", "true", "LOSSES", "1", "COPIES", "0")),
-            ofMoves("silence", "An agent is offered, and none of its parts comes",
+            ofMoves("silence", "An agent is offered, and its first piece never comes",
                     Map.of("FAIR", "true", "LOSSES", "0")));
 
     /** Numbers with which the scenes of delivery have few states, and the same verdicts. */
@@ -111,8 +111,9 @@ public record Scene(String name, String title, String model, Map<String, String>
                 Stream.concat(Stream.of(queries), Stream.of("air.q")).toList());
     }
 
-    private static Scene ofMoves(String name, String title, Map<String, String> constants) {
-        return new Scene(name, "Moves: " + title, "handover.xml", constants, Map.of(), List.of(name + ".q"));
+    private static Scene ofMoves(String name, String title, Map<String, String> constants, String... more) {
+        return new Scene(name, "Moves: " + title, "handover.xml", constants, Map.of(),
+                Stream.concat(Stream.of(name + ".q"), Stream.of(more)).toList());
     }
 
     /** This scene with so few states that many mutants of it can be checked. */
