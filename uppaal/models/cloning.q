@@ -24,3 +24,5 @@ E<> Sender1.told && Receiver1.Ready
 A[] (Receiver1.Left || Receiver1.Answering) imply awake[BUS] == 0
 /* Z13 holds: a clone is awake, also where its process was killed. */
 A[] Receiver1.Here imply awake[BUS] == 1
+/* Z14 holds: a sender that was killed knows nothing of a clone. */
+A[] Support.Starting imply (Sender1.Home || Sender1.Over)

@@ -61,7 +61,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofMoves("cloning", "An agent is cloned", Map.of(), "move.q"),
             ofMoves("contact", "An agent moves, and contact returns", Map.of("FAIR", "true")),
             ofMoves("round", "An agent moves and comes back, and contact returns",
-                    Map.of("FAIR", "true", "LOSSES", "1", "COPIES", "0")),
+                    Map.of("FAIR", "true", "LOSSES", "1", "COPIES", "0", "TRIES", "3")),
             ofMoves("silence", "An agent is offered, and its first piece never comes",
                     Map.of("FAIR", "true", "LOSSES", "0")));
 
