@@ -1,7 +1,7 @@
 /* J27 holds: what is there was sent. */
 A[] (has[0] >= 1 imply D1_0.UnderWay) && (has[0] == PARTS imply D1_1.UnderWay)
 /* J28 holds: a sender says only what it was asked, and goes on only if it was told. */
-A[] ((Sender1.Going || Sender1.Gone || Sender1.Away) imply R1.UnderWay) && (Sender1.Away imply A1.UnderWay) && (Sender1.Gone imply G1.UnderWay) && (D1_0.UnderWay imply W1_0.UnderWay) && (D1_1.UnderWay imply (W1_0.UnderWay || W1_1.UnderWay)) && (C1.UnderWay imply (R1.UnderWay && (Sender1.Over || Sender1.Cancelling))) && ((Sender1.Home || Sender1.Sleeping) imply O1.Silent)
+A[] ((Sender1.Going || Sender1.Gone || Sender1.Away) imply R1.UnderWay) && (Sender1.Away imply A1.UnderWay) && (Sender1.Gone imply G1.UnderWay) && (D1_0.UnderWay imply W1_0.UnderWay) && (D1_1.UnderWay imply (W1_0.UnderWay || W1_1.UnderWay)) && (C1.UnderWay imply (R1.UnderWay && (Sender1.Over || Sender1.Cancelling))) && ((Sender1.Home || Sender1.Sleeping) imply (O1.Silent && begun == 0)) && (O1.UnderWay imply begun >= 1)
 /* J29 holds: so does a receiver. */
 A[] ((W1_0.UnderWay || W1_1.UnderWay || X1.UnderWay || R1.UnderWay || Receiver1.Asked) imply O1.UnderWay) && (Receiver1.Coming imply (W1_0.UnderWay || W1_1.UnderWay)) && (W1_1.UnderWay imply D1_0.UnderWay) && (R1.UnderWay imply D1_1.UnderWay) && (woken[0] > 0 imply G1.UnderWay) && ((Receiver1.Here || Receiver1.Left) imply (woken[0] > 0 && A1.UnderWay))
 /* J30 holds: a receiver wants, refuses, is ready, and answers an offer that is late. */
