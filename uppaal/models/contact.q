@@ -27,6 +27,6 @@ E<> Sender1.grown && Sender1.tries == 0 && W1_1.Silent && Sender1.next == 1
 /* W21 holds: a part may be wrong; then it is forgotten. */
 E<> kills == 0 && Sender1.grown && X1.UnderWay && has[0] == 0
 /* W22 holds: pieces follow each other without being asked for. */
-E<> Sender1.tries == 2 && !Sender1.grown && Receiver1.Here
+E<> kills == 0 && Sender1.tries == 2 && !Sender1.grown && Receiver1.Here
 /* W23 holds: a message may be lost. */
 E<> losses == 1 && O1.Silent && Sender1.tries == 1
