@@ -150,7 +150,8 @@ final class Inhabitants {
         return !MAKING.get() && isOfProgram(name) && project().stream()
                 .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))
                 .flatMap(each -> Folder.records(folder(each.name, each.getAsSetts(false, false))).stream())
-                .anyMatch(move -> move.isOurs() && move.name().equals(name) && move.state() != Move.State.READY);
+                .anyMatch(move -> move.isOurs() && move.name().equals(name) && move.state() != Move.State.READY
+                        && move.state() != Move.State.LEFT);
     }
 
     private static boolean isDiffuser(String architecture) {

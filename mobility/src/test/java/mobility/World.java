@@ -48,6 +48,8 @@ final class World {
     double untold;
     double twice;
     boolean contact = true;
+    /** Longer messages do not come. */
+    int longest = Integer.MAX_VALUE;
     /** Killed after so many steps of whoever is next; negative for never. */
     int killAfter = -1;
     Address victim = STATION;
@@ -147,7 +149,8 @@ final class World {
             for (Map.Entry<String, List<Bytes>> agent : program.entrySet()) {
                 boolean held = folder.records().stream().anyMatch(
                         move -> move.identity().equals(new Move.Identity(address, agent.getKey()))
-                                && move.state() != Move.State.READY);
+                                && (move.isAbsent() || move.state() == Move.State.OFFERED
+                                        || move.state() == Move.State.HERE));
                 if (!held) {
                     awake.put(agent.getKey(), agent.getValue());
                 }
@@ -206,7 +209,7 @@ final class World {
         /** What is recorded of moves that have not ended. */
         List<Move> open() {
             return folder.records().stream()
-                    .filter(move -> move.state() != Move.State.HERE && move.state() != Move.State.AWAY).toList();
+                    .filter(move -> !List.of(Move.State.HERE, Move.State.AWAY, Move.State.LEFT).contains(move.state())).toList();
         }
 
         private void within(Runnable step) {
@@ -253,7 +256,7 @@ final class World {
             long size = BESIDE + 14L * bytes.length();
             bits += size;
             messages++;
-            boolean arrives = contact && random.nextDouble() >= lost;
+            boolean arrives = contact && bytes.length() <= longest && random.nextDouble() >= lost;
             boolean tells = arrives && random.nextDouble() >= untold;
             // A board sends one after the other.
             long begins = Math.max(now, free);
