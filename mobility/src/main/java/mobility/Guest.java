@@ -15,8 +15,8 @@ import jason.asSyntax.Term;
 import diffuser.Failure;
 
 /**
- * An agent that has come under inquilinism: it may think, speak with the agents of the MAS and move on, and nothing
- * else. The table in SECURITY.md says what that is. Its architecture must be a {@link Mobile}, which sees to its actions
+ * An agent that has come under inquilinism: it may think, speak with agents of the MAS and move on, and nothing else.
+ * The table in SECURITY.md says what that is. Its architecture must be a {@link Mobile}, which sees to its actions
  * and messages.
  */
 public class Guest extends Agent {
@@ -33,7 +33,8 @@ public class Guest extends Agent {
             ".max", ".member", ".min", ".moveOut", ".my_name", ".namespace", ".nano_time", ".nth", ".number",
             ".plan_label", ".prefix", ".print", ".printf", ".println", ".random", ".range", ".relevant_plan",
             ".relevant_plans", ".relevant_rules", ".remove_plan", ".remove_source_annot", ".rename_apart", ".replace",
-            ".resume", ".reverse", ".send", ".setof", ".shuffle", ".signal", ".sort", ".string", ".structure", ".sublist",
+            ".resume", ".reverse", ".send", ".setof", ".shuffle", ".signal", ".sort", ".string", ".structure",
+            ".sublist",
             ".substring", ".succeed_goal", ".suffix", ".suspend", ".suspended", ".term2string", ".time", ".type",
             ".union", ".upper_case", ".version", ".wait");
 

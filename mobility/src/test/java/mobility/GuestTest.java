@@ -44,7 +44,7 @@ class GuestTest {
             ".send(bob,tell,hello)", ".send(bob,untell,hello)", ".send(bob,askOne,p(_))", ".send(bob,askAll,p(_))",
             ".send(bob,signal,p)", ".broadcast(tell,x)", ".wait(1)", ".my_name(M)", "if (true) { +c } else { a }",
             "for (.member(X,[1,2])) { +d(X) }", ".map.create(M); .map.put(M,a,1)", ".add_plan({ +!n <- +n }); !n"})
-    void allowed(String step) throws Exception {
+    void step_allowed_isDone(String step) throws Exception {
         assertEquals("done[]", outcome(step));
     }
 
@@ -56,7 +56,7 @@ class GuestTest {
             ".send(bob,tellHow,\"+!a <- b.\")", ".send(bob,untellHow,\"l\")", ".send(bob,askHow,\"+!a\")",
             ".send(bob,unachieve,x)", ".broadcast(achieve,x)", ".df_register(x)", ".set_random_seed(1)",
             "X = { .stopMAS }; X", ".eval(X,.stopMAS); X = true", ".term2string(X,\".stopMAS\"); X"})
-    void refused(String step) throws Exception {
+    void step_notAllowed_fails(String step) throws Exception {
         String outcome = outcome(step);
         // A test that fails in a context has no error of its own.
         assertEquals(step.startsWith(".eval") ? "constraint_failed[]" : "guest[]", outcome);

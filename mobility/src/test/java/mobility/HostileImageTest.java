@@ -40,7 +40,8 @@ class HostileImageTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"+!kqml_received(A,B,C,D) <- true.", "@x +!X <- true.", "+X <- true.", "-!_ <- true.",
-            "+jag_sleeping <- a.", "+!kqml::add_all_kqml_received(a) <- a.", "+NS::p <- a.", "+!a <- !kqml_received(a).",
+            "+jag_sleeping <- a.", "+!kqml::add_all_kqml_received(a) <- a.", "+NS::p <- a.",
+            "+!a <- !kqml_received(a).",
             "+!a <- .add_plan({ +!kqml_received(A,B,C,D) <- b }).", "+!a[source(kqml_received)] <- a.",
             "kqml_received(X) :- a.", "kqml::p(X) :- a.", "p :- kqml::q(X).", "@kqmlReceivedAchieve +!a <- b.",
             "@p__3 +!a <- b.", "+!a <- b. +!c <- d.", "+!a <- b. } +!c <- d.", "a :- b. c :- d.", "+!a <- b", "a.",
@@ -54,7 +55,8 @@ class HostileImageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"Bp(1).", "Bp(1), q", "Bp) q(", "B", "B3", "BX", "B\"a\"", "B[a]", "B{ +!a }", "B{ a :- b }",
+    @ValueSource(strings = {"Bp(1).", "Bp(1), q", "Bp) q(", "B", "B3", "BX", "B\"a\"", "B[a]", "B{ +!a }",
+            "B{ a :- b }",
             "Bp(1+2)", "Bp(.count(x))", "Bp(math.random)", "B.print(a)", "B.stopMAS", "Bp(X) :- q", "Bp & q",
             "Bp[source(percept)]", "Bp[source(a),source(percept)]", "Bkqml_received(a)", "Bp(kqml::q)", "Bkqml::q",
             "Bjag_shutting_down", "BNS::p", "Bp(\"\n\")", "Bp(\t)", "Bp(_1)", "Zp", "p", " ",
@@ -94,8 +96,10 @@ class HostileImageTest {
 
     static Stream<String> bombs() {
         int many = 60_000;
-        return Stream.of("(", "[", "{", "f(", "not ", "not (", "-", "a & ", "a | ", "1 + ", "X = ", "a[", "~", "{ +!a <- ",
-                "if (a) { ", "V::", "[a|", "!", "\"", "'", "a;", "a,", "_").flatMap(
+        return Stream
+                .of("(", "[", "{", "f(", "not ", "not (", "-", "a & ", "a | ", "1 + ", "X = ", "a[", "~", "{ +!a <- ",
+                        "if (a) { ", "V::", "[a|", "!", "\"", "'", "a;", "a,", "_")
+                .flatMap(
                         part -> Stream.of(12, 60, 1000, many / part.length()).map(part::repeat));
     }
 
@@ -171,8 +175,10 @@ class HostileImageTest {
     }
 
     private static String pick(Random random) {
-        String[] parts = {"\n", "(", ")", "[", "]", "{", "}", ",", ".", "V_1", "_", "X", "\"", "'", "B", "I", "S", "F0,0,", "D",
-                "V", "R", "+", "!", "::", " :- ", " <- ", "|", "~", "0", "-", ".loop(", "source(percept)", "\\", "\u00e9", "/*"};
+        String[] parts =
+                {"\n", "(", ")", "[", "]", "{", "}", ",", ".", "V_1", "_", "X", "\"", "'", "B", "I", "S", "F0,0,", "D",
+                        "V", "R", "+", "!", "::", " :- ", " <- ", "|", "~", "0", "-", ".loop(", "source(percept)", "\\",
+                        "\u00e9", "/*"};
         return parts[random.nextInt(parts.length)];
     }
 }
