@@ -216,4 +216,11 @@ class TermWriterTest {
         assertThrows(MalformedTextException.class,
                 () -> TermWriter.write(ASSyntax.createLiteral("p", ASSyntax.createString(value))));
     }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"+!a <- .if_then_else(b,{ c },{ !d; e }).", "+!a <- .loop(b,{ +c }).",
+            "+!a <- f([1,2|T]); +{ p(\"x\\ny\") :- q('ROMA') }."})
+    void plan_withBracesTailsAndRules_readsBack(String text) throws Exception {
+        assertEquals("{ " + text.substring(0, text.length() - 1) + " }", TermWriter.write(ASSyntax.parsePlan(text)));
+    }
 }

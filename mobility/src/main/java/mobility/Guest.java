@@ -1,8 +1,89 @@
 package mobility;
 
-import jason.asSemantics.Agent;
+import java.lang.reflect.InvocationTargetException;
+import java.util.Set;
 
-/** stub until merged */
+import jason.JasonException;
+import jason.asSemantics.Agent;
+import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.InternalAction;
+import jason.asSemantics.Message;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.Term;
+
+import diffuser.Failure;
+
+/**
+ * An agent that has come under inquilinism: it may think, speak with agents of the MAS and move on, and nothing else.
+ * The table in SECURITY.md says what that is. Its architecture must be a {@link Mobile}, which sees to its actions
+ * and messages.
+ */
 public class Guest extends Agent {
+
     private static final long serialVersionUID = 1L;
+
+    /** Those that touch nothing but the agent's own mind, and those for which {@link Mobile} looks at the message. */
+    private static final Set<String> ALLOWED = Set.of(".abolish", ".add_annot", ".add_nested_source", ".add_plan",
+            ".asserta", ".assertz", ".at", ".atom", ".belief", ".broadcast", ".concat", ".copy_term", ".count",
+            ".current_intention", ".date", ".delete", ".desire", ".difference", ".drop_all_desires", ".drop_all_events",
+            ".drop_all_intentions", ".drop_desire", ".drop_event", ".drop_future_intention", ".drop_intention",
+            ".empty", ".eval", ".fail", ".fail_goal", ".findall", ".foreach", ".fork", ".ground", ".if_then_else",
+            ".intend", ".intention", ".intersection", ".join", ".length", ".list", ".literal", ".loop", ".lower_case",
+            ".max", ".member", ".min", ".moveOut", ".my_name", ".namespace", ".nano_time", ".nth", ".number",
+            ".plan_label", ".prefix", ".print", ".printf", ".println", ".random", ".range", ".relevant_plan",
+            ".relevant_plans", ".relevant_rules", ".remove_plan", ".remove_source_annot", ".rename_apart", ".replace",
+            ".resume", ".reverse", ".send", ".setof", ".shuffle", ".signal", ".sort", ".string", ".structure",
+            ".sublist",
+            ".substring", ".succeed_goal", ".suffix", ".suspend", ".suspended", ".term2string", ".time", ".type",
+            ".union", ".upper_case", ".version", ".wait");
+
+    /** Jason's maps, queues and sets. */
+    private static final Set<String> ALLOWED_KINDS = Set.of(".map.", ".queue.", ".set.");
+
+    private static final Set<String> FORCES = Set.of("tell", "untell", "askOne", "askAll", "signal");
+
+    /** Each other internal action fails. */
+    @Override
+    public InternalAction getIA(String name) throws ClassNotFoundException, InstantiationException,
+            IllegalAccessException, InvocationTargetException, NoSuchMethodException {
+        return allows(name) ? super.getIA(name) : new Refusal(name);
+    }
+
+    static boolean allows(String name) {
+        return ALLOWED.contains(name) || ALLOWED_KINDS.stream().anyMatch(name::startsWith);
+    }
+
+    /** An internal action that a guest has not. */
+    private static final class Refusal extends DefaultInternalAction {
+
+        private static final long serialVersionUID = 1L;
+
+        private final String name;
+
+        Refusal(String name) {
+            this.name = name;
+        }
+
+        @Override
+        public Object execute(TransitionSystem ts, Unifier un, Term[] args) throws JasonException {
+            throw refused(name);
+        }
+    }
+
+    /** Why a guest may not do something. */
+    static JasonException refused(String what) {
+        return failure(what).toException();
+    }
+
+    static Failure failure(String what) {
+        return new Failure("guest", "a guest may not do " + what + "; SECURITY.md says what it may");
+    }
+
+    /** @throws JasonException guest, if it may not send that. */
+    static void check(Message message) throws JasonException {
+        if (!FORCES.contains(message.getIlForce())) {
+            throw refused(".send(_," + message.getIlForce() + ",_)");
+        }
+    }
 }

@@ -19,6 +19,19 @@ final class Library {
         this.plans = plans;
     }
 
+    /** Gives an agent a library of plans, with nothing in it. */
+    static void give(Agent agent) {
+        try {
+            for (var method : Agent.class.getMethods()) {
+                if (method.getName().equals("setPL")) {
+                    method.invoke(agent, method.getParameterTypes()[0].getConstructor().newInstance());
+                }
+            }
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
     static Library of(Agent agent) {
         return new Library(call(agent, "getPL"));
     }

@@ -50,8 +50,6 @@ final class Mind {
     private static final int MOST_FRAMES = 1024;
 
     private static final Pattern FRAME = Pattern.compile("(\\d{1,4}),(\\d{1,4}),(.+)");
-    /** What Jason's parser calls a label that has only annotations. */
-    private static final String NO_LABEL = "undefined";
     private static final Term SUSPENDED = ASSyntax.createAtom("suspend_ia");
 
     private final List<Rule> rules = new ArrayList<>();
@@ -104,7 +102,7 @@ final class Mind {
             if (line.startsWith("@") || line.startsWith("+") || line.startsWith("-") || line.startsWith("^")) {
                 Plan plan = plan(line);
                 plans.add(plan);
-                boolean labelled = plan.getLabel() != null && !plan.getLabel().getFunctor().equals(NO_LABEL);
+                boolean labelled = plan.getLabel() != null && !plan.getLabel().getFunctor().equals(Reading.NO_LABEL);
                 Reading.expect(!labelled || labels.add(name(plan.getLabel())), line, "two plans have the same label");
             } else {
                 rules.add(Reading.rule(line));
@@ -297,7 +295,7 @@ final class Mind {
 
     private static void label(Library library, Plan plan) {
         Pred label = plan.getLabel();
-        if (label == null || label.getFunctor().equals(NO_LABEL)) {
+        if (label == null || label.getFunctor().equals(Reading.NO_LABEL)) {
             Pred own = library.newLabel();
             if (label != null) {
                 own.setAnnots(label.getAnnots());

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 import jason.architecture.AgArch;
+import jason.asSemantics.ActionExec;
 import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.CircumstanceListener;
@@ -23,6 +24,8 @@ import jason.asSyntax.PlanBodyImpl;
 import jason.asSyntax.Pred;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
+
+import diffuser.Failure;
 
 /**
  * An agent that can move, and sleeps while it is on its way. Written as {@code agentArchClass mobility.Mobile}, behind
@@ -189,6 +192,38 @@ public class Mobile extends AgArch {
         if (!isAsleep()) {
             super.checkMail();
         }
+    }
+
+    @Override
+    public void act(ActionExec action) {
+        if (!isGuest()) {
+            super.act(action);
+            return;
+        }
+        Failure why = Guest.failure(action.getActionTerm().getFunctor());
+        action.setResult(false);
+        action.setFailureReason(ASSyntax.createLiteral("error", ASSyntax.createAtom(why.error())), why.message());
+        actionExecuted(action);
+    }
+
+    @Override
+    public void sendMsg(Message message) throws Exception {
+        if (isGuest()) {
+            Guest.check(message);
+        }
+        super.sendMsg(message);
+    }
+
+    @Override
+    public void broadcast(Message message) throws Exception {
+        if (isGuest()) {
+            Guest.check(message);
+        }
+        super.broadcast(message);
+    }
+
+    private boolean isGuest() {
+        return getTS().getAg() instanceof Guest;
     }
 
     @Override

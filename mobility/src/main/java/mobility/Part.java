@@ -24,7 +24,7 @@ record Part(Bytes hash, int packed, int length) {
     static final int HASH_LENGTH = 8;
 
     /**
-     * What AgentSpeak repeats, the most frequent last, as Deflate reaches what is near with fewer bits (SPEC 9.6).
+     * What AgentSpeak repeats, the most frequent last, as Deflate reaches what is near with fewer bits (SPEC 9.5).
      */
     static final String DICTIONARY = """
             atomic priority(.succeed_goal(.fail_goal(.drop_desire(.drop_intention(.findall(.member(.length(.concat(.nth(\

@@ -17,6 +17,7 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.NumberTermImpl;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.Pred;
 import jason.asSyntax.Rule;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
@@ -48,6 +49,8 @@ final class Reading {
     private static final int DEEPEST = 100;
     private static final String STDLIB = "jason.stdlib";
     private static final String JASONS_LABELS = "kqml";
+    /** What a label is called here that has only annotations. */
+    static final String NO_LABEL = "undefined";
 
     private final boolean numbersVariables;
     /** The variables without a name, by their numbers. */
@@ -79,6 +82,12 @@ final class Reading {
                 refuseJasonsOwn(text, part.getGoalCondition());
             }
             reading.revised(text, part);
+        }
+        if (text.startsWith("@[")) {
+            // Jason 3.2 and 3.3 call it differently.
+            Pred label = new Pred(NO_LABEL);
+            label.setAnnots(plan.getLabel().getAnnots());
+            plan.setLabel(label);
         }
         refuseLabel(text, plan);
         return plan;
@@ -158,6 +167,7 @@ final class Reading {
 
         Nobody() {
             initDefaultFunctions();
+            Library.give(this);
         }
 
         @Override

@@ -56,13 +56,16 @@ class EveryCycleTest {
                     p(1). p(2). p(3). n(0).
                     !start.
                     +!start <- Z = kept; for (p(X)) { !twice(X,Y); say(X,Y,Z) };
-                        while (n(N) & N < 3) { -+n(N+1); !twice(N,M); say(round,N,M); for (p(Q) & Q > 1) { say(in,Q,N) } };
+                        while (n(N) & N < 3) {
+                            -+n(N+1); !twice(N,M); say(round,N,M); for (p(Q) & Q > 1) { say(in,Q,N) }
+                        };
                         say(Z); .count(p(_),C); say(C).
                     +!twice(X,X*2).
                     """), Map.entry("choices", """
                     limit(3). !start(1). !start(5).
                     over(X) :- limit(L) & X > L & not .member(X,[7,8]).
-                    +!start(N) <- if (over(N)) { say(over,N); !x(N,R) } elif (N > 100) { say(never) } else { R = low }; say(R).
+                    +!start(N) <- if (over(N)) { say(over,N); !x(N,R) } elif (N > 100) { say(never) } else { R = low };
+                        say(R).
                     +!x(N,N+.count(limit(_))).
                     """), Map.entry("events and beliefs", """
                     !start.
@@ -86,7 +89,8 @@ class EveryCycleTest {
                     +!self <- say(s1); .suspend; say(s2).
                     """), Map.entry("goals that end from outside", """
                     !start.
-                    +!start <- !!long(1,R); say(a); .succeed_goal(long(1,_)); say(b); !!again(2); say(c); .fail_goal(again(2)); say(d).
+                    +!start <- !!long(1,R); say(a); .succeed_goal(long(1,_)); say(b); !!again(2); say(c);
+                        .fail_goal(again(2)); say(d).
                     +!long(N,R) <- !part(N); say(long,N).
                     +!part(N) <- say(p1); say(p2); say(p3); say(p4); say(p5); say(p6).
                     +!again(N) <- !part(N); say(never).
@@ -104,7 +108,8 @@ class EveryCycleTest {
                     }
                     """), Map.entry("plans as values", """
                     !start.
-                    +!start <- A = { say(one); !two(X); say(X) }; !do(A); .add_plan({ +!new(Y) <- say(new,Y) }); !new(3);
+                    +!start <- A = { say(one); !two(X); say(X) }; !do(A);
+                        .add_plan({ +!new(Y) <- say(new,Y) }); !new(3);
                         !learn({ +!taught(Z) <- say(Z) }); !taught(4); .remove_plan(first); !first(1).
                     +!do(P) <- P; say(did).
                     +!two(2).

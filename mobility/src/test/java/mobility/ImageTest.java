@@ -1,10 +1,23 @@
 package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.stream.Collectors;
+
+import jason.JasonException;
+import jason.asSemantics.Event;
+import jason.asSemantics.Intention;
+import jason.asSemantics.Option;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Plan;
+import jason.asSyntax.Trigger;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** An agent is the same after its texts have been written and read. */
 class ImageTest {
@@ -53,10 +66,93 @@ class ImageTest {
                     .wait({+done(_)},100); W = {!a; ?b(_)}; Z = math.max(1,-2); mobility.leave; say(X,Z,N).
                 @[atomic] +!small.
                 +!g[scope] <: limit(9) <- a. { @in +e(V) <- b(V). -!c <- d. }
-                ^!go[state(S)] : S = never <- true.
+                +!h(_1,[_1|T],_2) : p(_2) <- a(T).
                 """);
-        here.run(60);
+        here.run(3);
         Image image = ImageWriter.write(here.ts, null);
+        assertEquals("""
+                far(X) :- ((.count(seen(_,_)) > X) | (X = (-3))).
+                near(X,Y) :- (limit(L) & (((X-Y) < L) & not (far(100)))).
+                @mine[atomic,note("x")] +!go : (near(1,2) & limit(N)) <- .if_then_else((N > 3),{ +big },\
+                { !small; -big }); .loop((cond(Q) & (Q < 4)),{ +foo(Q) }); .foreach(seen(A,_),{ note(A) }); \
+                (X = .count(seen(_,_))); .wait({ +done(_) },100); (W = { !a; ?b(_) }); (Z = math.max(1,(-2))); \
+                mobility.leave; say(X,Z,N).
+                @[atomic] +!small.
+                +!g[scope] <: limit(9) <- a. { @in +e(V) <- b(V). -!c <- d. }
+                +!h(V1,[V1|T],V2) : p(V2) <- a(T).""", image.program());
+        assertEquals("""
+                Bbig
+                Blimit(7)
+                Bodd('ROMA')
+                Bseen(b,2)[deg(3)]
+                Bseen(a,1)
+                Btext("a \\"b\\"\\nc")
+                B~wet""", image.state().lines().filter(line -> line.startsWith("B")).collect(Collectors.joining("\n")));
         assertEquals(image, ImageWriter.write(Stage.of(image).ts, null));
+    }
+
+    @Test
+    void percepts_stayBehind_andOtherSourcesTravel() throws Exception {
+        Stage here = Stage.of("+hot(X) <- say(X).");
+        here.ts.getAg().getBB().add(ASSyntax.parseLiteral("hot(1)[source(percept)]"));
+        here.ts.getAg().getBB().add(ASSyntax.parseLiteral("hot(2)[source(bob),source(percept)]"));
+        here.ts.getAg().getBB().add(ASSyntax.parseLiteral("hot(3)[source(self),source(ROMA),cast(unicast,ROMA)]"
+                .replace("ROMA", "'ROMA'")));
+        here.ts.getC().addExternalEv(ASSyntax.parseTrigger("+hot(4)[source(percept)]"));
+        here.ts.getC().addExternalEv(ASSyntax.parseTrigger("+hot(5)[source(bob)]"));
+        String state = ImageWriter.write(here.ts, null).state();
+        assertEquals("Bhot(3)[cast(unicast,'ROMA'),source('ROMA'),source(self)]\nBhot(2)[source(bob)]\n"
+                + "I+hot(5)[source(bob)]", state);
+    }
+
+    @Test
+    void intentionOfPercept_travels() throws Exception {
+        Stage here = Stage.of("+hot(X)[source(S)] <- mobility.leave; say(X,S).");
+        here.ts.getC().addExternalEv(ASSyntax.parseTrigger("+hot(4)[source(percept)]"));
+        assertEquals(List.of("say 4 percept"), here.moved().run(5).done);
+    }
+
+    @Test
+    void goalOfBroadcast_isBegun() throws Exception {
+        // As the gate chooses a plan for it.
+        Stage here = Stage.of("+!go(X) <- say(X,1). +!go(X) <- say(X,2).");
+        Trigger trigger = ASSyntax.parseTrigger("+!go(7)[source(bob)]");
+        Plan second = Library.of(here.ts.getAg()).own().get(1);
+        Event event = new Event(trigger, Intention.EmptyInt);
+        event.setOption(new Option(second, second.isRelevant(trigger, null)));
+        here.ts.getC().addEvent(event);
+        Stage there = Stage.of(ImageWriter.write(here.ts, null));
+        assertEquals(List.of("say 7 2"), there.run(5).done);
+    }
+
+    @Test
+    void wait_beginsAnew() throws Exception {
+        Stage there = Stage.of(ImageWriter.write(Stage.of("!go. +!go <- .wait({+over(X)}); say(X).").run(5).ts, null));
+        there.run(5);
+        assertEquals(List.of(), there.done);
+        there.ts.getAg().addBel(ASSyntax.parseLiteral("over(3)"));
+        assertEquals(List.of("say 3"), there.run(8).done);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '#', value = {"!go. +!go <- hang(1). # its intention for +!go[source(self)] waits for hang(1)",
+            "!go. +!go <- .send(bob,askOne,p(X),A); say(A). # waits for .send(bob,askOne,p(X),A)",
+            "!go. +!go <- !in. +!in <- mobility.leave. # its intention for +!go[source(self)] waits for mobility.leave",
+            "!go. +!go <- { .wait(9000) } |&| { .wait(9000) }. # share their goals",
+            "!go. +!go <- .queue.create(Q); .wait(9000); say(Q). # it holds a Java object",
+            "!go. +!go <- .set.create(S); +p(S). # the belief p(",
+            "p(cobj_12). # it holds an artifact's handle, cobj_12",
+            "+!kqml_received(A,B,C,D) <- a. # it names a goal or event of Jason itself: kqml_received",
+            "+jag_shutting_down <- a. # it names a goal or event of Jason itself: jag_shutting_down",
+            "+!go(V_1) <- a(V_1). # a variable's name is V_1"})
+    void agent_thatCannotTravel_saysWhy(String program, String why) {
+        Stage stage = Stage.of(program).run(6);
+        String before = stage.ts.getC().toString();
+        JasonException e = assertThrows(JasonException.class, () -> ImageWriter.write(stage.ts, null));
+        assertEquals("[error(cannot_travel)", e.getErrorTerms().toString().substring(0, 21));
+        assertTrue(e.getMessage().startsWith("traveller cannot travel: ") && e.getMessage().contains(why),
+                e.getMessage());
+        assertEquals(1, e.getMessage().lines().count());
+        assertEquals(before, stage.ts.getC().toString());
     }
 }

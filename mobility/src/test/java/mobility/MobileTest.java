@@ -31,7 +31,7 @@ class MobileTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", "@x[atomic]"})
-    void agent_asleepInAnyCycle_doesNothing_andGoesOnWhenAwake(String label) {
+    void agent_asleepInAnyCycle_doesNothingAndThenGoesOn(String label) {
         List<String> all = Stage.of(BUSY.formatted(label)).untilDone(15).done.stream().sorted().toList();
         for (int before = 0; before < 36; before++) {
             Stage stage = Stage.of(BUSY.formatted(label));

@@ -1,0 +1,81 @@
+package mobility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import java.util.regex.Pattern;
+
+import jason.asSemantics.Agent;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What an agent may do that has come under inquilinism. */
+class GuestTest {
+
+    private static final String PROGRAM = """
+            +!try <- !it; +was(done).
+            +!it <- %s.
+            -!try[error(E)] <- +was(E).
+            """;
+
+    private static String outcome(String step) throws Exception {
+        Image image = new Image(PROGRAM.formatted(step).trim(), "I+!try");
+        Stage stage = Stage.of(Mind.read(image), new Guest());
+        stage.front(new Mobile());
+        for (int i = 0; i < 40; i++) {
+            stage.run(1);
+            LockSupport.parkNanos(100_000);
+        }
+        Literal was = stage.ts.getAg().findBel(ASSyntax.parseLiteral("was(E)"), new Unifier());
+        return was.getTerm(0).toString() + stage.done;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".print(a)", "X = math.max(1,2); X = 2; +b(X); ?b(2)", ".findall(X,p(X),L); .length(L,0)",
+            ".send(bob,tell,hello)", ".send(bob,untell,hello)", ".send(bob,askOne,p(_))", ".send(bob,askAll,p(_))",
+            ".send(bob,signal,p)", ".broadcast(tell,x)", ".wait(1)", ".my_name(M)", "if (true) { +c } else { a }",
+            "for (.member(X,[1,2])) { +d(X) }", ".map.create(M); .map.put(M,a,1)", ".add_plan({ +!n <- +n }); !n"})
+    void step_allowed_isDone(String step) throws Exception {
+        assertEquals("done[]", outcome(step));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {".stopMAS", ".create_agent(x,\"y.asl\")", ".kill_agent(bob)", ".clone(x)",
+            ".save_agent(\"/tmp/x\")", ".include(\"x.asl\")", ".list_files(\"/\",F)", ".act(light(on))",
+            ".port(\"/dev/ttyUSB0\")", ".percepts(open)", ".diffuse(\"////\",tell,x)", ".deliver(\"ROMA\",tell,x)",
+            "jason.stdlib.stopMAS", "mobility.bomb(1)", "mobility.leave", ".send(bob,achieve,x)",
+            ".send(bob,tellHow,\"+!a <- b.\")", ".send(bob,untellHow,\"l\")", ".send(bob,askHow,\"+!a\")",
+            ".send(bob,unachieve,x)", ".broadcast(achieve,x)", ".df_register(x)", ".set_random_seed(1)",
+            "X = { .stopMAS }; X", ".eval(X,.stopMAS); X = true", ".term2string(X,\".stopMAS\"); X"})
+    void step_notAllowed_fails(String step) throws Exception {
+        String outcome = outcome(step);
+        // A test that fails in a context has no error of its own.
+        assertEquals(step.startsWith(".eval") ? "constraint_failed[]" : "guest[]", outcome);
+    }
+
+    @Test
+    void externalAction_fails() throws Exception {
+        assertEquals("action_failed[]", outcome("light(on)"));
+    }
+
+    @Test
+    void jasonsOwnPlans_haveWhatTheyNeed() throws Exception {
+        try (InputStream plans = Agent.class.getResourceAsStream("/asl/kqmlPlans.asl")) {
+            List<String> refused = Pattern.compile("(?<![\\w)\\]])\\.[a-z_]+(?=\\()")
+                    .matcher(new String(plans.readAllBytes(), StandardCharsets.UTF_8)).results()
+                    .map(found -> found.group()).distinct().filter(name -> !Guest.allows(name)).toList();
+            assertEquals(List.of(), refused);
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}
