@@ -414,8 +414,8 @@ public class Diffuser extends AgArch {
     }
 
     /**
-     * Makes an event without a belief, as what happens to messages is not to fill the belief base (Jason: a signal). For
-     * any thread.
+     * Makes an event without a belief, as what happens to messages is not to fill the belief base (Jason: a signal).
+     * For any thread.
      */
     public void signal(Literal literal) {
         Event event = new Event(new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, literal),

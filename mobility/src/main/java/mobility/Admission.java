@@ -29,8 +29,8 @@ import diffuser.Plans;
 import javino.protocol.Address;
 
 /**
- * Whether the agent with the board lets another in: it does when it achieves the goal {@code moveIn(Agent,Protocol)}, by
- * a plan of its own.
+ * Whether the agent with the board lets another in: it does when it achieves the goal {@code moveIn(Agent,Protocol)},
+ * by a plan of its own.
  */
 final class Admission {
 

@@ -145,7 +145,7 @@ final class Inhabitants {
                 });
     }
 
-    /** Whether the records of this MAS say that an agent which its program starts is elsewhere, or is to be made anew. */
+    /** Whether the records say that an agent which the program starts is elsewhere, or is to be made anew. */
     static boolean isAway(String name) {
         return !MAKING.get() && isOfProgram(name) && project().stream()
                 .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))

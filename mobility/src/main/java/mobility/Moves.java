@@ -114,7 +114,8 @@ final class Moves {
         List<Move> records = folder.records();
         Set<Move.Key> over = records.stream().filter(Move::isAbsent).flatMap(move -> move.before().stream())
                 .collect(Collectors.toSet());
-        records.stream().filter(move -> over.contains(move.key())).forEach(move -> folder.write(move.in(Move.State.LEFT)));
+        records.stream().filter(move -> over.contains(move.key()))
+                .forEach(move -> folder.write(move.in(Move.State.LEFT)));
         Set<Move.Identity> back = folder.records().stream().filter(move -> move.state() == Move.State.HERE)
                 .map(Move::identity).collect(Collectors.toSet());
         folder.records().stream().filter(move -> move.isAbsent() && back.contains(move.identity()))

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Random;
 import java.util.zip.Deflater;
 
@@ -40,6 +43,13 @@ class PartTest {
         int without = plain.deflate(new byte[1000]);
         plain.end();
         assertTrue(5 * Part.pack(text).length() < 4 * without, Part.pack(text).length() + " of " + without);
+    }
+
+    @Test
+    void dictionary_isThatOfTheSpecification() throws IOException {
+        String section = Files.readString(Path.of(System.getProperty("javino.root"), "SPEC.md"))
+                .split("### 9.5 Dictionary\n")[1];
+        assertEquals(section.split("```\n")[1], Part.DICTIONARY + "\n");
     }
 
     @Test

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 
 import diffuser.Failure;
@@ -209,7 +210,8 @@ final class World {
         /** What is recorded of moves that have not ended. */
         List<Move> open() {
             return folder.records().stream()
-                    .filter(move -> !List.of(Move.State.HERE, Move.State.AWAY, Move.State.LEFT).contains(move.state())).toList();
+                    .filter(move -> !Set.of(Move.State.HERE, Move.State.AWAY, Move.State.LEFT).contains(move.state()))
+                    .toList();
         }
 
         private void within(Runnable step) {
