@@ -67,12 +67,26 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
         admission = new Admission(diffuser);
         looked = System.nanoTime() - 2 * LOOK_NANOS;
         if (!Folder.records(place()).isEmpty()) {
-            if (Inhabitants.isAway(name())) {
+            boolean away = Inhabitants.isAway(name());
+            if (away) {
                 Mobile.empty(ts());
                 Mobile.of(ts()).fallAsleep();
             }
             // As soon as the agent runs, the MAS has all its agents.
-            ts().runAtBeginOfNextCycle(() -> execute(this::opened));
+            ts().runAtBeginOfNextCycle(() -> execute(() -> begin(away)));
+        }
+    }
+
+    /** @param boardOnly the agent itself is away, and so cannot open its port. */
+    private void begin(boolean boardOnly) {
+        opened();
+        if (boardOnly) {
+            folder.board((port, address) -> ts().runAtBeginOfNextCycle(() -> {
+                diffuser.openPort(port);
+                diffuser.setRfId(address);
+                diffuser.openRadio(true);
+            }));
+            ts().getAgArch().wakeUpDeliberate();
         }
     }
 
@@ -118,7 +132,11 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
                     throw new Failure("no_rf_id", "the board has no address yet; set one with .setMyRFId")
                             .toException();
                 }
-                opened().depart(agent, protocol, here.get(), to, texts).whenComplete((there, thrown) -> {
+                Moves all = opened();
+                if (agent.equals(name())) {
+                    folder.keepBoard(String.valueOf(diffuser.getStatus().get("port")), here.get());
+                }
+                all.depart(agent, protocol, here.get(), to, texts).whenComplete((there, thrown) -> {
                     if (thrown == null) {
                         end.complete(there);
                     } else {

@@ -19,9 +19,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
+import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 /**
@@ -35,6 +37,9 @@ class Folder implements AutoCloseable {
     private static final String RECORD = ".move";
     private static final String PARTIAL = ".part";
     private static final String NEW = ".new";
+    private static final String BOARD = "board";
+    private static final String PORT = "port";
+    private static final String ADDRESS = "address";
     /** Texts that no record names are kept for visits to come, so many. */
     private static final int MOST_SPARE = 64;
 
@@ -115,6 +120,33 @@ class Folder implements AutoCloseable {
             flush(place);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Keeps by which board the moves go, for an agent that leaves its own board behind. */
+    void keepBoard(String port, Address address) {
+        Properties board = new Properties();
+        board.setProperty(PORT, port);
+        board.setProperty(ADDRESS, address.toString());
+        StringWriter text = new StringWriter();
+        try {
+            board.store(text, null);
+            replace(place.resolve(BOARD), text.toString().getBytes(StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Does something with the port and the address of {@link #keepBoard}, if there are any. */
+    void board(BiConsumer<String, Address> step) {
+        Properties board = new Properties();
+        if (Files.exists(place.resolve(BOARD))) {
+            try (var reader = Files.newBufferedReader(place.resolve(BOARD))) {
+                board.load(reader);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
         }
     }
 

@@ -79,7 +79,11 @@ final class Inhabitants {
         try {
             Mind mind = mind(texts);
             if (move.protocol() == Protocol.PREDATION && !move.key().out()) {
-                return prey(mind);
+                endOthers();
+                return takeBody(mind, why);
+            }
+            if (move.isOurs() && move.name().equals(own())) {
+                return takeBody(mind, why);
             }
             boolean guest = move.protocol() == Protocol.INQUILINISM && !move.key().out();
             // A shell that was held since the program has started it.
@@ -114,21 +118,28 @@ final class Inhabitants {
         return all;
     }
 
-    /** The newcomer lives on in the agent with the board; all others end. */
-    private String prey(Mind mind) throws RemoteException {
-        String own = diffuser.getTS().getAgArch().getAgName();
+    private String own() {
+        return diffuser.getTS().getAgArch().getAgName();
+    }
+
+    private void endOthers() throws RemoteException {
         RuntimeServices services = RuntimeServicesFactory.get();
         for (String other : List.copyOf(services.getAgentsNames())) {
-            if (!other.equals(own)) {
-                services.killAgent(other, own, 0);
+            if (!other.equals(own())) {
+                services.killAgent(other, own(), 0);
             }
         }
+    }
+
+    /** A mind lives on in the agent with the board, in the place of what was there. */
+    private String takeBody(Mind mind, Optional<Failure> why) {
         diffuser.getTS().runAtBeginOfNextCycle(() -> {
+            Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
-            mind.enter(diffuser.getTS(), Optional.empty());
+            mind.enter(diffuser.getTS(), why);
         });
         diffuser.getTS().getAgArch().wakeUpDeliberate();
-        return own;
+        return own();
     }
 
     /** Ends an agent that sleeps: one that has moved away, or that was not to start. */
