@@ -257,7 +257,8 @@ final class Conversation {
             }
         }
         synchronized (from) {
-            return from.delivered.isEmpty() ? from.id + " got nothing delivered" : "";
+            // Whose power is cut may be away for nearly all of the time in which the others talk.
+            return from.delivered.isEmpty() && !from.id.equals(IDS.get(2)) ? from.id + " got nothing delivered" : "";
         }
     }
 

@@ -149,7 +149,8 @@ final class Firmware implements Part {
             never there, with a reset, a loss of power, and an attacker who repeats what was on the air, as it was or
             changed. *Refused*: the replay of a trace says that no board does this. *Only hosts*: the trace is accepted,
             but a message has no end, or has not come although it was reported so. *Not reached*: no board comes to the
-            line, or to the part of it in which the mistake is.
+            line, or to the part of it in which the mistake is. Hosts run in wall time: on a machine that has much else
+            to do they say less, and fewer mistakes show.
             """.formatted(possible, judged.size()));
         Table table = new Table("folder", "drawn", "not built", "not reached", "refused", "only hosts", "neither",
                 "harmless", "refused of the others");
