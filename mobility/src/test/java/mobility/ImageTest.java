@@ -135,7 +135,8 @@ class ImageTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '#', value = {"!go. +!go <- hang(1). # its intention for +!go[source(self)] waits for hang(1)",
+    @CsvSource(delimiter = '#', value = {
+            "!go. +!go <- hang(1). # its intention for +!go[source(self)] waits for hang(1)",
             "!go. +!go <- .send(bob,askOne,p(X),A); say(A). # waits for .send(bob,askOne,p(X),A)",
             "!go. +!go <- !in. +!in <- mobility.leave. # its intention for +!go[source(self)] waits for mobility.leave",
             "!go. +!go <- { .wait(9000) } |&| { .wait(9000) }. # share their goals",
