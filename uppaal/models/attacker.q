@@ -28,3 +28,5 @@ E<> Air.Heard && kind == ACK && !genuine
 E<> Thief.data1 && Thief.data2 && given[1] == 0 && given[2] == 0
 /* T14 holds: it overhears only what has ended. */
 A[] Thief.shots == 0 imply (((Police1.OnAir && Police1.attempt == 1) imply !Thief.data1) && ((Police2.OnAir && Police2.attempt == 1) imply !Thief.data2) && ((Answer1.OnAir && Police1.attempt == 1) imply !Thief.ack1) && ((Answer2.OnAir && Police2.attempt == 1) imply !Thief.ack2))
+/* T15 holds: and only what is genuine. */
+A[] (Thief.data1 imply Police1.attempt > 0) && (Thief.data2 imply Police2.attempt > 0) && (Thief.ack1 imply given[1] > 0) && (Thief.ack2 imply given[2] > 0)

@@ -26,3 +26,5 @@ E<> Ends.Delivered && Fate.cuts > 0
 E<> Ends.Undelivered && Support1.lost && Police1.attempt < MAX_ATTEMPTS
 /* K14 holds: nothing that was on the air is left when it is quiet. */
 A[] Air.Quiet imply (kind == 0 && to == NOBODY && from == NOBODY && nonce == 0 && !genuine)
+/* K15 holds: a packet breaks off where its sender is reset. */
+E<> Police1.CutOff

@@ -14,3 +14,5 @@ E<> losses == LOSSES && Support1.Listening && Police1.Awaiting
 E<> losses == LOSSES && Support1.Taken && Police1.Awaiting && Answer1.Idle && owed[1] == 0
 /* F8 holds: the receiver's board knows what its host has taken. */
 A[] waiting[1] == Support1.Queued && unread[1] == Support1.Queued && waiting[2] == Support2.Queued && unread[2] == Support2.Queued && given[1] == (Support1.Taken ? 1 : 0) && given[2] == (Support2.Taken ? 1 : 0) && taken[SUPPORT] == (Support2.Taken ? 2 : Support1.Taken ? 1 : 0)
+/* F9 holds: each attempt after the first costs a loss, and a message that is answered at once has cost none. */
+A[] (Police1.Over && Police2.New) imply (losses >= Police1.attempt - 1 && (Police1.attempt == 1 imply losses == 0))

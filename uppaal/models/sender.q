@@ -32,8 +32,8 @@ A[] Ear.SenderCut imply (Police1.Over || Police1.CutOff)
 A[] (!Ear.answered && (Police1.Contending || Police1.Deferred)) imply Police1.span == (Police1.attempt == 0 ? LEAST_WINDOW : LAST_WINDOW)
 /* N16 holds: nothing is ever stuck. */
 A[] not deadlock
-/* N17 holds: a message that contends has attempts left. */
-A[] (Police1.Contending || Police1.Deferred) imply Police1.attempt < MAX_ATTEMPTS
+/* N17 holds: a message that contends, or goes on after an answer, has attempts left. */
+A[] (Police1.Contending || Police1.Deferred || Police1.Pausing || Police1.PutOff) imply Police1.attempt < MAX_ATTEMPTS
 /* N18 holds: World has no more carriers on the air than it may. */
 A[] !World.Ends imply onAir <= CARRIERS + (sending[POLICE] ? 1 : 0)
 /* N19 holds: World has the board's turn for other messages. */

@@ -9,7 +9,7 @@ E<> Police1.Ready && Police1.attempt == 1 && turn[POLICE] == 2
 /* U5 holds: an acknowledgement for one that waits for its turn is taken, too. */
 E<> Police1.Answered && turn[POLICE] == 2 && Police2.Held
 /* U6 holds: nothing is stuck before all has ended. */
-A[] deadlock imply ((Police1.Over || Police1.New) && (Police2.Over || Police2.New) && Answer1.Idle && Answer2.Idle)
+A[] deadlock imply (Police1.Over && Police2.Over && Answer1.Idle && Answer2.Idle)
 /* U7 holds: no board answers for another. */
 A[] (Answer1.OnAir imply given[1] == 1) && (Answer2.OnAir imply given[2] == 1) && sending[SUPPORT] == Answer1.OnAir && sending[HOSPITAL] == Answer2.OnAir
 /* U8 holds: it may be lost, too. */

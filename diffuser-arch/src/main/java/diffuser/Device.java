@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -45,6 +46,7 @@ final class Device implements BoardListener {
     private volatile boolean legacy;
     /** What the sketch has named, when it was greeted last; null before the first time. */
     private volatile Set<String> actions;
+    private volatile Optional<Address> address = Optional.empty();
     private volatile boolean closed;
 
     /**
@@ -99,6 +101,11 @@ final class Device implements BoardListener {
     /** Whether the board is there. */
     boolean isOnline() {
         return online;
+    }
+
+    /** The address that the board has or is to have, as far as is known. */
+    Optional<Address> address() {
+        return settings.rfId().or(() -> address);
     }
 
     /** Whether the board speaks the older protocol, as far as is known: then it has actions for {@code .act} only. */
@@ -214,6 +221,7 @@ final class Device implements BoardListener {
         }
         legacy = info.isLegacy();
         actions = Set.copyOf(info.actions());
+        address = info.rfId();
         if (legacy) {
             surroundings.warnings()
                     .once("the board on " + port + " speaks the older protocol: percepts and .act work, the"

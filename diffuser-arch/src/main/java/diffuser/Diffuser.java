@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
@@ -24,9 +25,11 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 import javino.board.BoardConfig;
+import javino.board.Transmission;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
+import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 
@@ -51,6 +54,7 @@ public class Diffuser extends AgArch {
     private transient ActionRouter router;
     private transient Infrastructures infrastructures;
     private transient CombinedPercepts percepts;
+    private transient Optional<MoveService> moves = Optional.empty();
     private transient BoardSettings settings = BoardSettings.NONE;
     /** The last message from the radio that Jason was given. */
     private transient Optional<Message> handedOn = Optional.empty();
@@ -65,7 +69,8 @@ public class Diffuser extends AgArch {
         outbox = new Outbox(warnings, this::signal);
         intentions = new Intentions(this::getTS);
         questions = new Questions(intentions, outbox);
-        inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings);
+        moves = ServiceLoader.load(MoveService.Maker.class).findFirst().map(maker -> maker.of(this));
+        inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings, moves);
         infrastructures = new Infrastructures();
         percepts = new CombinedPercepts();
         router = new ActionRouter(this, super::act, warnings);
@@ -246,6 +251,28 @@ public class Diffuser extends AgArch {
         return device().map(Device::counters).orElseGet(() -> CompletableFuture.completedFuture(Map.of()));
     }
 
+    /**
+     * Makes the board transmit a content as it is. For any thread.
+     *
+     * @return fails with what {@link Failure#of} reads, also where no port was opened.
+     */
+    public Transmission transmit(Address to, Content content) {
+        return device().map(board -> board.transmit(to, content)).orElseGet(() -> {
+            JasonException none = noPort();
+            return new Transmission(CompletableFuture.failedFuture(none), CompletableFuture.failedFuture(none));
+        });
+    }
+
+    /** The device's address, as far as it is known. For any thread. */
+    public Optional<Address> address() {
+        return device().flatMap(Device::address);
+    }
+
+    /** What moves agents by this board, if that library is there. */
+    public Optional<MoveService> moves() {
+        return moves;
+    }
+
     /** Where the board's messages go. */
     Inbox inbox() {
         return inbox;
@@ -327,6 +354,7 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} Waits until the port is free, so that the agent can be started anew. */
     @Override
     public void stop() {
+        moves.ifPresent(MoveService::stop);
         ExclusivePort.await(closeDevice());
         super.stop();
     }
@@ -339,6 +367,7 @@ public class Diffuser extends AgArch {
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfMessagesRefused", inbox.refused());
+        moves.ifPresent(known -> status.putAll(known.status()));
         status.put("rfDelivered", outbox.ended(Outcome.DELIVERED));
         status.put("rfUndelivered", outbox.ended(Outcome.UNDELIVERED));
         device().ifPresent(board -> {
@@ -350,14 +379,26 @@ public class Diffuser extends AgArch {
     }
 
     private CombinedPercepts.Now perceivedHere() {
-        return device == null ? new CombinedPercepts.Now(List.of(), infrastructures.belief(false))
-                : new CombinedPercepts.Now(device.perceived(), infrastructures.belief(device.communicates()));
+        return device == null ? new CombinedPercepts.Now(List.of(), infrastructures.belief(Set.of()))
+                : new CombinedPercepts.Now(device.perceived(), infrastructures.belief(byRadio()));
+    }
+
+    private Set<Ability> byRadio() {
+        if (!device.communicates()) {
+            return Set.of();
+        }
+        boolean mobile = moves.map(MoveService::admits).orElse(false);
+        return mobile ? Set.of(Ability.COM, Ability.MOB) : Set.of(Ability.COM);
     }
 
     private Device requireDevice() throws JasonException {
-        return device().orElseThrow(() -> new Failure("no_port",
+        return device().orElseThrow(this::noPort);
+    }
+
+    private JasonException noPort() {
+        return new Failure("no_port",
                 "agent " + getAgName() + " has no board yet; open one with .port, such as .port(\"/dev/ttyACM0\")")
-                .toException());
+                .toException();
     }
 
     private void change(UnaryOperator<BoardSettings> change) {
@@ -374,8 +415,9 @@ public class Diffuser extends AgArch {
 
     /**
      * Makes an event without a belief, as what happens to messages is not to fill the belief base (Jason: a signal).
+     * For any thread.
      */
-    private void signal(Literal literal) {
+    public void signal(Literal literal) {
         Event event = new Event(new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, literal),
                 Intention.EmptyInt);
         getTS().runAtBeginOfNextCycle(() -> getTS().updateEvents(event));

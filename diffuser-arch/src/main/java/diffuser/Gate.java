@@ -3,9 +3,7 @@ package diffuser;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.HashSet;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -111,12 +109,7 @@ public final class Gate {
      */
     Optional<Term> pass(Force force, Term said, Address to, Address from) throws RefusedException {
         boolean broadcast = to.kind() == Address.Kind.BROADCAST;
-        if (from.kind() != Address.Kind.DEVICE) {
-            throw new RefusedException("no device has that address");
-        }
-        if (isAgentHere(from.toString())) {
-            throw new RefusedException("an agent of this MAS has that name; give the agent or the device another");
-        }
+        expectDevice(from);
         if (broadcast && force.requiresSeal()) {
             throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name");
         }
@@ -134,6 +127,23 @@ public final class Gate {
         };
     }
 
+    /** Lets a message of a move pass, which goes to no agent: only a device may say it, and only to this one. */
+    static void passMove(Address to, Address from) throws RefusedException {
+        expectDevice(from);
+        if (to.kind() != Address.Kind.DEVICE) {
+            throw new RefusedException("agents move by unicasts only");
+        }
+    }
+
+    private static void expectDevice(Address from) throws RefusedException {
+        if (from.kind() != Address.Kind.DEVICE) {
+            throw new RefusedException("no device has that address");
+        }
+        if (isAgentHere(from.toString())) {
+            throw new RefusedException("an agent of this MAS has that name; give the agent or the device another");
+        }
+    }
+
     private static boolean isAgentHere(String name) {
         BaseLocalMAS mas = BaseLocalMAS.getRunner();
         return mas != null && mas.getAg(name) != null;
@@ -148,20 +158,13 @@ public final class Gate {
     private Optional<Term> adopt(Literal goal, Address from) throws RefusedException {
         goal.addAnnot(source(from));
         Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal);
-        boolean asked = false;
-        for (Plan plan : plans()) {
-            Unifier relevant = asksForBroadcasts(plan) ? plan.isRelevant(trigger, null) : null;
-            if (relevant != null) {
-                asked = true;
-                Iterator<Unifier> applicable = plan.getContext() == null ? List.of(relevant).iterator()
-                        : plan.getContext().logicalConsequence(agent.get().getAg(), relevant);
-                if (applicable != null && applicable.hasNext()) {
-                    adopt(trigger, new Option(plan, applicable.next()), from);
-                    return Optional.empty();
-                }
-            }
+        List<Option> relevant = Plans.relevant(agent.get().getAg(), trigger, Gate::asksForBroadcasts);
+        Optional<Option> applicable = Plans.applicable(agent.get().getAg(), relevant);
+        if (applicable.isPresent()) {
+            adopt(trigger, applicable.get(), from);
+            return Optional.empty();
         }
-        if (asked) {
+        if (!relevant.isEmpty()) {
             throw new RefusedException("no plan that asks for it by [cast(broadcast,_)] is applicable now");
         }
         throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name; if the agent is to"
@@ -223,19 +226,6 @@ public final class Gate {
     private static boolean isAlsoSealed(Literal told, Address from) {
         return told.getAnnots(CAST).stream().anyMatch(mark -> !isBroadcastMark(mark)
                 && mark instanceof Structure cast && cast.getArity() == 2 && cast.getTerm(1).equals(atom(from)));
-    }
-
-    /** The class of a plan library is another one in Jason 3.2 than in 3.3. */
-    private List<Plan> plans() {
-        Agent ag = agent.get().getAg();
-        try {
-            Iterable<?> library = (Iterable<?>) Agent.class.getMethod("getPL").invoke(ag);
-            List<Plan> plans = new ArrayList<>();
-            library.forEach(plan -> plans.add((Plan) plan));
-            return plans;
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("this Jason has no plan library where 3.2 and 3.3 have it", e);
-        }
     }
 
     // Jason's own

@@ -27,6 +27,7 @@ final class Inbox {
     private final Questions questions;
     private final Intentions intentions;
     private final Warnings warnings;
+    private final Optional<MoveService> moves;
 
     /**
      * A message whose content could be read, or one literal of a list that it says.
@@ -52,21 +53,36 @@ final class Inbox {
         }
     }
 
-    Inbox(Gate gate, Questions questions, Intentions intentions, Warnings warnings) {
+    Inbox(Gate gate, Questions questions, Intentions intentions, Warnings warnings, Optional<MoveService> moves) {
         this.gate = gate;
         this.questions = questions;
         this.intentions = intentions;
         this.warnings = warnings;
+        this.moves = moves;
     }
 
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
     void put(ReceivedMessage message, String receiver) {
+        if (message.content().force() == Force.MOVE) {
+            putMove(message);
+            return;
+        }
         try {
             Term term = Texts.readContent(message.content());
             apart(term, message.content()).forEach(said -> mails.add(new Mail(message, receiver, said)));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
+        }
+    }
+
+    private void putMove(ReceivedMessage message) {
+        try {
+            Gate.passMove(message.to(), message.from());
+            moves.orElseThrow(() -> new Gate.RefusedException("no agent can move in: the library for it is not there"))
+                    .received(message.from(), message.content().body());
+        } catch (Gate.RefusedException e) {
+            refuse(message, e.kind(), e.getMessage());
         }
     }
 
@@ -93,17 +109,17 @@ final class Inbox {
             received.incrementAndGet();
             return message;
         } catch (Gate.RefusedException e) {
-            refuse(mail, e.kind(), e.getMessage());
+            refuse(mail.message(), e.kind(), e.getMessage());
         } catch (RuntimeException e) {
             // Where a term makes Jason stumble, that costs the message, not the agent's intentions.
-            refuse(mail, e.getClass().getName(), "Jason cannot handle it: " + e);
+            refuse(mail.message(), e.getClass().getName(), "Jason cannot handle it: " + e);
         }
         return Optional.empty();
     }
 
-    private void refuse(Mail mail, String kind, String why) {
+    private void refuse(ReceivedMessage message, String kind, String why) {
         refused.incrementAndGet();
-        String what = "dropped " + mail.content().force() + " from " + mail.message().from() + ": ";
+        String what = "dropped " + message.content().force() + " from " + message.from() + ": ";
         warnings.once(what + kind, what + why);
     }
 

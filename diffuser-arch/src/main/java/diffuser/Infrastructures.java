@@ -16,7 +16,7 @@ import jason.asSyntax.Literal;
 final class Infrastructures {
 
     private final Map<String, Set<Ability>> infrastructures = new HashMap<>();
-    private boolean radio;
+    private Set<Ability> radio = Set.of();
     private volatile Openness openness = Openness.TOTALLY_CLOSED;
     private Literal belief = belief(openness);
 
@@ -30,10 +30,10 @@ final class Infrastructures {
      * {@code openness(S)}; the same object as long as it says the same. Asked in each cycle, so quick where nothing has
      * changed.
      *
-     * @param byRadio whether agents can communicate by the board's radio.
+     * @param byRadio what the board's radio allows.
      */
-    Literal belief(boolean byRadio) {
-        if (byRadio != radio) {
+    Literal belief(Set<Ability> byRadio) {
+        if (!byRadio.equals(radio)) {
             radio = byRadio;
             follow();
         }
@@ -56,9 +56,7 @@ final class Infrastructures {
     private Set<Ability> allowed() {
         Set<Ability> all = EnumSet.noneOf(Ability.class);
         infrastructures.values().forEach(all::addAll);
-        if (radio) {
-            all.add(Ability.COM);
-        }
+        all.addAll(radio);
         return all;
     }
 

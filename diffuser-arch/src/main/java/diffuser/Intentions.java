@@ -16,7 +16,7 @@ import jason.asSyntax.Term;
  * Jason's {@code .send(To,Ask,Content,Answer)}, by the ids of their messages. The latter Jason itself suspends, resumes
  * with the answer, and ends at a time-out.
  */
-final class Intentions {
+public final class Intentions {
 
     /** Of {@code .send(To,Ask,Content,Answer,Timeout)}. */
     private static final int ARITY_WITH_TIMEOUT = 5;
@@ -51,17 +51,17 @@ final class Intentions {
      *
      * @param key names it.
      */
-    static void await(Circumstance circumstance, String key) {
+    public static void await(Circumstance circumstance, String key) {
         circumstance.addPendingIntention(key, ASSyntax.createAtom("board"), circumstance.getSelectedIntention(), false);
     }
 
     /** Has the intention that is pending under a key go on, if there is one. For any thread. */
-    static void resume(TransitionSystem ts, String key) {
+    public static void resume(TransitionSystem ts, String key) {
         goOn(ts, () -> pending(ts, key), () -> ConcurrentInternalAction.resume(ts, key, false, null));
     }
 
     /** Fails the intention that is pending under a key, if there is one. For any thread. */
-    static void fail(TransitionSystem ts, String key, Failure why) {
+    public static void fail(TransitionSystem ts, String key, Failure why) {
         goOn(ts, () -> pending(ts, key), () -> {
             // Jason leaves an atomic intention selected, and then waits for it for ever instead of running its failure
             // plan.

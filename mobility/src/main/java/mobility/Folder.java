@@ -5,7 +5,6 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -20,9 +19,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
+import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 /**
@@ -31,42 +32,43 @@ import javino.protocol.Bytes;
  *
  * <p>All methods throw {@link UncheckedIOException} where the disk fails.
  */
-final class Folder implements AutoCloseable {
+class Folder implements AutoCloseable {
 
     private static final String RECORD = ".move";
     private static final String PARTIAL = ".part";
     private static final String NEW = ".new";
+    private static final String BOARD = "board";
+    private static final String PORT = "port";
+    private static final String ADDRESS = "address";
     /** Texts that no record names are kept for visits to come, so many. */
     private static final int MOST_SPARE = 64;
 
     private final Path place;
     private final FileChannel lock;
 
-    private Folder(Path place, FileChannel lock) {
-        this.place = place;
-        this.lock = lock;
-    }
-
     /**
      * Opens a folder, which is made if it is not there.
      *
      * @throws IOException if it cannot be written, or another MAS has it.
      */
-    static Folder open(Path place) throws IOException {
+    Folder(Path place) throws IOException {
+        this.place = place;
         Files.createDirectories(place.resolve("parts"));
-        FileChannel lock = FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE,
-                StandardOpenOption.WRITE);
-        try {
-            FileLock taken = lock.tryLock();
-            if (taken != null) {
-                return new Folder(place, lock);
-            }
-        } catch (OverlappingFileLockException e) {
-            // Another agent of this MAS has it.
+        lock = FileChannel.open(place.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        if (!isOurs(lock)) {
+            lock.close();
+            throw new IOException("the folder " + place.toAbsolutePath()
+                    + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
         }
-        lock.close();
-        throw new IOException("the folder " + place.toAbsolutePath()
-                + " is used by another agent; give each agent with a board its own, as in [moves(\"folder\")]");
+    }
+
+    private static boolean isOurs(FileChannel lock) throws IOException {
+        try {
+            return lock.tryLock() != null;
+        } catch (OverlappingFileLockException e) {
+            // Another agent of this program has it.
+            return false;
+        }
     }
 
     /** The records that are there; none if the folder is not there. One that cannot be read is left out. */
@@ -121,6 +123,33 @@ final class Folder implements AutoCloseable {
         }
     }
 
+    /** Keeps by which board the moves go, for an agent that leaves its own board behind. */
+    void keepBoard(String port, Address address) {
+        Properties board = new Properties();
+        board.setProperty(PORT, port);
+        board.setProperty(ADDRESS, address.toString());
+        StringWriter text = new StringWriter();
+        try {
+            board.store(text, null);
+            replace(place.resolve(BOARD), text.toString().getBytes(StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Does something with the port and the address of {@link #keepBoard}, if there are any. */
+    void board(BiConsumer<String, Address> step) {
+        Properties board = new Properties();
+        if (Files.exists(place.resolve(BOARD))) {
+            try (var reader = Files.newBufferedReader(place.resolve(BOARD))) {
+                board.load(reader);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
+        }
+    }
+
     /** The text of a hash, if it is here. */
     Optional<Bytes> text(Bytes hash) {
         Path file = part(hash);
@@ -163,7 +192,7 @@ final class Folder implements AutoCloseable {
         }
     }
 
-    /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells what is wrong. */
+    /** Adds packed bytes to a part. They are not flushed: what is lost comes again, and the hash tells a fault. */
     void append(Bytes hash, Bytes packed) {
         try {
             Files.write(partial(hash), packed.toArray(), StandardOpenOption.CREATE, StandardOpenOption.APPEND);

@@ -150,7 +150,8 @@ final class ImageWriter {
         return event.isInternal() || !what.hasAnnot(BeliefBase.TPercept) && !isJasons(what);
     }
 
-    private static boolean isJasons(Literal literal) {
+    /** Whether a belief is one of those that Jason gives each agent. */
+    static boolean isJasons(Literal literal) {
         return literal.getNS().getFunctor().equals(JASONS_NAMESPACE);
     }
 
@@ -172,7 +173,8 @@ final class ImageWriter {
         running.sort(Comparator.comparing(intention -> !intention.isAtomic()));
         for (Intention intention : running) {
             expectFree(intention);
-            intentions.add(text(null, intention, false));
+            String text = text(null, intention, false);
+            intentions.add(intention == mover ? "M" + text.substring(1) : text);
         }
     }
 

@@ -28,7 +28,7 @@ import jason.asSyntax.VarTerm;
 
 import diffuser.MalformedTextException;
 
-/** The text of one event or intention (SPEC 9.5). */
+/** The text of one event or intention (SPEC 9.4). */
 final class IntentionText {
 
     /** More solutions than a {@code for} can have left; each would take air. */

@@ -61,6 +61,10 @@ final class Library {
         call(plans, "add", plan, false);
     }
 
+    void clear() {
+        own().forEach(plan -> call(plans, "remove", plan.getLabel()));
+    }
+
     Pred newLabel() {
         return (Pred) call(plans, "getUniqueLabel");
     }

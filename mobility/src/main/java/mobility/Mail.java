@@ -74,7 +74,7 @@ record Mail(int move, Said said) {
     private char letter() {
         return said instanceof Offer ? 'O' : said instanceof Want ? 'W' : said instanceof Data ? 'D'
                 : said instanceof Ready ? 'R' : said instanceof Go ? 'G' : said instanceof Awake ? 'A'
-                : said instanceof Cancelled ? 'C' : 'X';
+                        : said instanceof Cancelled ? 'C' : 'X';
     }
 
     private Bytes body() {

@@ -8,7 +8,7 @@ import diffuser.Failure;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
-/** The MAS around the moves of one board, as {@link Moves} sees it. Called on the thread of the moves; must not block. */
+/** The MAS around the moves of one board, as {@link Moves} sees it. Called on their thread; must not block. */
 interface Mas {
 
     /**

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -35,6 +36,9 @@ import jason.asSyntax.VarTerm;
 import jason.bb.BeliefBase;
 import jason.stdlib.suspend;
 
+import diffuser.Failure;
+import diffuser.Intentions;
+
 /** An agent's mind that has been read and checked, and has not entered an agent yet. */
 final class Mind {
 
@@ -58,7 +62,7 @@ final class Mind {
     private int frames;
 
     /** An event (no frames), an intention (no event), or an intention that waits for its goal. */
-    private record Held(boolean suspended, Trigger event, List<IntendedMeans> frames) {
+    private record Held(boolean suspended, boolean mover, Trigger event, List<IntendedMeans> frames) {
     }
 
     private Mind() {
@@ -135,14 +139,14 @@ final class Mind {
                     others.add(plan(text));
                     line = all.hasNext() ? all.next() : null;
                 }
-                case 'I', 'S' -> line = readIntention(line.charAt(0) == 'S', text, all);
+                case 'I', 'M', 'S' -> line = readIntention(line.charAt(0), text, all);
                 default -> Reading.expect(false, line, "no such line was expected");
             }
         }
     }
 
     /** @return the first line behind it; null if there is none. */
-    private String readIntention(boolean suspended, String event, Iterator<String> lines) throws RefusedException {
+    private String readIntention(char kind, String event, Iterator<String> lines) throws RefusedException {
         Reading reading = Reading.ofState();
         Trigger trigger = event.isEmpty() ? null : reading.trigger(event, false);
         List<IntendedMeans> stack = new ArrayList<>();
@@ -154,7 +158,7 @@ final class Mind {
         if (trigger == null && stack.isEmpty()) {
             throw new RefusedException("bad_agent", "it has an intention of nothing");
         }
-        held.add(new Held(suspended, trigger, stack));
+        held.add(new Held(kind == 'S', kind == 'M', trigger, stack));
         limit(held.size(), MOST_INTENTIONS, "events and intentions");
         return line;
     }
@@ -243,6 +247,15 @@ final class Mind {
 
     /** Enters an agent that has no mind yet, before it runs. Once only. */
     void enter(TransitionSystem ts) {
+        enter(ts, Optional.empty());
+    }
+
+    /**
+     * As {@link #enter(TransitionSystem)}.
+     *
+     * @param why what the intention fails with that was to move the agent, which stays after all.
+     */
+    void enter(TransitionSystem ts, Optional<Failure> why) {
         Agent agent = ts.getAg();
         Library library = Library.of(agent);
         beliefs.forEach(belief -> add(agent, belief));
@@ -257,7 +270,10 @@ final class Mind {
         }
         int number = 0;
         for (Held each : held) {
-            enter(ts.getC(), each, number++);
+            Intention intention = enter(ts.getC(), each, number++);
+            if (each.mover()) {
+                why.ifPresent(failure -> fail(ts, intention, failure));
+            }
         }
         tellFunctions(agent);
         if (library.hasMetaEventPlans()) {
@@ -292,7 +308,14 @@ final class Mind {
         plan.setLabel(label);
     }
 
-    private static void enter(Circumstance circumstance, Held held, int number) {
+    private static void fail(TransitionSystem ts, Intention intention, Failure why) {
+        String key = "moveOut/javino/" + intention.getId();
+        ts.getC().removeRunningIntention(intention);
+        ts.getC().addPendingIntention(key, ASSyntax.createAtom("board"), intention, false);
+        Intentions.fail(ts, key, why);
+    }
+
+    private static Intention enter(Circumstance circumstance, Held held, int number) {
         Intention intention = held.frames().isEmpty() ? Intention.EmptyInt : new Intention();
         held.frames().forEach(frame -> intention.push(frame));
         if (held.suspended() && intention != null) {
@@ -308,6 +331,7 @@ final class Mind {
         } else {
             circumstance.addEvent(new Event(held.event(), intention));
         }
+        return intention;
     }
 
     /** A function may look at the beliefs of the agent whose it is. */

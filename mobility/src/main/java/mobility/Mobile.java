@@ -1,10 +1,13 @@
 package mobility;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 
 import jason.architecture.AgArch;
 import jason.asSemantics.ActionExec;
+import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.CircumstanceListener;
 import jason.asSemantics.Event;
@@ -12,6 +15,7 @@ import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
 import jason.asSemantics.Message;
 import jason.asSemantics.Option;
+import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
@@ -44,6 +48,49 @@ public class Mobile extends AgArch {
     private transient Intention atomic;
     private transient List<Message> unread;
     private transient CircumstanceListener guard;
+
+    /** {@inheritDoc} An agent that is away, as the records of its MAS say, does not begin. */
+    @Override
+    public void init() throws Exception {
+        super.init();
+        if (Inhabitants.isAway(getTS().getAgArch().getAgName())) {
+            empty(getTS());
+            fallAsleep();
+        }
+    }
+
+    /** The one of an agent, if it has any. */
+    static Optional<Mobile> find(TransitionSystem ts) {
+        for (AgArch arch = ts.getAgArch(); arch != null; arch = arch.getNextAgArch()) {
+            if (arch instanceof Mobile mobile) {
+                return Optional.of(mobile);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The one of an agent, which gets one if it has none; on its thread. */
+    static Mobile of(TransitionSystem ts) {
+        return find(ts).orElseGet(() -> {
+            Mobile mobile = new Mobile();
+            ts.getAgArch().insertAgArch(mobile);
+            return mobile;
+        });
+    }
+
+    /** Takes all beliefs, plans, events and intentions away, but those that Jason gives each agent. */
+    static void empty(TransitionSystem ts) {
+        ts.getC().clearEvents();
+        ts.getC().clearRunningIntentions();
+        ts.getC().clearPendingIntentions();
+        ts.getC().clearPendingEvents();
+        ts.getC().clearPendingActions();
+        Agent agent = ts.getAg();
+        List<Literal> beliefs = new ArrayList<>();
+        agent.getBB().forEach(beliefs::add);
+        beliefs.stream().filter(belief -> !ImageWriter.isJasons(belief)).forEach(agent.getBB()::remove);
+        Library.of(agent).clear();
+    }
 
     /** Whether the agent sleeps. */
     public boolean isAsleep() {

@@ -34,7 +34,7 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
     record Identity(Address home, String name) {
     }
 
-    /** How far a move is: four states of a sender, then two of a receiver. */
+    /** How far a move is: three states of a sender, then three of a receiver. */
     enum State {
         /** It may come back. */
         OFFERED,
@@ -45,7 +45,9 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         /** It is here, but may still belong to its sender. */
         READY,
         /** It is awake here. */
-        HERE
+        HERE,
+        /** It was awake here, and has gone on. */
+        LEFT
     }
 
     /**

@@ -11,9 +11,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 import diffuser.Failure;
 
@@ -41,6 +43,8 @@ final class Moves {
     static final long FORGET_MILLIS = 300_000;
     /** Between two reports of progress. */
     static final long PROGRESS_MILLIS = 5_000;
+    /** So many moves of agents that have left are remembered. */
+    private static final int MOST_LEFT = 100;
     /** So many messages of data are under way, so that others pass between. */
     private static final int WINDOW = 2;
     private static final int PERCENT = 100;
@@ -107,7 +111,11 @@ final class Moves {
     /** Goes on from the records. */
     void start() {
         // What is one step, the program may have ended in the midst of.
-        folder.records().stream().filter(Move::isAbsent).forEach(move -> move.before().ifPresent(folder::delete));
+        List<Move> records = folder.records();
+        Set<Move.Key> over = records.stream().filter(Move::isAbsent).flatMap(move -> move.before().stream())
+                .collect(Collectors.toSet());
+        records.stream().filter(move -> over.contains(move.key()))
+                .forEach(move -> folder.write(move.in(Move.State.LEFT)));
         Set<Move.Identity> back = folder.records().stream().filter(move -> move.state() == Move.State.HERE)
                 .map(Move::identity).collect(Collectors.toSet());
         folder.records().stream().filter(move -> move.isAbsent() && back.contains(move.identity()))
@@ -120,10 +128,11 @@ final class Moves {
                 case AWAY -> mas.warn(move.name() + " is not started: it has moved to " + move.key().peer()
                         + "; to start it anew delete the file " + move.key() + ".move");
                 case READY -> new Arrival(move).ready();
+                case LEFT -> new Arrival(move).isKnown();
                 case HERE -> {
                     Arrival arrival = new Arrival(move);
                     if (leaving.contains(move.key())) {
-                        arrival.isBack();
+                        arrival.isKnown();
                     } else {
                         arrival.wake(true);
                     }
@@ -163,7 +172,8 @@ final class Moves {
             Optional<Move> came = arrivals.values().stream().filter(arrival -> arrival.isHere(agent))
                     .map(arrival -> arrival.move).findFirst();
             Move move = new Move(key, Move.State.OFFERED, protocol,
-                    came.map(Move::identity).orElse(new Move.Identity(here, agent)), agent,
+                    came.filter(known -> known.protocol() != Protocol.CLONING).map(Move::identity)
+                            .orElse(new Move.Identity(here, agent)), agent,
                     texts.stream().map(Part::hash).toList(), came.map(Move::isOurs).orElse(mas.starts(agent)),
                     came.map(Move::key).filter(known -> protocol != Protocol.CLONING));
             try {
@@ -255,6 +265,11 @@ final class Moves {
         };
     }
 
+    /** What is to be done when that has come, on the thread of the moves, where a fault in it shows. */
+    private <T> void afterwards(CompletableFuture<T> coming, BiConsumer<T, Throwable> step) {
+        coming.whenComplete((value, thrown) -> clock.execute(guarded(() -> step.accept(value, thrown))));
+    }
+
     private void after(long millis, Runnable step) {
         clock.after(millis, guarded(step));
     }
@@ -302,19 +317,19 @@ final class Moves {
         private void speak() {
             int mine = ++turn;
             speaking = true;
-            Moves.this.say(key.peer(), key.number(), what).whenCompleteAsync((outcome, thrown) -> guarded(() -> {
+            afterwards(Moves.this.say(key.peer(), key.number(), what), (outcome, thrown) -> {
                 if (mine != turn) {
                     return;
                 }
                 speaking = false;
-                if (thrown == null && outcome == Outcome.DELIVERED) {
+                if (outcome == Outcome.DELIVERED) {
                     pause = LEAST_PAUSE_MILLIS;
                     again(ANSWER_MILLIS);
                 } else {
                     again(pause);
                     pause = Math.min(MOST_PAUSE_MILLIS, 2 * pause);
                 }
-            }).run(), clock);
+            });
         }
 
         private void again(long millis) {
@@ -339,6 +354,8 @@ final class Moves {
         private final Call call;
         private final long begun;
         private long lastWord;
+        /** The bytes that are there, as far as is known; of an offer that was not answered, less than none. */
+        private long most = -1;
         private long lastProgress;
         /** Of each part, what is not sent yet. */
         private int[] next;
@@ -383,7 +400,7 @@ final class Moves {
                     watch();
                     return;
                 }
-                String why = move.name() + " has stayed: nothing was heard of " + move.key().peer() + " for "
+                String why = move.name() + " has stayed: nothing of it came to " + move.key().peer() + " for "
                         + PATIENCE_MILLIS / 1_000 + " s";
                 stay(new Failure("undelivered", went ? why + "; a clone may have come to be" : why));
             });
@@ -399,7 +416,7 @@ final class Moves {
                 counts.get(Count.DROPPED).incrementAndGet();
                 return;
             }
-            lastWord = clock.millis();
+            heard(want.offsets().stream().mapToLong(Integer::longValue).sum());
             call.stop();
             round++;
             sending = 0;
@@ -424,13 +441,14 @@ final class Moves {
                 next[part] = to;
                 sending++;
                 int mine = round;
-                say(move.key().peer(), move.key().number(),
-                        new Mail.Data(part, from, packed.get(part).slice(from, to)))
-                        .whenCompleteAsync((outcome, thrown) -> guarded(() -> sent(mine, outcome)).run(), clock);
+                long delivered = IntStream.of(next).asLongStream().sum();
+                afterwards(say(move.key().peer(), move.key().number(),
+                        new Mail.Data(part, from, packed.get(part).slice(from, to))),
+                        (outcome, thrown) -> sent(mine, outcome, delivered));
             }
         }
 
-        private void sent(int mine, Outcome outcome) {
+        private void sent(int mine, Outcome outcome, long delivered) {
             if (mine != round || !isOpen()) {
                 return;
             }
@@ -441,9 +459,17 @@ final class Moves {
                 call.say(offer);
                 return;
             }
-            lastWord = clock.millis();
+            heard(delivered);
             report();
             pump();
+        }
+
+        /** Only what is new there prolongs the patience, or it would never end where nothing long comes. */
+        private void heard(long bytes) {
+            if (bytes > most) {
+                most = bytes;
+                lastWord = clock.millis();
+            }
         }
 
         private void report() {
@@ -476,8 +502,7 @@ final class Moves {
         }
 
         private void forget(Move.Key before) {
-            arrivals.remove(before);
-            folder.delete(before);
+            arrivals.get(before).left();
         }
 
         void awake(String name) {
@@ -548,7 +573,7 @@ final class Moves {
             throw new RefusedException("too_large", "it has " + offer.length() + " bytes of text; at most "
                     + limits.length() + " are taken");
         }
-        if (arrivals.size() >= limits.agents()) {
+        if (arrivals.values().stream().filter(arrival -> !arrival.isOver()).count() >= limits.agents()) {
             throw new RefusedException("too_many", limits.agents() + " agents have come or are coming already");
         }
         if (!isName(offer.identity().name())) {
@@ -601,8 +626,8 @@ final class Moves {
         }
 
         void ask() {
-            mas.admit(move.name(), offer.protocol(), move.key().peer())
-                    .whenCompleteAsync((done, thrown) -> guarded(() -> answered(thrown)).run(), clock);
+            afterwards(mas.admit(move.name(), offer.protocol(), move.key().peer()),
+                    (done, thrown) -> answered(thrown));
         }
 
         private void answered(Throwable thrown) {
@@ -637,7 +662,7 @@ final class Moves {
 
         void offeredAgain(Mail.Offer again) {
             lastWord = clock.millis();
-            if (recorded && move.state() == Move.State.HERE) {
+            if (wasAwake()) {
                 awake();
             } else if (recorded) {
                 call.hurry();
@@ -747,7 +772,7 @@ final class Moves {
         void go() {
             if (!recorded) {
                 counts.get(Count.DROPPED).incrementAndGet();
-            } else if (move.state() == Move.State.HERE) {
+            } else if (wasAwake()) {
                 awake();
             } else {
                 call.stop();
@@ -775,9 +800,9 @@ final class Moves {
             }
         }
 
-        /** What is known of its going, also where nobody has said that it arrived. */
+        /** What is known of its going, also where nobody has said that it arrived; a clone is another agent. */
         private List<Move> absences() {
-            return folder.records().stream()
+            return move.protocol() == Protocol.CLONING ? List.of() : folder.records().stream()
                     .filter(each -> each.isAbsent() && each.identity().equals(move.identity())).toList();
         }
 
@@ -789,10 +814,30 @@ final class Moves {
             folder.delete(absence.key());
         }
 
-        /** It was about to leave when this computer ended: it sleeps, as the record of that move says. */
-        void isBack() {
+        /** From its record, which says that nothing is to be done: the agent has left, or was about to. */
+        void isKnown() {
             arrivals.put(move.key(), this);
             recorded = true;
+        }
+
+        /** The agent has gone on: what comes late of this move does not wake it again. */
+        void left() {
+            move = move.in(Move.State.LEFT);
+            folder.write(move);
+            List<Arrival> over = arrivals.values().stream().filter(Arrival::isOver).toList();
+            over.stream().limit(Math.max(0, over.size() - MOST_LEFT)).forEach(old -> {
+                arrivals.remove(old.move.key());
+                folder.delete(old.move.key());
+            });
+        }
+
+        boolean isOver() {
+            return recorded && move.state() == Move.State.LEFT;
+        }
+
+        /** Whether it has been awake here. */
+        private boolean wasAwake() {
+            return recorded && move.state() != Move.State.READY;
         }
 
         private void awake() {
@@ -800,7 +845,7 @@ final class Moves {
         }
 
         void cancelled() {
-            if (recorded && move.state() == Move.State.HERE) {
+            if (wasAwake()) {
                 counts.get(Count.DROPPED).incrementAndGet();
                 return;
             }

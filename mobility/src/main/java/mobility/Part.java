@@ -24,16 +24,17 @@ record Part(Bytes hash, int packed, int length) {
     static final int HASH_LENGTH = 8;
 
     /**
-     * What AgentSpeak repeats, the most frequent last, as Deflate reaches what is near with fewer bits (SPEC 9.6).
+     * What AgentSpeak repeats, the most frequent last, as Deflate reaches what is near with fewer bits (SPEC 9.5).
      */
     static final String DICTIONARY = """
-            atomic priority(suspend resume .succeed_goal(.fail_goal(.drop_desire(.drop_intention(.findall(.member(.length(\
-            .concat(.nth(.min(.max(.random(.time(.date(.my_name(.abolish(.term2string(.broadcast(.moveOut("\
-            ,mutualism),inquilinism),cloning).infrastructure(.setMyRFId(.getRFMessages(open);.percepts(open).port("\
-            .act(.deliver(.diffuse(.diffuse(broadcast,tell,achieve,untell,askOne,askAll,signal,.send(\
-            [error(undelivered)][error(E),error_msg(M)][source(self)][source(percept)],[cast(unicast,broadcast,multicast,\
-            true:false not ;if(){}else{while(){for(mod div .print("\\n",.wait(1000);.wait(.count(
-            -!+!start<-!-+?:- & | not ;!!@l__[source(self),source(""";
+            atomic priority(.succeed_goal(.fail_goal(.drop_desire(.drop_intention(.findall(.member(.length(.concat(.nth(
+            .min(.max(.random(.time(.date(.my_name(.abolish(.term2string(.broadcast(.suspend.resume
+            .infrastructure(.setMyRFId(.getRFMessages(open);.percepts(open).port(".act(.deliver(.diffuse(broadcast,tell,
+            achieve,untell,askOne,askAll,signal,.send([error(E),error_msg(Why)][source(percept)][cast(unicast,multicast,
+            ",mutualism)",inquilinism)",cloning).moveOut("BBhome("M
+            F0,1,+!VFrom,"To," : true : not false & | <- if ({ else { while (for ( mod div == \\== .print("
+            ",.wait(1000);.wait(.count(_,_)) <- +-?-+!start<-!
+            -!!@l[source(self)],source(""";
 
     /** The hash of a text. */
     static Bytes hash(Bytes text) {

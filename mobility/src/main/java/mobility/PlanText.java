@@ -18,7 +18,7 @@ import jason.asSyntax.VarTerm;
 
 import diffuser.MalformedTextException;
 
-/** The text of a plan or a rule, the same on every side (SPEC 9.5). */
+/** The text of a plan or a rule, the same on every side (SPEC 9.4). */
 final class PlanText {
 
     /** The labels that Jason gives to plans without one; they differ from run to run. */

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
+import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 
@@ -88,5 +90,76 @@ class MovesTest {
         world.contact = true;
         world.runUntil(400_000);
         assertEquals(1, world.awake(AGENT));
+    }
+
+    @Test
+    void depart_clone_isAwakeOnBothSides() {
+        CompletableFuture<String> end = station.depart(AGENT, Protocol.CLONING, World.BUS);
+        world.runUntil(30_000);
+        assertEquals(AGENT, end.join());
+        assertEquals(2, world.awake(AGENT));
+        assertEquals(List.of(), station.open());
+    }
+
+    @Test
+    void depart_secondVisit_takesLessThanHalfTheAir() {
+        move();
+        world.runUntil(30_000);
+        long first = world.bits;
+        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
+        world.runUntil(60_000);
+        assertOnlyAt(station, bus);
+        // Its texts are there already.
+        assertTrue(world.bits - first < first, world.bits + " bits, of which " + first + " on the first way");
+    }
+
+    @Test
+    void depart_longerThanWhatTheOtherSideTakes_isRefused() {
+        List<Bytes> texts = List.of(Bytes.copyOf(new byte[70_000]), Bytes.ofText("b"));
+        station.awake.put(AGENT, texts);
+        move();
+        world.runUntil(60_000);
+        assertEquals(List.of("stayed too_large"), station.told);
+    }
+
+    @Test
+    void depart_nameThatIsAnAddress_isRefused() {
+        station.awake.put("anna", TEXTS);
+        station.depart("anna", Protocol.MUTUALISM, World.BUS);
+        world.runUntil(60_000);
+        assertEquals(List.of("stayed bad_name"), station.told);
+    }
+
+    @Test
+    void depart_shortMessagesPassAndLongOnesDoNot_endsAfterPatience() {
+        world.longest = 100;
+        station.awake.put(AGENT, List.of(much(), Bytes.ofText("b")));
+        move();
+        world.runUntil(200_000);
+        assertEquals(List.of("stayed undelivered"), station.told);
+        assertEquals(Set.of(), bus.awake.keySet());
+    }
+
+    /** What does not become shorter. */
+    private static Bytes much() {
+        byte[] much = new byte[10_000];
+        new Random(2).nextBytes(much);
+        return Bytes.ofText(Base64.getEncoder().encodeToString(much));
+    }
+
+    @Test
+    void depart_contactLostInTheMidst_goesOnFromThere() {
+        List<Bytes> texts = List.of(much(), Bytes.ofText("b"));
+        station.awake.put(AGENT, texts);
+        CompletableFuture<String> end = move();
+        world.runUntil(40_000);
+        world.contact = false;
+        world.runUntil(80_000);
+        world.contact = true;
+        long before = world.bits;
+        world.runUntil(200_000);
+        assertEquals(AGENT, end.join());
+        assertEquals(texts, bus.awake.get(AGENT));
+        assertTrue(world.bits - before < before * 3 / 2, "it did not begin anew");
     }
 }

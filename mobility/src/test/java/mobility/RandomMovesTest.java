@@ -76,6 +76,7 @@ class RandomMovesTest {
         world.runUntil(world.millis() + 600_000);
         assertEquals(1, world.awake(AGENT), () -> world.side(World.STATION).told + "\n" + world.side(World.BUS).told);
         for (World.Side side : List.of(world.side(World.STATION), world.side(World.BUS))) {
+            assertEquals(List.of(), side.open(), "nobody waits for ever");
             if (side.awake.containsKey(AGENT)) {
                 assertEquals(texts, side.awake.get(AGENT));
             }

@@ -111,7 +111,8 @@ final class Stage extends AgArch {
         Stage there = of(image);
         Image again = ImageWriter.write(there.ts, null);
         org.junit.jupiter.api.Assertions.assertEquals(image.program(), again.program());
-        org.junit.jupiter.api.Assertions.assertEquals(image.state(), again.state());
+        // There it is an intention as any other.
+        org.junit.jupiter.api.Assertions.assertEquals(image.state().replaceAll("(?m)^M$", "I"), again.state());
         return there;
     }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 
 import diffuser.Failure;
@@ -31,6 +32,8 @@ final class World {
     /** Bits a second, and what a message has beside its bytes: training, header, nonce, tag, acknowledgement. */
     private static final double BITS = 2000;
     private static final int BESIDE = 400;
+    /** Until a board says that something was not delivered. */
+    private static final long UNTOLD_MILLIS = 6_000;
 
     private record Step(long at, long order, Runnable what) {
     }
@@ -41,11 +44,13 @@ final class World {
     private long now;
     private long order;
     private final Map<Address, Side> sides = new LinkedHashMap<>();
-    /** Of a message: it does not come, it comes but is told undelivered, it comes again. */
+    /** Of a message: it is lost; it comes, but is told undelivered; it comes again to a program that starts again. */
     double lost;
     double untold;
     double twice;
     boolean contact = true;
+    /** Longer messages do not come. */
+    int longest = Integer.MAX_VALUE;
     /** Killed after so many steps of whoever is next; negative for never. */
     int killAfter = -1;
     Address victim = STATION;
@@ -85,7 +90,7 @@ final class World {
     }
 
     /** What is thrown where a program is killed. */
-    private static final class Killed extends RuntimeException {
+    private static final class Killed extends Error {
         private static final long serialVersionUID = 1L;
 
         Killed() {
@@ -120,6 +125,10 @@ final class World {
         /** Names of agents that the program starts. */
         final Map<String, List<Bytes>> program = new HashMap<>();
         private int life;
+        /** When its board has sent all. */
+        private long free;
+        /** What came last. */
+        private Runnable last = () -> {};
         boolean on;
         boolean admits = true;
         RefusedException refusal;
@@ -132,21 +141,61 @@ final class World {
         void start() {
             on = true;
             life++;
+            killAfter = victim.equals(address) ? -1 : killAfter;
             try {
-                folder = Folder.open(place);
+                folder = new Deadly(place);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
             for (Map.Entry<String, List<Bytes>> agent : program.entrySet()) {
                 boolean held = folder.records().stream().anyMatch(
                         move -> move.identity().equals(new Move.Identity(address, agent.getKey()))
-                                && move.state() != Move.State.READY);
+                                && (move.isAbsent() || move.state() == Move.State.OFFERED
+                                        || move.state() == Move.State.HERE));
                 if (!held) {
                     awake.put(agent.getKey(), agent.getValue());
                 }
             }
             moves = new Moves(this, this, folder, this, Moves.Limits.USUAL, random);
             within(moves::start);
+            if (random.nextDouble() < twice) {
+                // The program ended before it could tell the board that it has the message.
+                last.run();
+            }
+        }
+
+        /** A folder before and after whose every change the program may be killed. */
+        private final class Deadly extends Folder {
+
+            Deadly(Path place) throws IOException {
+                super(place);
+            }
+
+            @Override
+            void write(Move move) {
+                maybeKilled();
+                super.write(move);
+                maybeKilled();
+            }
+
+            @Override
+            void delete(Move.Key key) {
+                maybeKilled();
+                super.delete(key);
+                maybeKilled();
+            }
+
+            @Override
+            void keep(Bytes hash, Bytes text) {
+                maybeKilled();
+                super.keep(hash, text);
+            }
+
+            @Override
+            void append(Bytes hash, Bytes packed) {
+                super.append(hash, packed);
+                maybeKilled();
+            }
         }
 
         /** kill -9, now. */
@@ -156,6 +205,13 @@ final class World {
             moves.close();
             folder.close();
             awake.clear();
+        }
+
+        /** What is recorded of moves that have not ended. */
+        List<Move> open() {
+            return folder.records().stream()
+                    .filter(move -> !Set.of(Move.State.HERE, Move.State.AWAY, Move.State.LEFT).contains(move.state()))
+                    .toList();
         }
 
         private void within(Runnable step) {
@@ -202,19 +258,22 @@ final class World {
             long size = BESIDE + 14L * bytes.length();
             bits += size;
             messages++;
-            boolean arrives = contact && random.nextDouble() >= lost;
+            boolean arrives = contact && bytes.length() <= longest && random.nextDouble() >= lost;
             boolean tells = arrives && random.nextDouble() >= untold;
-            int copies = arrives ? random.nextDouble() < twice ? 2 : 1 : 0;
-            long takes = (long) (1000 * size / BITS);
-            for (int i = 0; i < copies; i++) {
-                World.this.after(takes + i * 50L, () -> {
+            // A board sends one after the other.
+            long begins = Math.max(now, free);
+            long takes = begins - now + (long) (1000 * size / BITS) + (tells ? 0 : UNTOLD_MILLIS);
+            free = now + takes;
+            if (arrives) {
+                World.this.after(takes, () -> {
                     Side other = side(to);
                     if (other.on) {
-                        other.moves.received(address, bytes);
+                        other.last = () -> other.moves.received(address, bytes);
+                        other.last.run();
                     }
                 });
             }
-            World.this.after(tells ? takes + 100 : takes + 6_000, () -> {
+            World.this.after(takes + 100, () -> {
                 if (on && mine == life) {
                     end.complete(tells ? Outcome.DELIVERED : Outcome.UNDELIVERED);
                 }

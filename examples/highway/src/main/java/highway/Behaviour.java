@@ -6,6 +6,7 @@ import highway.Observation.Said;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** One row of the scenario's table: what a device must be seen to do. All evidence must come, in any order. */
 final class Behaviour {
@@ -23,7 +24,20 @@ final class Behaviour {
     }
 
     /** The rows of the table in this folder's README. */
-    static List<Behaviour> all() {
+    static List<Behaviour> all(boolean inspector) {
+        return Stream.of(ofHighway(), inspector ? ofInspector() : List.<Behaviour>of()).flatMap(List::stream).toList();
+    }
+
+    /** The rows of the table in the inspector's README. */
+    private static List<Behaviour> ofInspector() {
+        return List.of(
+                of(Device.SUPPORT, "its inspector leaves for the bus").says("I travel to ROMA").airsSealed("ROMA"),
+                of(Device.BUS, "lets it in; it looks, and goes home").says("Welcome, inspector")
+                        .says("On ROMA I see an obstacle").airsSealed("SUPP"),
+                of(Device.SUPPORT, "has its inspector back, with what it saw").says("I am back from ROMA"));
+    }
+
+    private static List<Behaviour> ofHighway() {
         return List.of(
                 of(Device.BUS, "collision: stops, alarms, broadcasts tell help")
                         .says("I have suffered an accident").pin("motor", 1).pin("motor", 0).pin("buzzer", 1)

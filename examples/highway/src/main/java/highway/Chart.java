@@ -25,6 +25,7 @@ final class Chart {
     /** Pixels that a monospaced letter of 11 pixels takes. */
     private static final double LETTER = 6.6;
     private static final int PADDING = 8;
+    private static final String TRAVELLER = "#fff3b0";
 
     private final List<Observation> evidence = new ArrayList<>();
 
@@ -68,7 +69,8 @@ final class Chart {
     private static String row(Observation seen, int y) {
         // Of what an agent says it is only known between which events it was.
         if (seen instanceof Said said) {
-            return box(said.device(), "“" + said.text() + "”", y, "white");
+            // Another agent than the device's own has its name before what it says: it travels.
+            return box(said.device(), "“" + said.text() + "”", y, said.text().startsWith("[") ? TRAVELLER : "white");
         }
         String time =
                 String.format(Locale.ROOT, "<text x=\"58\" y=\"%d\" text-anchor=\"end\" fill=\"#777\">%.3f s</text>%n",

@@ -11,6 +11,8 @@ final class Options {
 
     /** The emulator's control socket. */
     private static final String CONTROL = "build/control";
+    /** A way there and back by radio takes half of it. */
+    private static final int INSPECTORS_SECONDS = 90;
 
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
     private Path emulator;
@@ -43,9 +45,17 @@ final class Options {
     @Option(names = "--boards-only", hidden = true, description = "Run the boards only, until Ctrl-C.")
     private boolean boardsOnly;
 
+    @Option(names = "--inspector", hidden = true, description = "With an agent that travels by radio.")
+    private boolean inspector;
+
+    /** Whether an inspector travels to the bus meanwhile. */
+    boolean inspector() {
+        return inspector;
+    }
+
     /** Seconds. */
     int timeout() {
-        return timeout;
+        return inspector ? Math.max(timeout, INSPECTORS_SECONDS) : timeout;
     }
 
     boolean boardsOnly() {
@@ -90,8 +100,12 @@ final class Options {
 
     /** {@code javino keygen}: a key for each pair that talks, and one for the group. */
     List<String> keygenCommand(Path keyring) {
-        return java("javino.cli.Main", "keygen", "--out", keyring.toString(), "--group", "SU",
+        List<String> command = java("javino.cli.Main", "keygen", "--out", keyring.toString(), "--group", "SU",
                 "--pair", "SUPP,SUHO", "--pair", "SUHO,SUAM", "--pair", "SUPP,SUPO", "--pair", "SUPO,ROMA");
+        if (inspector) {
+            command.addAll(List.of("--pair", "SUPP,ROMA"));
+        }
+        return command;
     }
 
     /** {@code javino provision}: its id and those keys that it needs. */
@@ -102,9 +116,14 @@ final class Options {
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) {
-        return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", device.id() + ".mas2j", "--log-conf",
+        return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", mas(device), "--log-conf",
                 "logging.properties",
                 "--no-net");
+    }
+
+    private String mas(Device device) {
+        boolean visited = inspector && (device == Device.BUS || device == Device.SUPPORT);
+        return (visited ? "inspector/" : "") + device.id() + ".mas2j";
     }
 
     private List<String> java(String... mainAndArguments) {

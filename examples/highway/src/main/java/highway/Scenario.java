@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import uppaal.replay.Replay;
 
 /**
@@ -40,6 +42,8 @@ final class Scenario implements AutoCloseable {
     /** All events, for a second look: {@code gradle checkTrace -Ptrace=FILE}, {@code javino watch --trace FILE}. */
     private static final Path TRACE = Path.of("build", "trace.jsonl");
 
+    private static final Path MOVES = Path.of("build", "moves");
+
     private static final Path KEYRING = Path.of("build", "keyring");
 
     private static final Path PICTURE = Path.of("build", "highway.svg");
@@ -50,7 +54,7 @@ final class Scenario implements AutoCloseable {
     private final Trace trace = new Trace();
     private final Replay model = new Replay(KEYRING);
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
-    private final List<Behaviour> behaviours = Behaviour.all();
+    private final List<Behaviour> behaviours;
     private final List<Device> ready = new ArrayList<>();
     private final List<Child> children = new ArrayList<>();
     private FileChannel lock;
@@ -64,6 +68,7 @@ final class Scenario implements AutoCloseable {
     Scenario(Options options, Timeline timeline) {
         this.options = options;
         this.timeline = timeline;
+        behaviours = Behaviour.all(options.inspector());
     }
 
     /** A line of the launcher itself. */
@@ -106,9 +111,21 @@ final class Scenario implements AutoCloseable {
         }
         timeline.note("five emulated boards, one radio");
         Files.createDirectories(Path.of("build", "eeprom"));
+        // Of a run that was broken off.
+        deleteAll(MOVES);
         start("emulator", options.emulatorCommand(), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
                 .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
+    }
+
+    private static void deleteAll(Path folder) throws IOException {
+        if (Files.exists(folder)) {
+            try (Stream<Path> files = Files.walk(folder)) {
+                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                    Files.delete(file);
+                }
+            }
+        }
     }
 
     /** A second run in this folder would mix up ports, EEPROM files and keys. The lock goes with this process. */

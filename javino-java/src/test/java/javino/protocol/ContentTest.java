@@ -75,7 +75,8 @@ class ContentTest {
     @Test
     void requiresSeal_force_isWhatWantsAnAnswerGivesOneOrTouchesPlans() {
         assertEquals(EnumSet.of(Force.ASK_ONE, Force.ASK_ALL, Force.ASK_HOW, Force.TELL_HOW, Force.UNTELL_HOW,
-                Force.SORRY, Force.MOVE), Stream.of(Force.values()).filter(Force::requiresSeal).collect(Collectors.toSet()));
+                Force.SORRY, Force.MOVE),
+                Stream.of(Force.values()).filter(Force::requiresSeal).collect(Collectors.toSet()));
     }
 
     @ParameterizedTest

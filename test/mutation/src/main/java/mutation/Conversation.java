@@ -31,7 +31,7 @@ import javino.protocol.Outcome;
  * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in pieces, partners that
  * are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who repeats
  * what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their hosts
- * never wait. Where the seed is odd, no bits are wrong, and one board is away for long.
+ * never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are jammed.
  */
 final class Conversation {
 
@@ -44,6 +44,11 @@ final class Conversation {
     private static final double CUT_SECONDS = 0.2;
     private static final double AWAY_SECONDS = 30;
     private static final double BIT_ERRORS = 0.001;
+    /** In each run of this number, packets are lost now and then that are not damaged else. */
+    private static final long JAMMED = 3;
+    private static final double JAMS_FROM = 2.2;
+    private static final double JAMS_APART = 1.5;
+    private static final double JAM_SECONDS = 0.06;
     private static final int WINDOW = 3;
     /** Wall time, far more of the boards' time: after it boards that are silent are taken for dead. */
     private static final long PATIENCE_SECONDS = 10;
@@ -59,10 +64,12 @@ final class Conversation {
     private static final String ABSENT = "SUDD";
     private static final List<String> IDS = List.of("SUAA", "SUBB", "SUCC");
     private static final int SHORT = 16;
-    /** Bytes of contents in two pieces and in four, and the most that SPEC allows. */
-    private static final int PIECES = 100;
-    private static final int MORE_PIECES = 220;
+    /** Bytes of contents in three pieces, of which the last has one byte, and in four full ones; the most of SPEC. */
+    private static final int PIECES = 111;
+    private static final int MORE_PIECES = 244;
     private static final int MOST = 494;
+    /** The number of a broadcast in pieces. */
+    private static final int LONG_BROADCAST = 11;
 
     /** What came of it. */
     enum End {
@@ -108,6 +115,9 @@ final class Conversation {
         faults.put(RESET_AT, Map.of("do", "reset", "board", IDS.get(1)));
         faults.put(CUT_AT, Map.of("do", "power-cut", "board", IDS.get(2), "duration",
                 damaged ? CUT_SECONDS : AWAY_SECONDS));
+        for (double at = JAMS_FROM; seed % JAMMED == 0 && at < SECONDS; at += JAMS_APART) {
+            faults.put(at, Map.of("do", "jam", "duration", JAM_SECONDS));
+        }
         Emulator.Scenario scenario =
                 new Emulator.Scenario().seed(seed).speed("max").radio("bitErrorRate", damaged ? BIT_ERRORS : 0)
                         .forgetful().listener(event -> {
@@ -152,7 +162,9 @@ final class Conversation {
             overheard.add(event.text("payload"));
         }
         boolean toMany = event.text("kind").equals("multicast");
-        if (early.size() < EARLY && now() < CUT_AT && (toMany || event.text("destination").equals(IDS.get(2)))) {
+        if (early.size() < EARLY && now() < CUT_AT
+                && (toMany || event.text("kind").equals("unicast")
+                        && event.text("destination").equals(IDS.get(2)))) {
             early.add(event.text("payload"));
         }
     }
@@ -278,11 +290,12 @@ final class Conversation {
         private void send(int which) {
             String next = IDS.get((IDS.indexOf(id) + 1) % IDS.size());
             String other = IDS.get((IDS.indexOf(id) + 2) % IDS.size());
-            List<String> to = List.of(next, ALL, GROUP, next, other, ALL, next, other, next,
+            List<String> to = List.of(next, ALL, GROUP, ALL, other, ALL, next, ALL, next,
                     id.equals(IDS.get(0)) ? ABSENT : other);
             String destination = to.get(which % to.size());
             int longer = id.equals(IDS.get(0)) ? MOST : MORE_PIECES;
-            int length = which % to.size() == 4 ? PIECES : which % to.size() == 8 ? longer : SHORT;
+            boolean inPieces = which == LONG_BROADCAST || which % to.size() == 4;
+            int length = inPieces ? PIECES : which % to.size() == 8 ? longer : SHORT;
             String begin = "tell;m(\"" + id + " " + which + " ";
             String end = "\")";
             String content = begin + "x".repeat(Math.max(0, length - begin.length() - end.length())) + end;

@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * A line of the firmware with one small mistake.
@@ -21,8 +23,13 @@ record FirmwareMutant(String file, int line, String right, String what, String w
 
     /** Runs the program over its flash's end: so one sees whether it comes here. */
     private static final String TRAP = "__asm__ volatile(\"jmp 0x3FF00\"); ";
+    /** A condition, and what is done where it holds. */
+    private static final Pattern DONE = Pattern.compile("( *if \\(.*\\) )([^()]+(?:\\(.*\\))?;)");
+    private static final int OPERATOR = "&& ".length();
     private static final String ELSE_IF = "} else if (";
     private static final String REMOVED = "{}";
+    /** Some code that tells whether it was run, as an operand of {@code &&}. */
+    private static final String TRAPPED = "[] { " + TRAP + "return true; }() && ";
 
     /** All mistakes that {@code test/firmware} would try, and some more. */
     static List<FirmwareMutant> all(Path root) throws IOException, InterruptedException {
@@ -51,12 +58,44 @@ record FirmwareMutant(String file, int line, String right, String what, String w
                 && (right.strip().startsWith(ELSE_IF) || !right.strip().matches("(\\}|case |default:).*"));
     }
 
-    /** A source that crashes where the mistake would be; in place of a statement, where that is removed. */
+    /**
+     * A source that crashes where the mistake would be: in place of a statement, where that is removed; before an
+     * operand of {@code &&} and {@code ||}; in what is done where a condition holds.
+     */
     String trapIn(String source) {
-        if (right.strip().startsWith(ELSE_IF)) {
-            return with(source, right.replace(ELSE_IF, ELSE_IF + "[] { " + TRAP + "return true; }() && "));
+        if (wrong.contains(REMOVED)) {
+            return with(source, wrong.replace(REMOVED, "{ " + TRAP + "}"));
         }
-        return with(source, wrong.contains(REMOVED) ? wrong.replace(REMOVED, "{ " + TRAP + "}") : TRAP + right);
+        Matcher done = DONE.matcher(right);
+        if (done.matches() && wrong.startsWith(done.group(1)) && opened(done.group(1)) == 0) {
+            return with(source, done.group(1) + "{ " + TRAP + done.group(2) + " }");
+        }
+        int at = operand();
+        if (at > 0) {
+            return with(source, right.substring(0, at) + TRAPPED + right.substring(at));
+        }
+        return with(source,
+                right.strip().startsWith(ELSE_IF) ? right.replace(ELSE_IF, ELSE_IF + TRAPPED) : TRAP + right);
+    }
+
+    /** Where the operand with the mistake begins, if an operator before it may decide without it; else 0. */
+    private int operand() {
+        int first = 0;
+        while (right.charAt(first) == wrong.charAt(first)) {
+            first++;
+        }
+        for (int at = first; at >= OPERATOR; at--) {
+            String before = right.substring(at, first);
+            if (right.substring(at - OPERATOR, at).matches("(&&|\\|\\|) ")) {
+                return before.matches("[^,?;]*") && opened(before) >= 0 ? at : 0;
+            }
+        }
+        return 0;
+    }
+
+    /** How many parentheses more begin than end. */
+    private static int opened(String text) {
+        return text.replaceAll("[^(]", "").length() - text.replaceAll("[^)]", "").length();
     }
 
     /** Whether its line only counts something. */

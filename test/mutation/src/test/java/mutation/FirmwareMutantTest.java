@@ -74,6 +74,11 @@ class FirmwareMutantTest {
         String trap = "__asm__[^;]*; ";
         for (List<String> each : List.of(List.of("two(2);", "two(3);", trap + "two\\(2\\);"),
                 List.of("if (is) two();", "if (is) {}", "if \\(is\\) \\{ " + trap + "\\}"),
+                List.of("if (is) return 2;", "if (is) return 3;", "if \\(is\\) \\{ " + trap + "return 2; \\}"),
+                List.of("if (is && in(2)) two();", "if (is && in(3)) two();",
+                        "if \\(is && \\[\\] \\{ " + trap + "return true; \\}\\(\\) && in\\(2\\)\\) two\\(\\);"),
+                List.of("if (is && in) two();", "if (is || in) two();", trap + "if \\(is && in\\) two\\(\\);"),
+                List.of("two(is && in, 2);", "two(is && in, 3);", trap + "two\\(is && in, 2\\);"),
                 List.of("} else if (is) {", "} else if (!(is)) {",
                         "\\} else if \\(\\[\\] \\{ " + trap + "return true; \\}\\(\\) && is\\) \\{"))) {
             String trapped = new FirmwareMutant("a/B.cpp", 2, each.get(0), "", each.get(1))

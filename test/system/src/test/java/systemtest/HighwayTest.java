@@ -90,6 +90,15 @@ class HighwayTest {
         run.assertNothingLeft();
     }
 
+    @Test
+    void inspector_travelsToTheBusAndBackMeanwhile() throws Exception {
+        Run run = launch(EMULATOR, "--inspector");
+
+        run.assertAllObserved();
+        assertTrue(run.says("I am back from ROMA: obstacle at"), run::toString);
+        run.assertNothingLeft();
+    }
+
     /**
      * The picture has the eight messages with an arrow to each receiver, and what the agents said, in well-formed SVG.
      */

@@ -54,6 +54,17 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene HOST = new Scene("host", "Messages for a host that dies", "host.xml", Map.of(), Map.of(),
             List.of("host.q"));
 
+    /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
+    public static final List<Scene> OF_MOVES = List.of(
+            ofMoves("handover", "An agent moves, and again if that has failed", Map.of(), "move.q"),
+            ofMoves("return", "An agent moves, and comes back", Map.of(), "move.q"),
+            ofMoves("cloning", "An agent is cloned", Map.of(), "move.q"),
+            ofMoves("contact", "An agent moves, and contact returns", Map.of("FAIR", "true")),
+            ofMoves("round", "An agent moves and comes back, and contact returns",
+                    Map.of("FAIR", "true", "LOSSES", "1", "COPIES", "0", "TRIES", "3")),
+            ofMoves("silence", "An agent is offered, and its first piece never comes",
+                    Map.of("FAIR", "true", "LOSSES", "0")));
+
     /** Numbers with which the scenes of delivery have few states, and the same verdicts. */
     private static final Map<String, String> SMALL = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW",
             "1", "LAST_WINDOW", "2", "PATIENCE", "3", "MOST_PUT_OFF_SLOTS", "3", "LOSSES", "1", "DEADLINE", "111");
@@ -86,9 +97,9 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
                     "28", "ACK_TIME", "19", "DEADLINE", "1424"), SMALL, "bound.q"));
 
-    /** Those of boards. */
-    public static final List<Scene> OURS = Stream.concat(Stream.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST),
-            OF_DELIVERY.stream()).toList();
+    /** Those of boards and of moves. */
+    public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST),
+            OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
 
@@ -98,6 +109,11 @@ public record Scene(String name, String title, String model, Map<String, String>
             Map<String, String> fewer, String... queries) {
         return new Scene(name, "Delivery: " + title, "delivery.xml", constants, fewer,
                 Stream.concat(Stream.of(queries), Stream.of("air.q")).toList());
+    }
+
+    private static Scene ofMoves(String name, String title, Map<String, String> constants, String... more) {
+        return new Scene(name, "Moves: " + title, "handover.xml", constants, Map.of(),
+                Stream.concat(Stream.of(name + ".q"), Stream.of(more)).toList());
     }
 
     /** This scene with so few states that many mutants of it can be checked. */

@@ -32,16 +32,19 @@ final class Message {
     private boolean forged;
     /**
      * When it came undamaged to its receiver, which could hear, open and keep it, as long as that has neither handed it
-     * on nor answered. In pieces: when the first one came so, which asks.
+     * on nor answered. In pieces: when one came so that asks, the first one or with all others there.
      */
     private final List<Double> came = new ArrayList<>();
-    /** How often an acknowledgement of it came undamaged to its sender. */
+    /** How often an acknowledgement of it came undamaged to its sender, and how often it was told that it is stale. */
     private int confirmed;
+    private int stale;
     /** When a piece came last so that its receiver has it, and how often in a row that has told to lack such ones. */
     private final Map<Integer, Double> kept = new HashMap<>();
     private final Map<Integer, Double> lastCame = new HashMap<>();
     private int missed;
     private boolean doubted;
+    /** Whether it was handed on or answered, or was to be. */
+    private boolean heeded;
     /** What pieces its receiver has told to have, and how often so in a row that came undamaged to its sender. */
     private int have;
     private int lacking;
@@ -202,7 +205,7 @@ final class Message {
         }
     }
 
-    /** It comes, or its first piece, which asks, undamaged to its receiver, which listens and has key and room. */
+    /** It comes, or a piece that asks, undamaged to its receiver, which listens and has key and room. */
     void comes(double seconds) {
         came.add(seconds);
     }
@@ -220,6 +223,42 @@ final class Message {
     /** How often one came. */
     int confirmed() {
         return confirmed;
+    }
+
+    /** A notice comes undamaged to its sender: its receiver cannot take it any more. */
+    void outdate() {
+        stale++;
+    }
+
+    /** How often one came. */
+    int stale() {
+        return stale;
+    }
+
+    /** Of what sort it is: of those one after the other, some are surely heard. */
+    String sort() {
+        return kind + (pieces > 1 ? " in pieces" : "");
+    }
+
+    /** Its receiver hands it on or answers. */
+    void heed() {
+        came.clear();
+        heeded = true;
+    }
+
+    /** Whether what comes makes it whole, at a board that has not heeded it; of those in pieces only unicasts count. */
+    boolean becomesWhole(Station board, double seconds) {
+        if (pieces == 1) {
+            return !hasCome(board);
+        }
+        boolean now = isUnicast() && !heeded && !doubted && isKept(seconds);
+        heeded |= now;
+        return now;
+    }
+
+    /** Whether all its pieces have come so that its receiver has them. */
+    boolean isKept(double seconds) {
+        return kept.size() == pieces && kept.values().stream().allMatch(came -> came > seconds - KEPT);
     }
 
     /**
@@ -269,6 +308,7 @@ final class Message {
     void forgetHeard() {
         came.clear();
         confirmed = 0;
+        stale = 0;
         lacking = 0;
         kept.clear();
         missed = 0;

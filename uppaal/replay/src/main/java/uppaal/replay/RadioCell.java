@@ -6,6 +6,7 @@ import com.google.gson.JsonPrimitive;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. Their
@@ -43,6 +45,8 @@ final class RadioCell {
     private final Map<String, List<Message>> answers = new Recent<>();
     private final Disturbances disturbances;
     private final Scenes scenes;
+    /** How many of a sort in a row came undamaged and were not handed over. */
+    private final Map<String, Integer> missed = new HashMap<>();
     private long broadcasts;
 
     RadioCell(Disturbances disturbances, Scenes scenes) {
@@ -239,9 +243,14 @@ final class RadioCell {
                     + unconfirmed.getAsInt());
         }
         checkWaiting(event.seconds(), board);
-        if (NOTHING_WAITS.contains(event.name()) && board.missed(event.seconds() - LATE) > LOST) {
-            throw new RefusedException(board.name() + " has nothing to tell; expected a message to many: of the last "
-                    + (LOST + 1) + " that came undamaged it has handed none to its host");
+        if (NOTHING_WAITS.contains(event.name())) {
+            for (Message message : board.missed(event.seconds() - LATE)) {
+                if (missed.merge(message.sort(), 1, Integer::sum) > LOST) {
+                    throw new RefusedException(board.name() + " has nothing to tell; expected a message (" + message
+                            + "): of the last " + (LOST + 1)
+                            + " of its sort that came undamaged no board has heard one");
+                }
+            }
         }
         for (Transmission transmission : board.open().toList()) {
             boolean told = outcome && transmission.number == event.number("number");
@@ -266,6 +275,10 @@ final class RadioCell {
         if (message.confirmed() > LOST) {
             throw new RefusedException(board.name() + " sends again what was acknowledged " + message.confirmed()
                     + " times: " + message + "; expected: delivered");
+        }
+        if (message.isUnicast() && message.stale() > LOST) {
+            throw new RefusedException(board.name() + " sends again what was said to be stale " + message.stale()
+                    + " times: " + message + "; expected that it is sealed anew or undelivered");
         }
         if (payload.isPiece() && message.told(payload) > LOST) {
             throw new RefusedException(board.name() + " sends again a piece that has come, though it was told "
@@ -393,7 +406,8 @@ final class RadioCell {
                 message.receiver(board).perhapsSends(start, answer);
             }
         }
-        able.forEach(message -> message.came().clear());
+        able.forEach(Message::heed);
+        meet(board, able::contains);
         if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message()[0], start) > LOST) {
             throw new RefusedException(board.name() + " answers " + (LOST + 1)
                     + " times in a row without a piece that came undamaged: " + able.get(0));
@@ -465,17 +479,20 @@ final class RadioCell {
         }
         if (message != null && message.concerns(board) && board.isConcernedBy(message.destination)) {
             boolean isKept = undamaged && canOpen(board, packet) && board.hasRoom(message, payload, seconds);
-            if (isKept && message.isUnicast() && (!payload.isPiece() || payload.index() == 0 && payload.asks())) {
+            message.comes(payload.index(), isKept, seconds);
+            if (isKept && message.isUnicast()
+                    && (!payload.isPiece() || payload.asks() && (payload.index() == 0 || message.isKept(seconds)))) {
                 message.comes(seconds);
             }
-            if (isKept && !message.isUnicast() && !payload.isPiece() && !message.hasCome(board)) {
+            if (isKept && message.becomesWhole(board, seconds)) {
                 board.expects(message, seconds);
             }
-            message.comes(payload.index(), isKept, seconds);
         }
         if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)) {
             if (packet.answer().equals("ack")) {
                 packet.answered().get(0).confirm();
+            } else if (packet.answer().equals("stale")) {
+                packet.answered().get(0).outdate();
             } else if (packet.answer().equals("pieces")) {
                 packet.answered().get(0).told(payload.message()[0]);
             }
@@ -531,9 +548,14 @@ final class RadioCell {
             message = sent.get(i).mayDo(event.seconds(), board, "hand") ? sent.get(i) : message;
         }
         message.receiver(event.seconds(), board, "hand");
-        message.came().clear();
+        message.heed();
         board.hand(number, message);
-        board.met(each -> isHanded(each, event));
+        meet(board, each -> isHanded(each, event));
+    }
+
+    /** A board hands over what it was to, or answers. */
+    private void meet(Station board, Predicate<Message> which) {
+        board.met(which).forEach(message -> missed.remove(message.sort()));
     }
 
     private static boolean isHanded(Message message, Event event) {

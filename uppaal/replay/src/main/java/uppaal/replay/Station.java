@@ -59,10 +59,8 @@ final class Station {
     private final Map<String, String> checks = new HashMap<>();
     /** What has come since it has last told its host something; null stands for what nobody knows. */
     private final Set<Message> came = new HashSet<>();
-    /** What came undamaged to many and is to be handed over, and when. */
+    /** What came undamaged and is to be handed over, and when. */
     private final Map<Message, Double> expected = new LinkedHashMap<>();
-    /** How many of these in a row were not. */
-    private int missed;
     /** When a broadcast came last, by its origin. */
     private final Map<String, Double> broadcasts = new Recent<>();
     /** When a piece came last, by whose it was and the id of the whole. */
@@ -259,7 +257,7 @@ final class Station {
         return open;
     }
 
-    /** A message to many has come that it can keep; but soon after a broadcast it may be taken for its repeat. */
+    /** A message has come that it can keep; but soon after a broadcast another may be taken for its repeat. */
     void expects(Message message, double seconds) {
         Double before = message.isBroadcast() ? broadcasts.put(message.origin, seconds) : null;
         if (before == null || before < seconds - REPEATED) {
@@ -267,22 +265,22 @@ final class Station {
         }
     }
 
-    /** It hands over what it was to. */
-    void met(Predicate<Message> handedOver) {
-        missed = expected.keySet().removeIf(handedOver) ? 0 : missed;
+    /** It hands over what it was to, or answers. @return what that was */
+    List<Message> met(Predicate<Message> handedOver) {
+        List<Message> met = expected.keySet().stream().filter(handedOver).toList();
+        expected.keySet().removeAll(met);
+        return met;
     }
 
-    /** Nothing waits for its host. @return how many in a row it has not handed over of what came before that moment */
-    int missed(double before) {
-        missed += expected.size();
-        expected.values().removeIf(seconds -> seconds < before);
-        missed -= expected.size();
+    /** Nothing waits for its host. @return what came before that moment, and it has not handed over */
+    List<Message> missed(double before) {
+        List<Message> missed = expected.keySet().stream().filter(message -> expected.get(message) < before).toList();
+        expected.keySet().removeAll(missed);
         return missed;
     }
 
     void forgetExpected() {
         expected.clear();
-        missed = 0;
     }
 
     /** Whether it has told its host something since then. */

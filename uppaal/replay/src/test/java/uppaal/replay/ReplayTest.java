@@ -10,6 +10,7 @@ import com.google.gson.JsonParser;
 import java.nio.charset.StandardCharsets;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -499,7 +500,7 @@ class ReplayTest {
         outcome(lines, 11, 0, "undelivered");
         sort(lines);
         if (refused) {
-            assertRefused(lines, lines.all.size(), "police reports undelivered what came undamaged to support 7 times");
+            assertRefused(lines, lines.all.size(), "police reports undelivered what came undamaged to support 8 times");
         } else {
             assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
         }
@@ -562,6 +563,91 @@ class ReplayTest {
         sort(lines);
         assertEquals(verdict, lines.replay().refusal().map(why -> "refused").orElse("accepted"),
                 lines.replay()::verdict);
+    }
+
+    /** What goes to a group does not stand for broadcasts. */
+    @Test
+    void replay_broadcastsThatAreNotHandedOverThoughMulticastsAre_areRefused() {
+        Lines lines = keyed(severalAsked("////", "//SU", "////", "//SU", "////"));
+        lines.madeUp = false;
+        for (String board : List.of("police", "support")) {
+            lines.add(0.7, board, "host-key", Map.of("address", "//SU", "step", "set", "check", "020304"));
+        }
+        lines.add(1.9, "support", "host-nothing", Map.of());
+        for (int i = 0; i < 5; i++) {
+            boolean broadcast = i % 2 == 0;
+            reach(lines, 2 + 3 * i, "police", broadcast ? "2f2f2f2f5355504f41497" + i : unicast("//SU", i),
+                    broadcast ? "broadcast" : "multicast");
+            if (!broadcast) {
+                send(lines, 3 + 3 * i, "police", unicast("//SU", i), "multicast");
+                lines.add(3.5 + 3 * i, "support", "host-handed",
+                        Map.of("number", i / 2, "destination", "//SU", "origin", "SUPO", "id", "01000" + i));
+                take(lines, 3.6 + 3 * i, i / 2);
+            }
+            lines.add(4.2 + 3 * i, "support", "host-nothing", Map.of());
+        }
+        sort(lines);
+        assertTrue(lines.replay().verdict().contains("support has nothing to tell; expected a message (SUPO to ////)"),
+                lines.replay().verdict());
+    }
+
+    /** What comes may be lost, but not of each message when it comes first. */
+    @ParameterizedTest
+    @CsvSource({"3, -1, false, support has nothing to tell; expected a message", "2, -1, false, accepted",
+            "3, 1, false, accepted", "3, -1, true, support has nothing to tell; expected a message",
+            "3, 1, true, accepted"})
+    void replay_unicastsThatAreHeededOnlyWhenTheyComeAgain_areRefused(int messages, int heeded, boolean inPieces,
+            String words) {
+        String[] all = new String[messages];
+        Arrays.fill(all, "SUPP");
+        Lines lines = keyed(severalAsked(all));
+        lines.madeUp = false;
+        lines.all.add(JsonParser.parseString("{'event': 'scenario', 't': 0,"
+                + " 'boards': [{'name': 'support', 'model': 'mega'}]}").getAsJsonObject());
+        lines.add(1.9, "support", "host-nothing", Map.of());
+        for (int i = 0; i < messages; i++) {
+            double start = 2 + 4 * i;
+            String whole = unicast("SUPP", i);
+            String first = whole.substring(0, 16) + "4967" + whole.substring(20) + "77".repeat(41);
+            String digit = "4" + (1 + i);
+            if (inPieces) {
+                reach(lines, start, "police", piece(digit, "41", "4959", first), "piece");
+                reach(lines, start + 0.4, "police", piece(digit, "4a", "4259", "77".repeat(11)), "piece");
+            } else {
+                reach(lines, start, "police", whole, "unicast");
+            }
+            if (i != heeded) {
+                lines.add(start + 1.3, "support", "host-nothing", Map.of());
+                reach(lines, start + 1.5, "police", inPieces ? piece(digit, "49", "4959", first) : whole,
+                        inPieces ? "piece" : "unicast");
+            }
+            hand(lines, start + 1.9, i, "01000" + i);
+            take(lines, start + 1.95, i);
+            String answer = "2b4b41" + digit + "535550504241" + "00".repeat(8);
+            send(lines, start + 2.1, "support", answer, "acknowledgement");
+            hear(lines, start + 2.1, "police", "support", answer, "acknowledgement");
+            outcome(lines, start + 2.5, i, "delivered");
+        }
+        sort(lines);
+        assertTrue(lines.replay().verdict().contains(words), lines.replay().verdict());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3, police sends again what was said to be stale 3 times", "2, accepted"})
+    void replay_staleMessageThatIsSentAgain_isRefused(int notices, String words) {
+        Lines lines = keyed(severalAsked("SUPP"));
+        lines.madeUp = false;
+        for (int i = 0; i < 4; i++) {
+            reach(lines, 2 + 2 * i, "police", unicast("SUPP", 0), "unicast");
+            if (i < notices) {
+                String uptime = String.format("%04x", 25 + 20 * i);
+                String answer = "2b4b4141535550504341" + "000001000000" + uptime + "00".repeat(8);
+                send(lines, 3 + 2 * i, "support", answer, "acknowledgement");
+                hear(lines, 3 + 2 * i, "police", "support", answer, "acknowledgement");
+            }
+        }
+        sort(lines);
+        assertTrue(lines.replay().verdict().contains(words), lines.replay().verdict());
     }
 
     @Test

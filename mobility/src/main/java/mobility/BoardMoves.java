@@ -1,0 +1,288 @@
+package mobility;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.logging.Level;
+
+import jason.JasonException;
+import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Pred;
+
+import diffuser.Diffuser;
+import diffuser.Failure;
+import diffuser.MoveService;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Outcome;
+
+/** The moves by one agent's board: what {@link Moves} decides, this does in the MAS around it. */
+public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Mas {
+
+    /** Between two looks at whether a plan lets agents in. */
+    private static final long LOOK_NANOS = Duration.ofSeconds(1).toNanos();
+
+    private final Diffuser diffuser;
+    private final ScheduledExecutorService thread;
+    private final Inhabitants inhabitants;
+    private final Admission admission;
+    private Moves moves;
+    private Folder folder;
+    private boolean admits;
+    private long looked;
+
+    /** Found by Java's {@link java.util.ServiceLoader}. */
+    public static final class Maker implements MoveService.Maker {
+
+        @Override
+        public MoveService of(Diffuser diffuser) {
+            return new BoardMoves(diffuser);
+        }
+    }
+
+    private BoardMoves(Diffuser diffuser) {
+        this.diffuser = diffuser;
+        thread = Executors.newSingleThreadScheduledExecutor(step -> {
+            Thread named = new Thread(step, "moves of " + name());
+            named.setDaemon(true);
+            return named;
+        });
+        inhabitants = new Inhabitants(diffuser);
+        admission = new Admission(diffuser);
+        looked = System.nanoTime() - 2 * LOOK_NANOS;
+        if (!Folder.records(place()).isEmpty()) {
+            boolean away = Inhabitants.isAway(name());
+            if (away) {
+                Mobile.empty(ts());
+                Mobile.of(ts()).fallAsleep();
+            }
+            // As soon as the agent runs, the MAS has all its agents.
+            ts().runAtBeginOfNextCycle(() -> execute(() -> begin(away)));
+        }
+    }
+
+    /** @param boardOnly the agent itself is away, and so cannot open its port. */
+    private void begin(boolean boardOnly) {
+        opened();
+        if (boardOnly) {
+            folder.board((port, address) -> ts().runAtBeginOfNextCycle(() -> {
+                diffuser.openPort(port);
+                diffuser.setRfId(address);
+                diffuser.openRadio(true);
+            }));
+            ts().getAgArch().wakeUpDeliberate();
+        }
+    }
+
+    private TransitionSystem ts() {
+        return diffuser.getTS();
+    }
+
+    private String name() {
+        return ts().getAgArch().getAgName();
+    }
+
+    private Path place() {
+        return Inhabitants.folder(name(), ts().getSettings());
+    }
+
+    /** On the thread of the moves. The folder is made when it is needed for the first time. */
+    private Moves opened() {
+        if (moves == null) {
+            try {
+                folder = new Folder(place());
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            moves = new Moves(this, this, folder, this, inhabitants.limits(), new SecureRandom());
+            moves.start();
+        }
+        return moves;
+    }
+
+    // What the agents want
+
+    /**
+     * Moves an agent that sleeps, or is cloned.
+     *
+     * @return completes with its name there; fails with what {@link Failure#of} reads.
+     */
+    CompletableFuture<String> depart(String agent, Protocol protocol, Address to, List<Bytes> texts) {
+        CompletableFuture<String> end = new CompletableFuture<>();
+        execute(() -> {
+            try {
+                Optional<Address> here = diffuser.address();
+                if (here.isEmpty()) {
+                    throw new Failure("no_rf_id", "the board has no address yet; set one with .setMyRFId")
+                            .toException();
+                }
+                Moves all = opened();
+                if (agent.equals(name())) {
+                    folder.keepBoard(String.valueOf(diffuser.getStatus().get("port")), here.get());
+                }
+                all.depart(agent, protocol, here.get(), to, texts).whenComplete((there, thrown) -> {
+                    if (thrown == null) {
+                        end.complete(there);
+                    } else {
+                        end.completeExceptionally(thrown);
+                    }
+                });
+            } catch (UncheckedIOException e) {
+                end.completeExceptionally(new Failure("disk", e.getCause().getMessage()).toException());
+            } catch (JasonException e) {
+                end.completeExceptionally(e);
+            }
+        });
+        return end;
+    }
+
+    // What the board asks
+
+    @Override
+    public void received(Address from, Bytes bytes) {
+        execute(() -> opened().received(from, bytes));
+    }
+
+    @Override
+    public boolean admits() {
+        if (System.nanoTime() - looked > LOOK_NANOS) {
+            looked = System.nanoTime();
+            admits = admission.isThere();
+        }
+        return admits;
+    }
+
+    @Override
+    public Map<String, Object> status() {
+        Map<String, Object> status = new LinkedHashMap<>();
+        Moves known = moves;
+        for (Moves.Count count : Moves.Count.values()) {
+            String name = count.name();
+            status.put("moves" + name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT),
+                    known == null ? 0L : known.count(count));
+        }
+        return status;
+    }
+
+    @Override
+    public void stop() {
+        execute(() -> {
+            if (moves != null) {
+                moves.close();
+                folder.close();
+            }
+            thread.shutdown();
+        });
+    }
+
+    // Time
+
+    @Override
+    public long millis() {
+        return TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
+    }
+
+    @Override
+    public void after(long millis, Runnable step) {
+        try {
+            thread.schedule(() -> carefully(step), Math.max(0, millis), TimeUnit.MILLISECONDS);
+        } catch (RejectedExecutionException e) {
+            // The agent was stopped.
+        }
+    }
+
+    @Override
+    public void execute(Runnable step) {
+        after(0, step);
+    }
+
+    private void carefully(Runnable step) {
+        try {
+            step.run();
+        } catch (RuntimeException e) {
+            ts().getLogger().log(Level.SEVERE, "a step of a move has failed: " + e.getMessage(), e);
+        }
+    }
+
+    // Air
+
+    @Override
+    public CompletableFuture<Outcome> send(Address to, Bytes bytes) {
+        return diffuser.transmit(to, Content.move(bytes)).end();
+    }
+
+    // MAS
+
+    @Override
+    public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
+        return admission.ask(agent, protocol, from);
+    }
+
+    @Override
+    public void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException {
+        Inhabitants.mind(texts);
+    }
+
+    @Override
+    public String wake(Move move, List<Bytes> texts, boolean anew) {
+        String name = inhabitants.settle(move, texts, Optional.empty());
+        if (!anew) {
+            tell("movedIn", name, move.key().peer());
+        }
+        return name;
+    }
+
+    @Override
+    public void left(Move move) {
+        inhabitants.remove(move.name());
+        tell("movedOut", move.name(), move.key().peer());
+    }
+
+    @Override
+    public void stays(Move move, List<Bytes> texts, Failure why) {
+        inhabitants.settle(move, texts, Optional.of(why));
+    }
+
+    @Override
+    public boolean starts(String agent) {
+        return Inhabitants.isOfProgram(agent);
+    }
+
+    @Override
+    public void progress(String agent, Address peer, boolean out, int percent) {
+        Literal event = event(out ? "movingOut" : "movingIn", agent, peer);
+        event.addTerm(ASSyntax.createNumber(percent));
+        diffuser.signal(event);
+    }
+
+    @Override
+    public void warn(String what) {
+        ts().getLogger().warning(what);
+    }
+
+    private void tell(String what, String agent, Address peer) {
+        diffuser.signal(event(what, agent, peer));
+    }
+
+    private static Literal event(String what, String agent, Address peer) {
+        Literal event = ASSyntax.createLiteral(what, ASSyntax.createAtom(agent), ASSyntax.createString(peer));
+        event.addAnnot(Pred.createSource(ASSyntax.createAtom("percept")));
+        return event;
+    }
+}

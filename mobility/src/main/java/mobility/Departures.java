@@ -1,0 +1,130 @@
+package mobility;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicLong;
+
+import jason.JasonException;
+import jason.asSemantics.Intention;
+import jason.asSemantics.TransitionSystem;
+import jason.infra.local.BaseLocalMAS;
+import jason.infra.local.LocalAgArch;
+
+import diffuser.Diffuser;
+import diffuser.Failure;
+import diffuser.Intentions;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+
+/** What {@code .moveOut} does in the MAS that agents leave. */
+public final class Departures {
+
+    private static final AtomicLong COUNT = new AtomicLong();
+
+    private Departures() {
+    }
+
+    /** Whether an atom is one of the protocols. */
+    public static boolean isProtocol(String atom) {
+        return Protocol.of(atom).isPresent();
+    }
+
+    /**
+     * Begins to move agents, and suspends the intention that says so.
+     *
+     * @param ts       of the agent that says so, on its thread.
+     * @param protocol an atom for which {@link #isProtocol} holds.
+     * @throws JasonException if none of them leaves; then nothing has changed.
+     */
+    public static void begin(TransitionSystem ts, Address to, String protocol, List<String> agents)
+            throws JasonException {
+        Protocol known = Protocol.of(protocol).orElseThrow();
+        BoardMoves moves = door(ts);
+        String self = ts.getAgArch().getAgName();
+        List<LocalAgArch> others = new ArrayList<>();
+        for (String agent : agents) {
+            LocalAgArch arch = Optional.ofNullable(BaseLocalMAS.getRunner().getAg(agent)).orElseThrow(
+                    () -> new Failure("no_agent", "this MAS has no agent " + agent).toException());
+            expectMobile(arch, known);
+            if (!agent.equals(self)) {
+                others.add(arch);
+            }
+        }
+        boolean also = agents.contains(self);
+        Intention mover = ts.getC().getSelectedIntention();
+        // Before anything is sent: what cannot travel is said now.
+        Image image = also ? ImageWriter.write(ts, mover) : null;
+        String key = "moveOut/javino/" + COUNT.incrementAndGet();
+        Intentions.await(ts.getC(), key);
+        List<CompletableFuture<String>> ends = new ArrayList<>();
+        others.forEach(other -> ends.add(move(moves, other.getTS(), known, to)));
+        if (also) {
+            ends.add(depart(moves, ts, known, to, image));
+        }
+        CompletableFuture.allOf(ends.toArray(CompletableFuture[]::new)).whenComplete((done, thrown) -> {
+            if (thrown == null) {
+                Intentions.resume(ts, key);
+            } else {
+                Intentions.fail(ts, key, Failure.of(thrown));
+            }
+        });
+    }
+
+    private static BoardMoves door(TransitionSystem ts) throws JasonException {
+        Optional<Diffuser> door = Inhabitants.door(ts.getAgArch());
+        return door.flatMap(Diffuser::moves).map(moves -> (BoardMoves) moves)
+                .orElseThrow(() -> new Failure("no_diffuser", "no agent of this MAS has a board by which "
+                        + ts.getAgArch().getAgName() + " could move; give one the architecture diffuser.Diffuser")
+                        .toException());
+    }
+
+    /** An agent that the program starts must know, when it is started again, that it is away. */
+    private static void expectMobile(LocalAgArch agent, Protocol protocol) throws JasonException {
+        boolean mobile = protocol == Protocol.CLONING || !Inhabitants.isOfProgram(agent.getAgName())
+                || Mobile.find(agent.getTS()).isPresent() || Inhabitants.isDoor(agent.getFirstAgArch());
+        if (!mobile) {
+            throw new Failure("not_mobile", "agent " + agent.getAgName() + " cannot move: give it the architecture"
+                    + " mobility.Mobile (agentArchClass in a .mas2j, ag-arch in a .jcm), so that it is not started a"
+                    + " second time while it is away").toException();
+        }
+    }
+
+    /** Another agent of this MAS, in its next cycle. */
+    private static CompletableFuture<String> move(BoardMoves moves, TransitionSystem ts, Protocol protocol,
+            Address to) {
+        CompletableFuture<String> end = new CompletableFuture<>();
+        ts.runAtBeginOfNextCycle(() -> {
+            try {
+                depart(moves, ts, protocol, to, ImageWriter.write(ts, null)).whenComplete((name, thrown) -> {
+                    if (thrown == null) {
+                        end.complete(name);
+                    } else {
+                        end.completeExceptionally(thrown);
+                    }
+                });
+            } catch (JasonException | RuntimeException e) {
+                end.completeExceptionally(e);
+            }
+        });
+        ts.getAgArch().wakeUpDeliberate();
+        return end;
+    }
+
+    private static CompletableFuture<String> depart(BoardMoves moves, TransitionSystem ts, Protocol protocol,
+            Address to, Image image) {
+        boolean sleeps = protocol != Protocol.CLONING;
+        if (sleeps) {
+            Mobile.of(ts).fallAsleep();
+        }
+        return moves.depart(ts.getAgArch().getAgName(), protocol, to,
+                List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state()))).whenComplete((name, thrown) -> {
+                    if (sleeps && thrown != null) {
+                        ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).awaken());
+                        ts.getAgArch().wakeUpDeliberate();
+                    }
+                });
+    }
+}

@@ -1,0 +1,221 @@
+package mobility;
+
+import java.nio.file.Path;
+import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+import jason.architecture.AgArch;
+import jason.infra.local.BaseLocalMAS;
+import jason.infra.local.LocalAgArch;
+import jason.mas2j.AgentParameters;
+import jason.runtime.RuntimeServices;
+import jason.runtime.RuntimeServicesFactory;
+import jason.runtime.Settings;
+
+import diffuser.Diffuser;
+import diffuser.Failure;
+
+import javino.protocol.Bytes;
+import javino.protocol.ProtocolException;
+
+/** The agents of the MAS: makes those that come, ends those that have gone. */
+final class Inhabitants {
+
+    private static final String FOLDER = "moves";
+    private static final String ARCHITECTURES = "newcomers";
+    private static final String LENGTH = "movesLength";
+    private static final String AGENTS = "movesAgents";
+    /** Set while an agent is made here, which is not away, whatever its record says. */
+    private static final ThreadLocal<Boolean> MAKING = ThreadLocal.withInitial(() -> false);
+
+    private final Diffuser diffuser;
+
+    Inhabitants(Diffuser diffuser) {
+        this.diffuser = diffuser;
+    }
+
+    /** Where the moves of an agent's board are recorded, as its {@code .mas2j} says, or by default. */
+    static Path folder(String agent, Settings settings) {
+        return Path.of(parameter(settings, FOLDER).orElse(FOLDER + "/" + agent));
+    }
+
+    private static Optional<String> parameter(Settings settings, String name) {
+        return Optional.ofNullable(settings.getUserParameter(name)).map(Inhabitants::unquoted);
+    }
+
+    private static String unquoted(String text) {
+        return text.startsWith("\"") && text.endsWith("\"") && text.length() > 1 ? text.substring(1, text.length() - 1)
+                : text;
+    }
+
+    Moves.Limits limits() {
+        Settings settings = diffuser.getTS().getSettings();
+        return new Moves.Limits(
+                parameter(settings, LENGTH).map(Long::parseLong).orElse(Moves.Limits.USUAL.length()),
+                parameter(settings, AGENTS).map(Integer::parseInt).orElse(Moves.Limits.USUAL.agents()));
+    }
+
+    static Mind mind(List<Bytes> texts) throws RefusedException {
+        if (texts.size() != 2) {
+            throw new RefusedException("damaged", "an agent has two texts, not " + texts.size());
+        }
+        try {
+            return Mind.read(new Image(texts.get(0).text(), texts.get(1).text()));
+        } catch (ProtocolException e) {
+            throw new RefusedException("damaged", e.getMessage());
+        }
+    }
+
+    /**
+     * Lets an agent live here.
+     *
+     * @param why where it was to leave and stays: what its plan fails with.
+     * @return its name.
+     */
+    String settle(Move move, List<Bytes> texts, Optional<Failure> why) {
+        try {
+            Mind mind = mind(texts);
+            if (move.protocol() == Protocol.PREDATION && !move.key().out()) {
+                endOthers();
+                return takeBody(mind, why);
+            }
+            if (move.isOurs() && move.name().equals(own())) {
+                return takeBody(mind, why);
+            }
+            boolean guest = move.protocol() == Protocol.INQUILINISM && !move.key().out();
+            // A shell that was held since the program has started it.
+            remove(move.name());
+            RuntimeServices services = RuntimeServicesFactory.get();
+            Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs());
+            MAKING.set(true);
+            String name = services.createAgent(move.name(), null,
+                    guest ? Guest.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
+                    architectures(ours, guest), null, new Settings(), null);
+            mind.enter(agent(name).orElseThrow().getTS(), why);
+            services.startAgent(name);
+            return name;
+        } catch (RefusedException e) {
+            throw new IllegalStateException("what was checked can be read no longer: " + e.getMessage(), e);
+        } catch (Exception e) {
+            throw new IllegalStateException("the agent " + move.name() + " cannot live here: " + e.getMessage(), e);
+        } finally {
+            MAKING.remove();
+        }
+    }
+
+    private List<String> architectures(Optional<AgentParameters> ours, boolean guest) {
+        List<String> all = new ArrayList<>(List.of(Mobile.class.getName()));
+        if (ours.isPresent()) {
+            return new ArrayList<>(ours.get().getAgArchClasses());
+        }
+        if (!guest) {
+            parameter(diffuser.getTS().getSettings(), ARCHITECTURES)
+                    .ifPresent(more -> all.addAll(List.of(more.trim().split("\\s*,\\s*"))));
+        }
+        return all;
+    }
+
+    private String own() {
+        return diffuser.getTS().getAgArch().getAgName();
+    }
+
+    private void endOthers() throws RemoteException {
+        RuntimeServices services = RuntimeServicesFactory.get();
+        for (String other : List.copyOf(services.getAgentsNames())) {
+            if (!other.equals(own())) {
+                services.killAgent(other, own(), 0);
+            }
+        }
+    }
+
+    /** A mind lives on in the agent with the board, in the place of what was there. */
+    private String takeBody(Mind mind, Optional<Failure> why) {
+        diffuser.getTS().runAtBeginOfNextCycle(() -> {
+            Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
+            Mobile.empty(diffuser.getTS());
+            mind.enter(diffuser.getTS(), why);
+        });
+        diffuser.getTS().getAgArch().wakeUpDeliberate();
+        return own();
+    }
+
+    /** Ends an agent that sleeps: one that has moved away, or that was not to start. */
+    void remove(String name) {
+        agent(name).filter(known -> Mobile.find(known.getTS()).filter(Mobile::isAsleep).isPresent())
+                .ifPresent(asleep -> {
+                    if (asleep.getTS() != diffuser.getTS()) {
+                        try {
+                            RuntimeServicesFactory.get().killAgent(name, name, 0);
+                        } catch (RemoteException e) {
+                            throw new IllegalStateException(e);
+                        }
+                    }
+                });
+    }
+
+    /** Whether the records say that an agent which the program starts is elsewhere, or is to be made anew. */
+    static boolean isAway(String name) {
+        return !MAKING.get() && isOfProgram(name) && project().stream()
+                .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))
+                .flatMap(each -> Folder.records(folder(each.name, each.getAsSetts(false, false))).stream())
+                .anyMatch(move -> move.isOurs() && move.name().equals(name) && move.state() != Move.State.READY
+                        && move.state() != Move.State.LEFT);
+    }
+
+    private static boolean isDiffuser(String architecture) {
+        try {
+            return Diffuser.class.isAssignableFrom(Class.forName(architecture));
+        } catch (ClassNotFoundException e) {
+            return false;
+        }
+    }
+
+    /** Whether the program of the MAS has an agent of that name. */
+    static boolean isOfProgram(String name) {
+        return parameters(name).isPresent();
+    }
+
+    private static Optional<AgentParameters> parameters(String name) {
+        return project().stream().filter(each -> each.name.equals(name)
+                || each.getNbInstances() > 1 && name.matches(each.name + "\\d+")).findFirst();
+    }
+
+    /** The agents that the program of the MAS starts; none where there is no program, as in tests. */
+    static List<AgentParameters> project() {
+        BaseLocalMAS mas = BaseLocalMAS.getRunner();
+        return mas == null || mas.getProject() == null ? List.of() : mas.getProject().getAgents();
+    }
+
+    private static Optional<LocalAgArch> agent(String name) {
+        return Optional.ofNullable(BaseLocalMAS.getRunner()).map(mas -> mas.getAg(name));
+    }
+
+    /** The agent with a board that moves another of this MAS: itself, or the first one that has one. */
+    static Optional<Diffuser> door(AgArch first) {
+        Optional<Diffuser> own = diffuser(first);
+        if (own.isPresent() && own.get().moves().isPresent()) {
+            return own;
+        }
+        Map<String, LocalAgArch> all = BaseLocalMAS.getRunner().getAgs();
+        return all.entrySet().stream().sorted(Map.Entry.comparingByKey())
+                .flatMap(each -> diffuser(each.getValue().getFirstAgArch()).stream())
+                .filter(each -> each.moves().isPresent() && each.address().isPresent()).findFirst();
+    }
+
+    /** Whether an agent has a board by which agents move. */
+    static boolean isDoor(AgArch first) {
+        return diffuser(first).flatMap(Diffuser::moves).isPresent();
+    }
+
+    private static Optional<Diffuser> diffuser(AgArch first) {
+        for (AgArch arch = first; arch != null; arch = arch.getNextAgArch()) {
+            if (arch instanceof Diffuser diffuser) {
+                return Optional.of(diffuser);
+            }
+        }
+        return Optional.empty();
+    }
+}
