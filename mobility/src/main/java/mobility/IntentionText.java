@@ -249,10 +249,7 @@ final class IntentionText {
         do {
             before = found.size();
             values.forEach((variable, value) -> {
-                // Of two variables that are the same, Jason notes one as the value of the other.
-                boolean wanted = needed.contains(variable) || value.isVar() && needed.contains(value);
-                if (wanted && found.put(variable, value) == null) {
-                    needed.add(variable);
+                if (needed.contains(variable) && found.put(variable, value) == null) {
                     addVariables(value, needed);
                 }
             });

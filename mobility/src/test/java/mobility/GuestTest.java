@@ -27,15 +27,19 @@ class GuestTest {
             -!try[error(E)] <- +was(E).
             """;
 
+    /** No test waits for so many cycles unless it fails. */
+    private static final int PATIENCE = 100_000;
+
     private static String outcome(String step) throws Exception {
         Image image = new Image(PROGRAM.formatted(step).trim(), "I+!try");
         Stage stage = Stage.of(Mind.read(image), new Guest());
         stage.front(new Mobile());
-        for (int i = 0; i < 40; i++) {
+        Literal was = null;
+        for (int i = 0; i < PATIENCE && was == null; i++) {
             stage.run(1);
             LockSupport.parkNanos(100_000);
+            was = stage.ts.getAg().findBel(ASSyntax.parseLiteral("was(E)"), new Unifier());
         }
-        Literal was = stage.ts.getAg().findBel(ASSyntax.parseLiteral("was(E)"), new Unifier());
         return was.getTerm(0).toString() + stage.done;
     }
 

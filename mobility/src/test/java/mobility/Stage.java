@@ -88,7 +88,7 @@ final class Stage extends AgArch {
 
     /** Runs until it has done so much, and no further for some cycles. */
     Stage untilDone(int much) {
-        for (int i = 0; i < 2000 && done.size() < much; i++) {
+        for (int i = 0; i < 60_000 && done.size() < much; i++) {
             ts.reasoningCycle();
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
         }
