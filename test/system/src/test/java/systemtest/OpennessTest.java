@@ -2,6 +2,7 @@ package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import harness.AgentProcess;
 import harness.Emulator;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;

@@ -1,5 +1,6 @@
 package systemtest;
 
+import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
 import java.nio.file.Path;

@@ -1,4 +1,4 @@
-package systemtest;
+package harness;
 
 import java.io.File;
 import java.io.IOException;
@@ -7,9 +7,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 
 /** A multi-agent system in a Java virtual machine of its own, as a user starts it, and what it prints. */
-final class AgentProcess implements AutoCloseable {
+public final class AgentProcess implements AutoCloseable {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     /** Long enough for a sketch to be built on a busy machine. */
@@ -17,48 +18,66 @@ final class AgentProcess implements AutoCloseable {
 
     private final Process process;
     private final List<String> lines = new ArrayList<>();
+    private final Consumer<String> listener;
+    private final Thread reader;
 
-    private AgentProcess(Process process) {
+    private AgentProcess(Process process, Consumer<String> listener) {
         this.process = process;
-        Thread reader = new Thread(() -> process.inputReader().lines().forEach(this::printed), "agent output");
+        this.listener = listener;
+        reader = new Thread(() -> process.inputReader().lines().forEach(this::printed), "agent output");
         reader.setDaemon(true);
         reader.start();
     }
 
     /** Starts the {@code .mas2j} of that name in a folder, to which a copy of it and of its agent of that name goes. */
-    static AgentProcess start(String name, Path folder) throws IOException {
+    public static AgentProcess start(String name, Path folder) throws IOException {
         return start(name, List.of(name), folder);
     }
 
     /** The same with agents of other names. */
-    static AgentProcess start(String name, List<String> agents, Path folder) throws IOException {
+    public static AgentProcess start(String name, List<String> agents, Path folder) throws IOException {
         copy(name + ".mas2j", folder);
         for (String agent : agents) {
             copy(agent + ".asl", folder);
         }
+        return run(name, folder, line -> {});
+    }
+
+    /**
+     * Starts the {@code .mas2j} of that name that is in a folder.
+     *
+     * @param listener is told each line that it prints, on the thread that reads it.
+     */
+    public static AgentProcess run(String name, Path folder, Consumer<String> listener) throws IOException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        return start(new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"),
+        // Small and quick to start: a campaign has a dozen.
+        ProcessBuilder command = new ProcessBuilder(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
                 "jason.infra.local.RunLocalMAS", name + ".mas2j",
                 "--log-conf", ROOT.resolve("examples/highway/logging.properties").toString(), "--no-net")
-                .directory(folder.toFile()));
+                .directory(folder.toFile());
+        return new AgentProcess(command.redirectErrorStream(true).start(), listener);
     }
 
     /** Starts it by a command of its own. */
-    static AgentProcess start(ProcessBuilder command) throws IOException {
-        return new AgentProcess(command.redirectErrorStream(true).start());
+    public static AgentProcess start(ProcessBuilder command) throws IOException {
+        return new AgentProcess(command.redirectErrorStream(true).start(), line -> {});
     }
 
     private static void copy(String file, Path folder) throws IOException {
         Files.copy(ROOT.resolve("test/system/src/test/resources/agents").resolve(file), folder.resolve(file));
     }
 
-    private synchronized void printed(String line) {
-        lines.add(line);
-        notifyAll();
+    private void printed(String line) {
+        listener.accept(line);
+        synchronized (this) {
+            lines.add(line);
+            notifyAll();
+        }
     }
 
     /** Waits for the n-th line that ends in these words. */
-    synchronized void await(String words, int nth) throws InterruptedException {
+    public synchronized void await(String words, int nth) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (lines.stream().filter(line -> line.endsWith(words)).count() < nth) {
             long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
@@ -69,13 +88,19 @@ final class AgentProcess implements AutoCloseable {
         }
     }
 
-    synchronized void await(String words) throws InterruptedException {
+    public synchronized void await(String words) throws InterruptedException {
         await(words, 1);
     }
 
     /** What it has printed. */
-    synchronized List<String> lines() {
+    public synchronized List<String> lines() {
         return List.copyOf(lines);
+    }
+
+    /** Ends it as it stands, with SIGKILL. All that it has printed has been read when this returns. */
+    public void kill() throws InterruptedException {
+        process.destroyForcibly().waitFor();
+        reader.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
     }
 
     @Override

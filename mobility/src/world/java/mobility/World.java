@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Random;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 
 import diffuser.Failure;
@@ -56,8 +57,17 @@ final class World {
     Address victim = STATION;
     /** Never are two awake of an agent of this name, or of one that was made of it. */
     String watched = "";
+    /** Told where two were awake at once. */
+    final List<String> both = new ArrayList<>();
+    /** Agents that came although no plan admitted their last move. */
+    long unasked;
+    private boolean asked;
+    long arrivals;
+    /** How often a program was killed, by what it was about to do or had just done. */
+    final Map<String, Integer> kills = new TreeMap<>();
     long bits;
     long messages;
+    long lostMessages;
 
     World(long seed, Path folder) throws IOException {
         random = new Random(seed);
@@ -100,9 +110,8 @@ final class World {
 
     private void expectOne() {
         if (!watched.isEmpty() && awake(watched) > 1) {
-            throw new AssertionError("two are awake at " + now + ": "
-                    + sides.values().stream().map(side -> side.address + " " + side.awake.keySet() + side.told)
-                            .toList());
+            both.add("at " + now + ": " + sides.values().stream()
+                    .map(side -> side.address + " " + side.awake.keySet() + side.told).toList());
         }
     }
 
@@ -173,28 +182,28 @@ final class World {
 
             @Override
             void write(Move move) {
-                maybeKilled();
+                maybeKilled("before the record " + move.state());
                 super.write(move);
-                maybeKilled();
+                maybeKilled("after the record " + move.state());
             }
 
             @Override
             void delete(Move.Key key) {
-                maybeKilled();
+                maybeKilled("before a record is deleted");
                 super.delete(key);
-                maybeKilled();
+                maybeKilled("after a record was deleted");
             }
 
             @Override
             void keep(Bytes hash, Bytes text) {
-                maybeKilled();
+                maybeKilled("before a part is kept");
                 super.keep(hash, text);
             }
 
             @Override
             void append(Bytes hash, Bytes packed) {
                 super.append(hash, packed);
-                maybeKilled();
+                maybeKilled("when bytes of a part have come");
             }
         }
 
@@ -224,8 +233,9 @@ final class World {
         }
 
         /** Where the program may be killed: before and after each thing that it does to the world. */
-        private void maybeKilled() {
+        private void maybeKilled(String where) {
             if (killAfter >= 0 && victim.equals(address) && killAfter-- == 0) {
+                kills.merge(where, 1, Integer::sum);
                 throw new Killed();
             }
         }
@@ -252,7 +262,8 @@ final class World {
 
         @Override
         public CompletableFuture<Outcome> send(Address to, Bytes bytes) {
-            maybeKilled();
+            String type = String.valueOf((char) bytes.at(0));
+            maybeKilled("before the message " + type);
             CompletableFuture<Outcome> end = new CompletableFuture<>();
             int mine = life;
             long size = BESIDE + 14L * bytes.length();
@@ -278,13 +289,15 @@ final class World {
                     end.complete(tells ? Outcome.DELIVERED : Outcome.UNDELIVERED);
                 }
             });
-            maybeKilled();
+            lostMessages += arrives ? 0 : 1;
+            maybeKilled("after the message " + type);
             return end;
         }
 
         @Override
         public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
-            maybeKilled();
+            maybeKilled("before a plan was asked");
+            asked |= admits;
             return admits ? CompletableFuture.completedFuture(null)
                     : CompletableFuture.failedFuture(new RefusedException("refused", "no plan admits it"));
         }
@@ -298,25 +311,29 @@ final class World {
 
         @Override
         public String wake(Move move, List<Bytes> texts, boolean anew) {
-            maybeKilled();
+            maybeKilled("before the agent wakes");
+            if (!anew) {
+                arrivals++;
+                unasked += asked ? 0 : 1;
+            }
             String name = move.name();
             for (int i = 1; awake.containsKey(name); i++) {
                 name = move.name() + i;
             }
             awake.put(name, texts);
-            maybeKilled();
+            maybeKilled("after the agent has woken");
             return name;
         }
 
         @Override
         public void left(Move move) {
-            maybeKilled();
+            maybeKilled("before the agent is removed");
             told.add("left " + move.name());
         }
 
         @Override
         public void stays(Move move, List<Bytes> texts, Failure why) {
-            maybeKilled();
+            maybeKilled("before the agent stays");
             awake.put(move.name(), texts);
             told.add("stays " + move.name() + " " + why.error());
         }
@@ -338,6 +355,7 @@ final class World {
 
         /** Moves an agent; until it has gone it sleeps, and where it stays it wakes. */
         CompletableFuture<String> depart(String agent, Protocol protocol, Address to) {
+            asked = false;
             List<Bytes> texts = protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent);
             CompletableFuture<String> end = moves.depart(agent, protocol, address, to, texts);
             int mine = life;

@@ -1,0 +1,191 @@
+package harness;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import javino.protocol.Address;
+
+/**
+ * Two MAS with a board each, and an agent that moves between them: the {@code walker}. Each MAS is a process of its own
+ * that can be killed, and has a folder of its own.
+ */
+public final class Travels implements AutoCloseable {
+
+    /** At home, where the agent is first. */
+    public static final int HOME = 0;
+    public static final int AWAY = 1;
+
+    private static final String MOVE = HexFormat.of().formatHex("move;".getBytes(StandardCharsets.US_ASCII));
+    private static final long PATIENCE_SECONDS = 300;
+
+    private static final String DOOR = """
+            !start.
+            +!start <- .port("@PORT@"); .setMyRFId("@HERE@"); .getRFMessages(open).
+            +openness(open)[source(percept)] <- .send(walker, achieve, begin).
+            """;
+    private static final String ADMIT = """
+            +!moveIn(Agent, mutualism)[cast(unicast, From)] : .term2string(From, "@THERE@").
+            """;
+    /** Before a move it binds a variable, whose value it has to find again where it arrives. */
+    private static final String WALKER = """
+            n(0). legs(@LEGS@). every(@EVERY@). place("@HERE@", "@THERE@"). note(kept)[of(a, "b c")].
+            way(N, cloning) :- every(E) & N mod (5 * E) == 4 * E - 1.
+            way(N, mutualism) :- not way(N, cloning).
+            @MORE@
+            +!begin : not begun <- +begun; !!live.
+            +!begin.
+            +!live : n(N) <- -+n(N + 1); .print("tick ", N, " ", system.time); .wait(200); !!next(N).
+            +!next(N) : every(E) & N mod E == E - 1 & legs(L) & L > 0 & place(Here, There) & way(N, Way) <-
+                -+legs(L - 1);
+                Mark = mark(N, Here);
+                .print("leaves ", N);
+                .moveOut(There, Way);
+                -+place(There, Here);
+                ?note(Kept)[of(A, B)];
+                .print("arrived ", Way, " ", Mark, " ", Kept, " ", A, " ", B);
+                !!live.
+            -!next(N)[error(E)] <- .print("stayed ", E); !!live.
+            +!next(N) <- !!live.
+            """;
+
+    private final Path folder;
+    private final List<String> ports;
+    private final List<AgentProcess> processes = new ArrayList<>();
+    private final int[] lives = new int[2];
+    private final Walk walk = new Walk();
+    private final List<String> lines = new ArrayList<>();
+    private final Consumer<String> listener;
+
+    /**
+     * What the agent does.
+     *
+     * @param legs   how often it moves.
+     * @param every  before each move it says so often that it is awake.
+     * @param admits which of the two MAS lets it in.
+     * @param more   plans, beliefs and rules that it carries, and does not use.
+     */
+    public record Plan(int legs, int every, List<Boolean> admits, String more) {
+    }
+
+    /**
+     * Writes the programs; nothing runs before {@link #start}.
+     *
+     * @param folder   which is made.
+     * @param boards   names of the two boards.
+     * @param ids      their addresses.
+     * @param listener is told each line that a MAS prints.
+     */
+    public Travels(Emulator emulator, Path folder, List<String> boards, List<Address> ids, Plan plan,
+            Consumer<String> listener) throws IOException {
+        this.folder = folder;
+        this.listener = listener;
+        ports = boards.stream().map(emulator::port).toList();
+        for (int side : List.of(HOME, AWAY)) {
+            Files.createDirectories(place(side));
+            processes.add(null);
+            Map<String, String> words = Map.of("@PORT@", ports.get(side), "@HERE@", ids.get(side).toString(),
+                    "@THERE@", ids.get(1 - side).toString(), "@LEGS@", "" + plan.legs, "@EVERY@", "" + plan.every,
+                    "@MORE@", plan.more);
+            String door = "door [moves=\"moves\"] agentArchClass diffuser.Diffuser;";
+            write(side, "door.asl", plan.admits.get(side) ? DOOR + ADMIT : DOOR, words);
+            write(side, "mas.mas2j", "MAS mas { agents: " + door
+                    + (side == HOME ? " walker agentArchClass mobility.Mobile;" : "") + " }", words);
+            if (side == HOME) {
+                write(side, "walker.asl", WALKER, words);
+            }
+            try (Host host = Host.patient(emulator, boards.get(side))) {
+                host.as(ids.get(side).toString(), Map.of(ids.get(1 - side).toString(), TestKeys.PAIR));
+            }
+        }
+    }
+
+    private void write(int side, String file, String text, Map<String, String> words) throws IOException {
+        String filled = text;
+        for (Map.Entry<String, String> word : words.entrySet()) {
+            filled = filled.replace(word.getKey(), word.getValue());
+        }
+        Files.writeString(place(side).resolve(file), filled);
+    }
+
+    /** The folder of one MAS. */
+    public Path place(int side) {
+        return folder.resolve(side == HOME ? "home" : "away");
+    }
+
+    /** Starts one MAS, or starts it again. */
+    public void start(int side) throws IOException {
+        int life = ++lives[side];
+        processes.set(side, AgentProcess.run("mas", place(side), line -> printed(side, life, line)));
+    }
+
+    private void printed(int side, int life, String line) {
+        walk.see(side, life, line);
+        listener.accept(line);
+        synchronized (lines) {
+            lines.add((side == HOME ? "home" : "away") + life + " " + line);
+            lines.notifyAll();
+        }
+    }
+
+    /** Ends one MAS by SIGKILL. */
+    public void kill(int side) throws InterruptedException {
+        processes.get(side).kill();
+    }
+
+    /** What was seen of the agent. */
+    public Walk walk() {
+        return walk;
+    }
+
+    /** All that both have printed, each line behind which of the two has and in which of its lives. */
+    public List<String> lines() {
+        synchronized (lines) {
+            return List.copyOf(lines);
+        }
+    }
+
+    /** Waits for the n-th line, since the beginning, that is as wanted. */
+    public void await(String what, int nth, Predicate<String> wanted) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        synchronized (lines) {
+            while (lines.stream().filter(wanted).count() < nth) {
+                long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+                if (left <= 0) {
+                    throw new AssertionError("not " + nth + " times " + what + ":\n" + String.join("\n", lines));
+                }
+                lines.wait(left);
+            }
+        }
+    }
+
+    /** Waits until the agent has shown so often from now on that it is awake. */
+    public void awaitTicks(int more) throws InterruptedException {
+        Predicate<String> ticks = line -> line.contains("] tick ");
+        await("ticks", (int) lines().stream().filter(ticks).count() + more, ticks);
+    }
+
+    /** What a host has said of a move (SPEC 9.1), such as "O"; "" if the event is none of these. */
+    public static String said(TraceEvent event) {
+        String bytes = event.fields().has("hex") ? event.text("hex")
+                : event.fields().has("content")
+                        ? HexFormat.of().formatHex(event.text("content").getBytes(StandardCharsets.UTF_8))
+                        : "";
+        int type = MOVE.length();
+        return bytes.startsWith(MOVE) && bytes.length() > type + 1
+                ? String.valueOf((char) HexFormat.fromHexDigits(bytes, type, type + 2))
+                : "";
+    }
+
+    @Override
+    public void close() {
+        processes.stream().filter(process -> process != null).forEach(AgentProcess::close);
+    }
+}

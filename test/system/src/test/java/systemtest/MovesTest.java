@@ -1,0 +1,131 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.TraceEvent;
+import harness.Travels;
+import harness.Walk;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Predicate;
+import javino.protocol.Address;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** An agent that moves by emulated radio between two MAS, of which one may be killed: it is awake in one place only. */
+class MovesTest {
+
+    private static final List<String> BOARDS = List.of("home", "away");
+    private static final List<Address> IDS = List.of(Address.parse("SUSS"), Address.parse("SUBB"));
+    private static final int EVERY = 10;
+    private static final int ENOUGH = 15;
+
+    @TempDir
+    private Path folder;
+    private Emulator emulator;
+    private Travels travels;
+
+    private void begin(int legs, boolean admitted) throws Exception {
+        emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
+        travels = new Travels(emulator, folder.resolve("mas"), BOARDS, IDS,
+                new Travels.Plan(legs, EVERY, List.of(true, admitted), ""), line -> {});
+        travels.start(Travels.AWAY);
+        travels.start(Travels.HOME);
+        travels.await("tick", 1, line -> line.contains("] tick 0 "));
+    }
+
+    @AfterEach
+    void end() {
+        try {
+            travels.close();
+        } finally {
+            emulator.close();
+        }
+    }
+
+    private void assertSides(Integer... sides) {
+        Walk.Verdict verdict = travels.walk().verdict();
+        assertEquals(new Walk.Verdict(List.of(), List.of(), List.of(sides)), verdict, this::told);
+    }
+
+    private String told() {
+        return String.join("\n", travels.lines());
+    }
+
+    @Test
+    void moveOut_thereAndBack_isAwakeInOnePlaceAtATime() throws Exception {
+        begin(2, true);
+        travels.await("arrivals", 2, line -> line.contains("arrived mutualism"));
+        travels.awaitTicks(ENOUGH);
+
+        assertSides(Travels.HOME, Travels.AWAY, Travels.HOME);
+        List<String> marks = travels.lines().stream().filter(line -> line.contains("arrived"))
+                .map(line -> line.substring(line.indexOf("arrived"))).toList();
+        assertEquals(List.of("arrived mutualism mark(9,\"SUSS\") kept a b c",
+                "arrived mutualism mark(19,\"SUBB\") kept a b c"), marks);
+    }
+
+    @Test
+    void moveOut_noPlanAdmits_failsAndTheAgentGoesOnHere() throws Exception {
+        begin(1, false);
+        travels.await("end of the move", 1, line -> line.contains("stayed "));
+        travels.awaitTicks(ENOUGH);
+
+        assertSides(Travels.HOME);
+        assertTrue(travels.lines().stream().anyMatch(line -> line.endsWith("stayed refused")), this::told);
+    }
+
+    @Test
+    void moveOut_senderKilledWhenGone_isAwakeThereAlone() throws Exception {
+        killAt(Travels.HOME, "the agent has gone", event -> said(event, "host-transmit", Travels.HOME, "G"));
+    }
+
+    @Test
+    @Tag("verify")
+    void moveOut_senderKilledWhileOffered_isAwakeOnce() throws Exception {
+        killAt(Travels.HOME, "the offer", event -> said(event, "host-transmit", Travels.HOME, "O"));
+    }
+
+    @Test
+    @Tag("verify")
+    void moveOut_receiverKilledWhilePartsCome_isAwakeOnce() throws Exception {
+        killAt(Travels.AWAY, "the first part", event -> said(event, "host-handed", Travels.AWAY, "D"));
+    }
+
+    @Test
+    @Tag("verify")
+    void moveOut_receiverKilledWhenReady_isAwakeOnce() throws Exception {
+        killAt(Travels.AWAY, "that all is there", event -> said(event, "host-transmit", Travels.AWAY, "R"));
+    }
+
+    @Test
+    @Tag("verify")
+    void moveOut_receiverKilledWhenHere_isAwakeThereAlone() throws Exception {
+        killAt(Travels.AWAY, "that it is awake", event -> said(event, "host-transmit", Travels.AWAY, "A"));
+    }
+
+    private static boolean said(TraceEvent event, String name, int side, String what) {
+        return event.is(name, BOARDS.get(side)) && Travels.said(event).equals(what);
+    }
+
+    /** Wherever it goes on: it does so once, and with the number that follows. */
+    private void killAt(int side, String what, Predicate<TraceEvent> moment) throws Exception {
+        begin(1, true);
+        emulator.await(what, moment);
+        travels.kill(side);
+        travels.start(side);
+        travels.await("end of the move", 1, line -> line.contains("arrived") || line.contains("stayed"));
+        travels.awaitTicks(ENOUGH);
+
+        if (told().contains("arrived")) {
+            assertSides(Travels.HOME, Travels.AWAY);
+        } else {
+            // On a machine with too much to do nothing was heard for a minute.
+            assertSides(Travels.HOME);
+        }
+    }
+}
