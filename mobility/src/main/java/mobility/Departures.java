@@ -44,6 +44,9 @@ public final class Departures {
         Protocol known = Protocol.of(protocol).orElseThrow();
         BoardMoves moves = door(ts);
         String self = ts.getAgArch().getAgName();
+        if (ts.getAg() instanceof Guest && !agents.equals(List.of(self))) {
+            throw new Failure("guest", self + " is a guest here, and moves none but itself").toException();
+        }
         List<LocalAgArch> others = new ArrayList<>();
         for (String agent : agents) {
             LocalAgArch arch = Optional.ofNullable(BaseLocalMAS.getRunner().getAg(agent)).orElseThrow(

@@ -3,12 +3,18 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.AgentProcess;
 import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
 import harness.TraceEvent;
 import harness.Travels;
 import harness.Walk;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
 import javino.protocol.Address;
 import org.junit.jupiter.api.AfterEach;
@@ -21,6 +27,7 @@ class MovesTest {
 
     private static final List<String> BOARDS = List.of("home", "away");
     private static final List<Address> IDS = List.of(Address.parse("SUSS"), Address.parse("SUBB"));
+    private static final List<String> DRIVERS = List.of("police", "driver");
     private static final int EVERY = 10;
     private static final int ENOUGH = 15;
 
@@ -41,7 +48,9 @@ class MovesTest {
     @AfterEach
     void end() {
         try {
-            travels.close();
+            if (travels != null) {
+                travels.close();
+            }
         } finally {
             emulator.close();
         }
@@ -106,6 +115,72 @@ class MovesTest {
     @Tag("verify")
     void moveOut_receiverKilledWhenHere_isAwakeThereAlone() throws Exception {
         killAt(Travels.AWAY, "that it is awake", event -> said(event, "host-transmit", Travels.AWAY, "A"));
+    }
+
+    /** Two MAS of one agent each, which has the board itself. */
+    private List<AgentProcess> doors(String mover, String host) throws Exception {
+        emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
+        List<AgentProcess> processes = new ArrayList<>();
+        for (int side : List.of(Travels.HOME, Travels.AWAY)) {
+            Path place = Files.createDirectories(folder.resolve(BOARDS.get(side)));
+            String there = IDS.get(1 - side).toString();
+            try (Host board = Host.patient(emulator, BOARDS.get(side))) {
+                board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR));
+            }
+            Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
+                    + " agentArchClass diffuser.Diffuser; }");
+            Files.writeString(place.resolve(DRIVERS.get(side) + ".asl"), """
+                    !start.
+                    +!start <- .port("%s"); .setMyRFId("%s"); .getRFMessages(open); .print("Ready"); !go.
+                    """.formatted(emulator.port(BOARDS.get(side)), IDS.get(side))
+                    + (side == Travels.HOME ? mover : host));
+            processes.add(AgentProcess.run("mas", place, line -> {}));
+        }
+        return processes;
+    }
+
+    /** The police drives alone, and so has the board itself. */
+    @Test
+    void moveOut_agentWithTheBoard_goesAndComesBack() throws Exception {
+        List<AgentProcess> both = doors("""
+                +!go <- .wait(openness(open)); .wait(3000); X = 7; .moveOut("SUBB", mutualism);
+                    .my_name(Me); .print("I am here as ", Me, X); .moveOut("SUSS", mutualism); .print("back ", X).
+                -!go[error(E)] <- .print("failed ", E).
+                +!moveIn(police, _)[cast(unicast, From)].
+                """, "+!go. +!moveIn(_, mutualism)[cast(unicast, From)].");
+        try {
+            both.get(Travels.AWAY).await("I am here as police7");
+            // Its mind is elsewhere, so no plan is there that would let it in: its body only keeps the board.
+            both.get(Travels.AWAY).await("failed refused");
+        } finally {
+            both.forEach(AgentProcess::close);
+        }
+    }
+
+    @Test
+    @Tag("verify")
+    void moveOut_predation_isLetInByAPlanThatNamesItAlone() throws Exception {
+        List<AgentProcess> both = doors("""
+                +!go <- .wait(openness(_)); .wait(3000); .moveOut("SUBB", predation); .my_name(Me);
+                    .print("I rule ", Me).
+                -!go[error(E)] <- .print("failed ", E).
+                """, "+!go. +!moveIn(_, _)[cast(unicast, From)].");
+        try {
+            both.get(Travels.HOME).await("failed refused");
+        } finally {
+            both.forEach(AgentProcess::close);
+            emulator.close();
+        }
+        both = doors("""
+                +!go <- .wait(openness(_)); .wait(3000); .moveOut("SUBB", predation); .my_name(Me);
+                    .print("I rule ", Me).
+                -!go[error(E)] <- .print("failed ", E).
+                """, "+!go. +!moveIn(_, predation)[cast(unicast, From)].");
+        try {
+            both.get(Travels.AWAY).await("I rule driver");
+        } finally {
+            both.forEach(AgentProcess::close);
+        }
     }
 
     private static boolean said(TraceEvent event, String name, int side, String what) {
