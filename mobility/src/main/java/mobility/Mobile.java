@@ -142,6 +142,8 @@ public class Mobile extends AgArch {
         @Override
         public void eventAdded(Event event) {
             if (event.isAtomic()) {
+                // It goes on with this event, and not by itself.
+                atomic = null;
                 hold();
             }
         }

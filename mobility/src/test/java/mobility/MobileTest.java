@@ -57,6 +57,25 @@ class MobileTest {
     }
 
     @Test
+    void atomicWait_thatFailsMeanwhile_failsWhenAwake() {
+        Stage stage = Stage.of("""
+                !b.
+                @x[atomic] +!b <- say(b); .wait({+never},20).
+                @y[atomic] -!b[error(E)] <- say(E); say(end).
+                """).run(4);
+        Mobile mobile = stage.front(new Mobile());
+        mobile.fallAsleep();
+        for (int i = 0; i < 20; i++) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(5));
+            stage.run(2);
+        }
+        assertEquals(List.of("say b"), stage.done);
+        mobile.awaken();
+        assertEquals(List.of("say b", "say wait_timeout", "say end"), stage.untilDone(3).done);
+        assertFalse(stage.ts.getC().hasPendingIntention());
+    }
+
+    @Test
     void whatComesToSleeper_waits() {
         Stage stage = Stage.of("+!go <- say(go). +told(X) <- say(told,X). +seen <- say(seen).").run(3);
         Mobile mobile = stage.front(new Mobile());
