@@ -231,7 +231,14 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     @Override
     public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
-        return admission.ask(agent, protocol, from);
+        if (Mobile.find(ts()).filter(Mobile::isAsleep).isEmpty()) {
+            return admission.ask(agent, protocol, from);
+        }
+        // Its own mind is away, and may come back; there is nobody to ask for others.
+        boolean itself = agent.equals(name())
+                && folder.records().stream().anyMatch(move -> move.isAbsent() && move.name().equals(agent));
+        return itself ? CompletableFuture.completedFuture(null) : CompletableFuture
+                .failedFuture(new RefusedException("refused", "the agent that lets others in is away itself"));
     }
 
     @Override

@@ -143,15 +143,13 @@ class MovesTest {
     @Test
     void moveOut_agentWithTheBoard_goesAndComesBack() throws Exception {
         List<AgentProcess> both = doors("""
-                +!go <- .wait(openness(open)); .wait(3000); X = 7; .moveOut("SUBB", mutualism);
+                +!go <- .wait(openness(closed)); .wait(3000); X = 7; .moveOut("SUBB", mutualism);
                     .my_name(Me); .print("I am here as ", Me, X); .moveOut("SUSS", mutualism); .print("back ", X).
                 -!go[error(E)] <- .print("failed ", E).
-                +!moveIn(police, _)[cast(unicast, From)].
                 """, "+!go. +!moveIn(_, mutualism)[cast(unicast, From)].");
         try {
             both.get(Travels.AWAY).await("I am here as police7");
-            // Its mind is elsewhere, so no plan is there that would let it in: its body only keeps the board.
-            both.get(Travels.AWAY).await("failed refused");
+            both.get(Travels.HOME).await("back 7");
         } finally {
             both.forEach(AgentProcess::close);
         }
