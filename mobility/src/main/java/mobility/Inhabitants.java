@@ -51,11 +51,20 @@ final class Inhabitants {
                 : text;
     }
 
+    /** What the MAS bears, as the {@code .mas2j} says; by default where it says no number. */
     Moves.Limits limits() {
-        Settings settings = diffuser.getTS().getSettings();
-        return new Moves.Limits(
-                parameter(settings, LENGTH).map(Long::parseLong).orElse(Moves.Limits.USUAL.length()),
-                parameter(settings, AGENTS).map(Integer::parseInt).orElse(Moves.Limits.USUAL.agents()));
+        return new Moves.Limits(number(LENGTH, Moves.Limits.USUAL.length()),
+                (int) number(AGENTS, Moves.Limits.USUAL.agents()));
+    }
+
+    private long number(String option, long usual) {
+        String given = parameter(diffuser.getTS().getSettings(), option).orElse("" + usual);
+        if (given.matches("\\d{1,9}")) {
+            return Long.parseLong(given);
+        }
+        diffuser.getTS().getLogger().warning("the option " + option + " is no number: " + given + "; " + usual
+                + " is taken");
+        return usual;
     }
 
     static Mind mind(List<Bytes> texts) throws RefusedException {
