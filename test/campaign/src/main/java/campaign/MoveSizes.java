@@ -11,11 +11,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Outcome;
 
 /** How long moves of agents of several sizes take, and what of the air: one pair, where nothing else is sent. */
 final class MoveSizes {
@@ -67,7 +65,8 @@ final class MoveSizes {
             for (int cell = 0; cell < sizes.size(); cell++) {
                 String walker = WALKER + AgentTexts.of(settings.root(), sizes.get(cell) - WALKER.length());
                 all.add(measure(field, cell, walker));
-                report.progress("an agent of %d bytes was carried three times", walker.length());
+                report.progress("an agent of %d bytes was carried three times: %s", walker.length(),
+                        all.get(cell).legs().stream().map(leg -> seconds(leg.seconds)).toList());
             }
             plain = plain(field);
         }
@@ -108,7 +107,7 @@ final class MoveSizes {
         }
     }
 
-    /** What one unicast of plain text takes, two under way. */
+    /** What one unicast of plain text takes. */
     private Moment plain(Field field) throws InterruptedException {
         Field.Post from = field.cell(0).get(0);
         Field.Post to = field.cell(0).get(1);
@@ -117,15 +116,10 @@ final class MoveSizes {
             sender.as(from.address().toString(), Map.of(to.address().toString(), TestKeys.PAIR));
             receiver.as(to.address().toString(), Map.of(from.address().toString(), TestKeys.PAIR));
             Moment begun = now(field.cell(0));
-            List<CompletableFuture<Outcome>> ends = new ArrayList<>();
+            Content bytes = Content.move(Bytes.ofText("x".repeat(PLAIN_LENGTH)));
             for (int i = 0; i < PLAIN_MESSAGES; i++) {
-                ends.add(sender.board.transmit(to.address(), Content.move(Bytes.ofText("x".repeat(PLAIN_LENGTH))))
-                        .end());
-                if (i > 0) {
-                    Host.get(ends.get(i - 1));
-                }
+                Host.get(sender.board.transmit(to.address(), bytes).end());
             }
-            Host.get(ends.get(PLAIN_MESSAGES - 1));
             Moment all = begun.until(now(field.cell(0)));
             return new Moment(all.seconds / PLAIN_MESSAGES,
                     new AirUsage.Sum(all.air.packets() / PLAIN_MESSAGES, all.air.seconds() / PLAIN_MESSAGES));
@@ -139,7 +133,7 @@ final class MoveSizes {
             moves there, back, and there again: *first visit*, *back* and *second visit*. Emulated time from
             `.moveOut` to the next step of its plan. *Text* is what travels, program and state, before it is packed.
             *Air* is what both boards send, acknowledgements included. *Plain* is what unicasts of %d bytes of that text
-            as it is would take: one takes %.1f s and %.2f s of air, with two under way.
+            as it is would take: one takes %.1f s and %.2f s of air.
             """.formatted(PLAIN_LENGTH, plain.seconds, plain.air.seconds()));
         Table table = new Table("AgentSpeak, bytes", "text, bytes", "first visit", "back", "second visit", "air, first",
                 "air, back", "air, second", "plain", "air, plain");
