@@ -2,10 +2,12 @@ package mobility;
 
 import java.nio.file.Path;
 import java.rmi.RemoteException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
 
 import jason.architecture.AgArch;
 import jason.infra.local.BaseLocalMAS;
@@ -28,6 +30,9 @@ final class Inhabitants {
     private static final String ARCHITECTURES = "newcomers";
     private static final String LENGTH = "movesLength";
     private static final String AGENTS = "movesAgents";
+    /** For Jason to end an agent; far more than it takes. */
+    private static final long END_NANOS = Duration.ofSeconds(5).toNanos();
+    private static final long LOOK_NANOS = Duration.ofMillis(1).toNanos();
     /** Set while an agent is made here, which is not away, whatever its record says. */
     private static final ThreadLocal<Boolean> MAKING = ThreadLocal.withInitial(() -> false);
 
@@ -161,8 +166,17 @@ final class Inhabitants {
                         } catch (RemoteException e) {
                             throw new IllegalStateException(e);
                         }
+                        awaitEnd(name);
                     }
                 });
+    }
+
+    /** Jason ends an agent on a thread of its own; until then another one of that name would get a new name. */
+    private static void awaitEnd(String name) {
+        long end = System.nanoTime() + END_NANOS;
+        while (agent(name).isPresent() && System.nanoTime() < end) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
     }
 
     /** Whether the records say that an agent which the program starts is elsewhere, or is to be made anew. */
@@ -170,8 +184,9 @@ final class Inhabitants {
         return !MAKING.get() && isOfProgram(name) && project().stream()
                 .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))
                 .flatMap(each -> Folder.records(folder(each.name, each.getAsSetts(false, false))).stream())
-                .anyMatch(move -> move.isOurs() && move.name().equals(name) && move.state() != Move.State.READY
-                        && move.state() != Move.State.LEFT);
+                // Under whatever name it may live here since it came back.
+                .anyMatch(move -> move.isOurs() && List.of(move.name(), move.identity().name()).contains(name)
+                        && move.state() != Move.State.READY && move.state() != Move.State.LEFT);
     }
 
     private static boolean isDiffuser(String architecture) {

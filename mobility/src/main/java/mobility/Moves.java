@@ -173,7 +173,8 @@ final class Moves {
                     .map(arrival -> arrival.move).findFirst();
             Move move = new Move(key, Move.State.OFFERED, protocol,
                     came.filter(known -> known.protocol() != Protocol.CLONING).map(Move::identity)
-                            .orElse(new Move.Identity(here, agent)), agent,
+                            .orElse(new Move.Identity(here, agent)),
+                    agent,
                     texts.stream().map(Part::hash).toList(), came.map(Move::isOurs).orElse(mas.starts(agent)),
                     came.map(Move::key).filter(known -> protocol != Protocol.CLONING));
             try {

@@ -3,8 +3,10 @@ package mobility;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 import javino.protocol.Bytes;
 
@@ -45,6 +47,15 @@ public final class RandomMoves {
         World world = new World(seed, folder);
         List<Bytes> texts = List.of(Bytes.ofText("+!p(" + seed + ") <- a(X); b(X).\n".repeat(5)),
                 Bytes.ofText("x".repeat(world.random.nextInt(2000)) + seed));
+        Set<List<Bytes>> known = new HashSet<>(Set.of(texts));
+        world.lived = old -> {
+            // Its state is another at each move, so that something of it travels each time.
+            byte[] state = new byte[100 + world.random.nextInt(1500)];
+            world.random.nextBytes(state);
+            List<Bytes> now = List.of(old.get(0), Bytes.ofText(Bytes.copyOf(state).hex()));
+            known.add(now);
+            return now;
+        };
         List<World.Side> sides = List.of(world.side(World.STATION), world.side(World.BUS));
         sides.get(0).program.put(AGENT, texts);
         world.watched = AGENT;
@@ -76,7 +87,7 @@ public final class RandomMoves {
         return new Tally(begun, world.arrivals, refusing, world.messages, world.lostMessages, world.kills, world.both,
                 world.awake(AGENT),
                 sides.stream().filter(side -> side.awake.containsKey(AGENT))
-                        .filter(side -> !texts.equals(side.awake.get(AGENT))).count(),
+                        .filter(side -> !known.contains(side.awake.get(AGENT))).count(),
                 world.unasked, sides.stream().mapToInt(side -> side.open().size()).sum(), told);
     }
 

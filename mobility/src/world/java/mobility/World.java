@@ -14,6 +14,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.UnaryOperator;
 
 import diffuser.Failure;
 
@@ -57,6 +58,8 @@ final class World {
     Address victim = STATION;
     /** Never are two awake of an agent of this name, or of one that was made of it. */
     String watched = "";
+    /** What an agent has become since it came, when it leaves. */
+    UnaryOperator<List<Bytes>> lived = UnaryOperator.identity();
     /** Told where two were awake at once. */
     final List<String> both = new ArrayList<>();
     /** Agents that came although no plan admitted their last move. */
@@ -356,7 +359,7 @@ final class World {
         /** Moves an agent; until it has gone it sleeps, and where it stays it wakes. */
         CompletableFuture<String> depart(String agent, Protocol protocol, Address to) {
             asked = false;
-            List<Bytes> texts = protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent);
+            List<Bytes> texts = lived.apply(protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent));
             CompletableFuture<String> end = moves.depart(agent, protocol, address, to, texts);
             int mine = life;
             end.whenComplete((name, thrown) -> {

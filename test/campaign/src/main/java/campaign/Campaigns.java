@@ -18,7 +18,8 @@ public final class Campaigns implements Callable<Integer> {
     private static final long DEFAULT_SEED = 1;
     private static final long DEFAULT_MINUTES = 20;
     private static final List<Campaign> ALL =
-            List.of(new Delivery(), new Range(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Soak());
+            List.of(new Delivery(), new Range(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Moves(),
+                    new Soak());
 
     @Option(names = "--only", split = ",", paramLabel = "NAME", description = "run these alone")
     private List<String> only = List.of();
@@ -28,6 +29,10 @@ public final class Campaigns implements Callable<Integer> {
 
     @Option(names = "--minutes", paramLabel = "N", description = "wall time of soak (default 20)")
     private long minutes = DEFAULT_MINUTES;
+
+    @Option(names = "--moves", paramLabel = "N",
+            description = "moves on emulated boards (default: as many as fit into 10 minutes)")
+    private int moves;
 
     private Campaigns() {}
 
@@ -52,6 +57,9 @@ public final class Campaigns implements Callable<Integer> {
         if (minutes < 1) {
             return misused("--minutes must be at least 1, not " + minutes);
         }
+        if (moves < 0) {
+            return misused("--moves must be at least 1, not " + moves);
+        }
         return run(known);
     }
 
@@ -62,7 +70,7 @@ public final class Campaigns implements Callable<Integer> {
 
     private int run(List<String> known) throws Exception {
         Path root = Path.of(System.getProperty("javino.root"));
-        Settings settings = new Settings(seed, false, Duration.ofMinutes(minutes), root);
+        Settings settings = new Settings(seed, false, Duration.ofMinutes(minutes), moves, root);
         List<String> violations = new ArrayList<>();
         for (Campaign campaign : ALL) {
             if (!only.isEmpty() && !only.contains(campaign.name())) {
@@ -87,7 +95,9 @@ public final class Campaigns implements Callable<Integer> {
     }
 
     private String command(Campaign campaign) {
-        String soak = campaign instanceof Soak ? " -Pminutes=" + minutes : "";
-        return "gradle campaign -Ponly=" + campaign.name() + " -Pseed=" + seed + soak;
+        String more = campaign instanceof Soak ? " -Pminutes=" + minutes
+                : campaign instanceof Moves && moves > 0 ? " -Pmoves=" + moves
+                        : "";
+        return "gradle campaign -Ponly=" + campaign.name() + " -Pseed=" + seed + more;
     }
 }

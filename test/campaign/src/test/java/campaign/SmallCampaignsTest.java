@@ -21,7 +21,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {
-        return List.of(new Delivery(), new Range(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Soak());
+        return List.of(new Delivery(), new Range(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Moves(),
+                new Soak());
     }
 
     @ParameterizedTest
@@ -31,7 +32,7 @@ class SmallCampaignsTest {
         Report report = new Report(campaign.name(), new PrintStream(progress, true, StandardCharsets.UTF_8));
         boolean held = false;
         try {
-            campaign.run(new Settings(1, true, Duration.ofSeconds(10), Path.of(System.getProperty("javino.root"))),
+            campaign.run(new Settings(1, true, Duration.ofSeconds(10), 3, Path.of(System.getProperty("javino.root"))),
                     report);
 
             assertEquals(List.of(), report.violations(), report::screen);

@@ -34,12 +34,14 @@ public final class Travels implements AutoCloseable {
     private static final String ADMIT = """
             +!moveIn(Agent, mutualism)[cast(unicast, From)] : .term2string(From, "@THERE@").
             """;
-    /** Before a move it binds a variable, whose value it has to find again where it arrives. */
-    private static final String WALKER = """
+    /**
+     * Counts, moves before each so-manieth number, and goes on counting. Each fifth time it asks to be cloned, which no
+     * plan admits. Before a move it binds a variable, whose value it has to find again where it arrives.
+     */
+    private static final String COUNTER = """
             n(0). legs(@LEGS@). every(@EVERY@). place("@HERE@", "@THERE@"). note(kept)[of(a, "b c")].
             way(N, cloning) :- every(E) & N mod (5 * E) == 4 * E - 1.
             way(N, mutualism) :- not way(N, cloning).
-            @MORE@
             +!begin : not begun <- +begun; !!live.
             +!begin.
             +!live : n(N) <- -+n(N + 1); .print("tick ", N, " ", system.time); .wait(200); !!next(N).
@@ -65,26 +67,17 @@ public final class Travels implements AutoCloseable {
     private final Consumer<String> listener;
 
     /**
-     * What the agent does.
-     *
-     * @param legs   how often it moves.
-     * @param every  before each move it says so often that it is awake.
-     * @param admits which of the two MAS lets it in.
-     * @param more   plans, beliefs and rules that it carries, and does not use.
-     */
-    public record Plan(int legs, int every, List<Boolean> admits, String more) {
-    }
-
-    /**
      * Writes the programs; nothing runs before {@link #start}.
      *
      * @param folder   which is made.
      * @param boards   names of the two boards.
      * @param ids      their addresses.
+     * @param admits   which of the two MAS lets the agent in.
+     * @param walker   what the agent does once it is told to {@code begin}; @HERE@ is its home, @THERE@ the other.
      * @param listener is told each line that a MAS prints.
      */
-    public Travels(Emulator emulator, Path folder, List<String> boards, List<Address> ids, Plan plan,
-            Consumer<String> listener) throws IOException {
+    public Travels(Emulator emulator, Path folder, List<String> boards, List<Address> ids, List<Boolean> admits,
+            String walker, Consumer<String> listener) throws IOException {
         this.folder = folder;
         this.listener = listener;
         ports = boards.stream().map(emulator::port).toList();
@@ -92,19 +85,28 @@ public final class Travels implements AutoCloseable {
             Files.createDirectories(place(side));
             processes.add(null);
             Map<String, String> words = Map.of("@PORT@", ports.get(side), "@HERE@", ids.get(side).toString(),
-                    "@THERE@", ids.get(1 - side).toString(), "@LEGS@", "" + plan.legs, "@EVERY@", "" + plan.every,
-                    "@MORE@", plan.more);
+                    "@THERE@", ids.get(1 - side).toString());
             String door = "door [moves=\"moves\"] agentArchClass diffuser.Diffuser;";
-            write(side, "door.asl", plan.admits.get(side) ? DOOR + ADMIT : DOOR, words);
+            write(side, "door.asl", admits.get(side) ? DOOR + ADMIT : DOOR, words);
             write(side, "mas.mas2j", "MAS mas { agents: " + door
                     + (side == HOME ? " walker agentArchClass mobility.Mobile;" : "") + " }", words);
             if (side == HOME) {
-                write(side, "walker.asl", WALKER, words);
+                write(side, "walker.asl", walker, words);
             }
             try (Host host = Host.patient(emulator, boards.get(side))) {
                 host.as(ids.get(side).toString(), Map.of(ids.get(1 - side).toString(), TestKeys.PAIR));
             }
         }
+    }
+
+    /**
+     * An agent for {@link Walk}.
+     *
+     * @param legs  how often it moves.
+     * @param every before each move it says so often that it is awake.
+     */
+    public static String counter(int legs, int every) {
+        return COUNTER.replace("@LEGS@", "" + legs).replace("@EVERY@", "" + every);
     }
 
     private void write(int side, String file, String text, Map<String, String> words) throws IOException {

@@ -7,9 +7,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where an agent was awake that moves between two MAS and counts meanwhile: {@code tick N TIME}, N from 0, TIME in ms by
- * the clock of the one computer on which both run. It must go on counting where it arrives, and be nowhere else then.
- * After a kill of its MAS it may begin again with the number with which it had come there.
+ * Where an agent was awake that moves between two MAS and counts meanwhile: {@code tick N TIME}, N from 0, TIME in ms
+ * by the clock of the one computer on which both run. It must go on counting where it arrives, and be nowhere else
+ * then. After a kill of its MAS it may begin again with the number with which it had come there.
  */
 public final class Walk {
 

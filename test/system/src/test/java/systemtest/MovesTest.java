@@ -38,8 +38,8 @@ class MovesTest {
 
     private void begin(int legs, boolean admitted) throws Exception {
         emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
-        travels = new Travels(emulator, folder.resolve("mas"), BOARDS, IDS,
-                new Travels.Plan(legs, EVERY, List.of(true, admitted), ""), line -> {});
+        travels = new Travels(emulator, folder.resolve("mas"), BOARDS, IDS, List.of(true, admitted),
+                Travels.counter(legs, EVERY), line -> {});
         travels.start(Travels.AWAY);
         travels.start(Travels.HOME);
         travels.await("tick", 1, line -> line.contains("] tick 0 "));
@@ -181,6 +181,26 @@ class MovesTest {
         }
     }
 
+    /** Jason would have called it walker_1, as a shell of that name is there; and then started another walker. */
+    @Test
+    @Tag("verify")
+    void moveOut_homeStartedAgainWhileItIsAwayAndWhenItIsBack_isAwakeOnceUnderItsName() throws Exception {
+        begin(2, true);
+        travels.await("arrival", 1, line -> line.contains("arrived"));
+        restart(Travels.HOME);
+        travels.await("return", 2, line -> line.contains("arrived"));
+        restart(Travels.HOME);
+        travels.awaitTicks(ENOUGH);
+
+        assertSides(Travels.HOME, Travels.AWAY, Travels.HOME);
+        assertTrue(travels.lines().stream().noneMatch(line -> line.contains("[walker_1]")), this::told);
+    }
+
+    private void restart(int side) throws Exception {
+        travels.kill(side);
+        travels.start(side);
+    }
+
     private static boolean said(TraceEvent event, String name, int side, String what) {
         return event.is(name, BOARDS.get(side)) && Travels.said(event).equals(what);
     }
@@ -189,8 +209,7 @@ class MovesTest {
     private void killAt(int side, String what, Predicate<TraceEvent> moment) throws Exception {
         begin(1, true);
         emulator.await(what, moment);
-        travels.kill(side);
-        travels.start(side);
+        restart(side);
         travels.await("end of the move", 1, line -> line.contains("arrived") || line.contains("stayed"));
         travels.awaitTicks(ENOUGH);
 

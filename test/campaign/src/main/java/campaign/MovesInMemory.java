@@ -1,0 +1,77 @@
+package campaign;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.ToLongFunction;
+import java.util.stream.Stream;
+import mobility.RandomMoves;
+import mobility.RandomMoves.Tally;
+
+/** Moves between two MAS in memory, in a time of their own, that are killed at any step. */
+final class MovesInMemory {
+
+    /** The records are flushed at each step, which takes long where there is a disk below. */
+    private static final Path MEMORY = Path.of("/dev/shm");
+
+    void run(Settings settings, Report report) throws IOException {
+        int wanted = settings.choose(10_000, 200);
+        List<Tally> all = new ArrayList<>();
+        long begun = 0;
+        for (long seed = settings.seed(); begun < wanted; seed++) {
+            Tally tally = run(seed);
+            all.add(tally);
+            begun += tally.begun();
+            if (all.size() % 50 == 0) {
+                report.progress("%d moves in memory", begun);
+            }
+        }
+        describe(all, report);
+    }
+
+    private static Tally run(long seed) throws IOException {
+        Path folder = Files.isWritable(MEMORY) ? Files.createTempDirectory(MEMORY, "javino")
+                : Files.createTempDirectory("javino");
+        try {
+            return RandomMoves.run(seed, folder);
+        } finally {
+            try (Stream<Path> files = Files.walk(folder)) {
+                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                    Files.delete(file);
+                }
+            }
+        }
+    }
+
+    private static void describe(List<Tally> all, Report report) {
+        report.text("""
+            **In memory.** Two MAS with the program that moves agents (SPEC 9) and real folders, and an air and a time
+            of their own. An agent moves to and fro. Up to 30 % of the messages are lost, up to 20 % arrive but are told
+            undelivered, contact is lost for a while after every fourth move, one MAS in eight admits nobody, and
+            programs are killed before and after whatever they write, say or do, and start again up to 20 s later.
+            """);
+        Map<String, Integer> kills = new TreeMap<>();
+        all.forEach(tally -> tally.kills().forEach((where, count) -> kills.merge(where, count, Integer::sum)));
+        report.table(new Table("moves", "begun", "arrived", "to who admitted nobody", "messages", "lost", "kills").row(
+                "all", sum(all, Tally::begun), sum(all, Tally::arrived), sum(all, Tally::refusing),
+                sum(all, Tally::messages), sum(all, Tally::lost), kills.values().stream().mapToInt(n -> n).sum()));
+        Table table = new Table("killed", "times");
+        kills.forEach(table::row);
+        report.table(table);
+        report.never("in memory: two awake at once",
+                sum(all, tally -> tally.both().size() + Math.max(0, tally.atTheEnd() - 1)));
+        report.never("in memory: lost", all.stream().filter(tally -> tally.atTheEnd() == 0).count());
+        report.never("in memory: changed", sum(all, Tally::changed));
+        report.never("in memory: admitted without a plan", sum(all, Tally::unasked));
+        report.never("in memory: a move without an end", sum(all, Tally::unended));
+    }
+
+    private static long sum(List<Tally> all, ToLongFunction<Tally> what) {
+        return all.stream().mapToLong(what).sum();
+    }
+}

@@ -1,0 +1,127 @@
+package campaign;
+
+import harness.Emulator;
+import harness.Travels;
+import harness.TraceEvent;
+import harness.Walk;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.TreeMap;
+
+/** Moves between MAS that are processes of their own, on emulated boards, with everything that can go wrong. */
+final class MovesOnBoards {
+
+    private static final double BIT_ERRORS = 1e-3;
+    private static final Duration TIME = Duration.ofMinutes(10);
+    private static final int LOOK_MILLIS = 500;
+    /** Before each move an agent shows so often that it is awake. */
+    private static final int EVERY = 10;
+    /** So often it does so when all is calm again: it has not only come by. */
+    private static final int ENOUGH = 15;
+    private static final int FOR_EVER = 1_000_000;
+
+    private final List<MovePair> pairs = new ArrayList<>();
+    private Optional<String> refusal = Optional.empty();
+
+    void run(Settings settings, Report report) throws Exception {
+        int count = settings.choose(4, 1);
+        List<Field.Cell> cells = Collections.nCopies(count, new Field.Cell("Station", 2));
+        Emulator.Scenario scenario = new Emulator.Scenario().seed(settings.seed()).radio("bitErrorRate", BIT_ERRORS)
+                .forgetful().listener(this::traced);
+        long begun = System.nanoTime();
+        try (Closing closing = new Closing()) {
+            Field field = closing.add(Field.start(scenario, cells));
+            for (int cell = 0; cell < count; cell++) {
+                MovePair pair = closing.add(new MovePair(field, cell, new Random(settings.seed() + cell)));
+                pair.start(Travels.counter(FOR_EVER, EVERY));
+                synchronized (this) {
+                    pairs.add(pair);
+                }
+            }
+            pairs.forEach(MovePair::disturb);
+            long end = System.nanoTime() + TIME.toNanos();
+            long told = 0;
+            while (settings.moves() > 0 ? moves() < settings.moves() : System.nanoTime() < end) {
+                Thread.sleep(LOOK_MILLIS);
+                if (moves() >= told + 10) {
+                    told = moves();
+                    report.progress("%d moves on boards", told);
+                }
+                if (!field.emulator().process().isAlive()) {
+                    throw new IOException("the emulator has ended: " + field.emulator().complaints());
+                }
+            }
+            for (MovePair pair : pairs) {
+                pair.calm();
+            }
+            field.emulator().command(Map.of("do", "radio", "bitErrorRate", 0));
+            for (MovePair pair : pairs) {
+                pair.awaitTicks(ENOUGH);
+            }
+            refusal = field.emulator().refusal();
+        } catch (IOException failed) {
+            if (refusal.isEmpty()) {
+                throw failed;
+            }
+            // What the model minds is told below, beside what came of the moves.
+        }
+        describe((System.nanoTime() - begun) / 1e9, report);
+    }
+
+    private synchronized void traced(TraceEvent event) {
+        pairs.forEach(pair -> pair.see(event));
+    }
+
+    private long moves() {
+        return pairs.stream().mapToLong(pair -> pair.lines("] leaves ")).sum();
+    }
+
+    private void describe(double seconds, Report report) {
+        report.text("""
+            **On emulated boards.** %d pairs of MAS, each a process of its own with a board (`Station`), in air that
+            inverts each bit with a probability of %s. In each pair an agent counts aloud as long as it is awake, and
+            moves to and fro. Each fifth time it asks to be cloned, which no plan admits. Faults fall at random steps:
+            after 10 to 80 packets and messages of the pair, whatever they are. A MAS is killed (SIGKILL) and started
+            again, a board is reset, loses power and RAM for 0.3 s, or is unplugged for 0.5 s. After each tenth packet
+            somebody else sends again what one of the pair has sent before. All of it in %.0f s of wall time. The trace
+            is replayed in the model.
+            """.formatted(pairs.size(), Double.toString(BIT_ERRORS), seconds));
+        report.table(new Table("moves", "begun", "arrived", "refused (clones)", "given up", "packets sent again")
+                .row("all", moves(), sum("] arrived "), sum("] stayed refused"),
+                        sum("] stayed ") - sum("] stayed refused"),
+                        pairs.stream().mapToLong(MovePair::replayed).sum()));
+        Map<String, int[]> faults = new TreeMap<>();
+        pairs.forEach(pair -> pair.faults().forEach((step, counts) -> {
+            int[] all = faults.computeIfAbsent(step, key -> new int[counts.length]);
+            for (int i = 0; i < counts.length; i++) {
+                all[i] += counts[i];
+            }
+        }));
+        Table table = new Table("last said before the fault", "kill, sender's side", "kill, receiver's side", "reset",
+                "loss of power", "unplugged");
+        faults.forEach((step, counts) -> table.row(step, counts[0], counts[1], counts[2], counts[3], counts[4]));
+        report.table(table);
+        List<Walk.Verdict> verdicts = pairs.stream().map(MovePair::verdict).toList();
+        pairs.forEach(pair -> pair.complaints().forEach(line -> report.progress("%s", line)));
+        report.never("on boards: awake twice", verdicts.stream().mapToLong(each -> each.twice().size()).sum());
+        report.never("on boards: lost", pairs.stream().filter(MovePair::isLost).count());
+        report.never("on boards: changed", verdicts.stream().mapToLong(each -> each.changed().size()).sum()
+                + pairs.stream().mapToLong(MovePair::wrongMarks).sum());
+        report.never("on boards: admitted without a plan",
+                sum("] arrived cloning"));
+        refusal.ifPresent(why -> report.text("The model refuses the trace: `" + why + "`."));
+        report.never("on boards: a trace that the model refuses", refusal.isPresent() ? 1 : 0);
+        report.never("on boards: a fault that did not come about",
+                pairs.stream().mapToLong(MovePair::failures).sum());
+    }
+
+    private long sum(String words) {
+        return pairs.stream().mapToLong(pair -> pair.lines(words)).sum();
+    }
+}
