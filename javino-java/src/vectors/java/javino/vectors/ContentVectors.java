@@ -33,7 +33,7 @@ final class ContentVectors {
                 valid("untell", "AAB", "speed(X)"),
                 valid("tellHow", "+9z", "[{ @stop +!stop <- .act(stop) }]"),
                 valid("sorry", "AbC", "\"too_long\""),
-                valid("move", null, "R;\0\0\1"),
+                valid("move", null, "R;A\u00e9"),
                 valid("tell", null, ";a;"),
                 valid("tell", null, "#AbC;help"),
                 valid("tell", null, "say(\"\u00e9\u20ac\ud83d\ude00;\")"),
