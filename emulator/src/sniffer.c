@@ -80,6 +80,7 @@ static void tx_ended(void *context, const line_packet *packet) {
   station->counters.sent++;
   trace_begin(s->out, packet->end, board_name(s, station->board), "rf-tx");
   write_packet(s->out, packet);
+  if (s->ending) trace_flag(s->out, "cut", true);
   trace_end(s->out);
 }
 
@@ -142,6 +143,7 @@ int sniffer_init(sniffer *s, const scenario *config, const rf_bus *bus, trace *o
 
 void sniffer_end(sniffer *s) {
   if (!s->stations) return;
+  s->ending = true;
   for (size_t i = 0; i <= s->config->board_count; i++) line_decoder_end(&s->stations[i].tx);
   for (size_t i = 0; i < s->config->board_count; i++) line_decoder_end(&s->stations[i].rx);
 }

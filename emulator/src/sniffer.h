@@ -50,6 +50,7 @@ typedef struct sniffer {
   const rf_bus *bus;
   trace *out;
   sniffer_station *stations;  // of the boards, then the stranger's, who only sends
+  bool ending;                // what is on the air is broken off
   cycles_t next_deadline;
   double bit_cycles;
 } sniffer;

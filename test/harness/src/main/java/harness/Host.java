@@ -65,8 +65,11 @@ public final class Host implements AutoCloseable {
      * For boards that write much to their EEPROM: on a busy machine their answers come late by the clock on the wall.
      */
     public static Host patient(Emulator emulator, String board) {
-        return new Host(SerialLink.opener(emulator.port(board)),
-                BoardConfig.create(config -> config.setAttempts(PATIENT_ATTEMPTS)));
+        return patient(SerialLink.opener(emulator.port(board)));
+    }
+
+    public static Host patient(LinkOpener link) {
+        return new Host(link, BoardConfig.create(config -> config.setAttempts(PATIENT_ATTEMPTS)));
     }
 
     /** Waits until the board was greeted so often. */

@@ -283,7 +283,7 @@ class PhasesTest {
     }
 
     private void handOverToMutedHost(String content, int times) throws Exception {
-        try (Host muted = Host.over(MutedLink.opener(emulator.port("support"), content))) {
+        try (Host muted = Host.patient(MutedLink.opener(emulator.port("support"), content))) {
             muted.awaitOnline(1);
             Host.get(muted.board.radio(true));
             if (times == 1) {

@@ -18,7 +18,7 @@ final class Airtime {
     private Airtime() {
     }
 
-    /** A packet of ours has as many bits as its bytes need (SPEC 6); a board that is reset may break off a trailer. */
+    /** A packet of ours has as many bits as its bytes need (SPEC 6); a reset or the end may break off a trailer. */
     static void check(Event event, Payload payload, Station board) throws RefusedException {
         if (!board.isNamed()) {
             return;
@@ -27,7 +27,8 @@ final class Airtime {
         String trailer = event.textOrEmpty("trailer");
         int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
         int all = least + trailerBits(trailer, payload.length());
-        boolean mayBreakOff = !board.ear.isSure(event.number("start"), event.seconds());
+        // The trace's end breaks a packet off, too.
+        boolean mayBreakOff = event.fields().has("cut") || !board.ear.isSure(event.number("start"), event.seconds());
         if (bits != all && !(mayBreakOff && bits >= least && bits < all)) {
             throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
                     + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));

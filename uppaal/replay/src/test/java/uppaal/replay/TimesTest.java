@@ -1,6 +1,7 @@
 package uppaal.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
@@ -112,6 +113,17 @@ class TimesTest {
         int sent = lines.next(0, "support", "rf-tx");
         lines.get(sent).addProperty("bits", lines.get(sent).get("bits").getAsInt() - 1);
         assertTrue(refusal(lines).contains(" for these bytes"), refusal(lines));
+    }
+
+    @Test
+    void times_trailerThatTheEndOfTheTraceCuts_isAccepted() {
+        Lines lines = Lines.of("partners");
+        int sent = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+        JsonObject packet = lines.get(sent);
+        packet.addProperty("bits", packet.get("bits").getAsInt() - 1);
+        assertTrue(refusal(lines).contains(" for these bytes"), refusal(lines));
+        packet.addProperty("cut", true);
+        assertFalse(refusal(lines).contains(" for these bytes"), refusal(lines));
     }
 
     @Test
