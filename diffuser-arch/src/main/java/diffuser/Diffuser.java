@@ -82,13 +82,19 @@ public class Diffuser extends AgArch {
      * @throws JasonException no_diffuser if it has none.
      */
     public static Diffuser of(TransitionSystem ts) throws JasonException {
-        for (AgArch arch = ts.getAgArch(); arch != null; arch = arch.getNextAgArch()) {
+        return find(ts.getAgArch()).orElseThrow(() -> new Failure("no_diffuser", "agent "
+                + ts.getAgArch().getAgName() + " can have no board; give it the"
+                + " architecture diffuser.Diffuser (agentArchClass in a .mas2j, ag-arch in a .jcm)").toException());
+    }
+
+    /** The Diffuser among an agent's architectures, from the first one on, if it has any. */
+    public static Optional<Diffuser> find(AgArch first) {
+        for (AgArch arch = first; arch != null; arch = arch.getNextAgArch()) {
             if (arch instanceof Diffuser diffuser) {
-                return diffuser;
+                return Optional.of(diffuser);
             }
         }
-        throw new Failure("no_diffuser", "agent " + ts.getAgArch().getAgName() + " can have no board; give it the"
-                + " architecture diffuser.Diffuser (agentArchClass in a .mas2j, ag-arch in a .jcm)").toException();
+        return Optional.empty();
     }
 
     /** Opens a port; override it for another kind of link or another baud rate. */

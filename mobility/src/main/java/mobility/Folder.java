@@ -92,11 +92,9 @@ class Folder implements AutoCloseable {
     }
 
     private static Optional<Move> read(Path file) throws IOException {
-        Properties properties = new Properties();
-        try (var reader = Files.newBufferedReader(file)) {
-            properties.load(reader);
+        try {
             String name = file.getFileName().toString();
-            return Optional.of(Move.of(name.substring(0, name.length() - RECORD.length()), properties));
+            return Optional.of(Move.of(name.substring(0, name.length() - RECORD.length()), load(file)));
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
@@ -104,13 +102,25 @@ class Folder implements AutoCloseable {
 
     /** Writes a record, in the place of the one before of that move. */
     void write(Move move) {
+        store(move.properties(), place.resolve(move.key() + RECORD));
+    }
+
+    private static void store(Properties properties, Path file) {
         StringWriter text = new StringWriter();
         try {
-            move.properties().store(text, null);
-            replace(place.resolve(move.key() + RECORD), text.toString().getBytes(StandardCharsets.UTF_8));
+            properties.store(text, null);
+            replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    private static Properties load(Path file) throws IOException {
+        Properties properties = new Properties();
+        try (var reader = Files.newBufferedReader(file)) {
+            properties.load(reader);
+        }
+        return properties;
     }
 
     /** Deletes the record of a move, if there is one. */
@@ -128,26 +138,24 @@ class Folder implements AutoCloseable {
         Properties board = new Properties();
         board.setProperty(PORT, port);
         board.setProperty(ADDRESS, address.toString());
-        StringWriter text = new StringWriter();
-        try {
-            board.store(text, null);
-            replace(place.resolve(BOARD), text.toString().getBytes(StandardCharsets.UTF_8));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        store(board, place.resolve(BOARD));
     }
 
     /** Does something with the port and the address of {@link #keepBoard}, if there are any. */
     void board(BiConsumer<String, Address> step) {
-        Properties board = new Properties();
         if (Files.exists(place.resolve(BOARD))) {
-            try (var reader = Files.newBufferedReader(place.resolve(BOARD))) {
-                board.load(reader);
+            try {
+                Properties board = load(place.resolve(BOARD));
+                step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-            step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
         }
+    }
+
+    /** Whether the text of a hash is here. */
+    boolean has(Bytes hash) {
+        return Files.exists(part(hash));
     }
 
     /** The text of a hash, if it is here. */

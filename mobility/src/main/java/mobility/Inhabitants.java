@@ -219,27 +219,18 @@ final class Inhabitants {
 
     /** The agent with a board that moves another of this MAS: itself, or the first one that has one. */
     static Optional<Diffuser> door(AgArch first) {
-        Optional<Diffuser> own = diffuser(first);
+        Optional<Diffuser> own = Diffuser.find(first);
         if (own.isPresent() && own.get().moves().isPresent()) {
             return own;
         }
         Map<String, LocalAgArch> all = BaseLocalMAS.getRunner().getAgs();
         return all.entrySet().stream().sorted(Map.Entry.comparingByKey())
-                .flatMap(each -> diffuser(each.getValue().getFirstAgArch()).stream())
+                .flatMap(each -> Diffuser.find(each.getValue().getFirstAgArch()).stream())
                 .filter(each -> each.moves().isPresent() && each.address().isPresent()).findFirst();
     }
 
     /** Whether an agent has a board by which agents move. */
     static boolean isDoor(AgArch first) {
-        return diffuser(first).flatMap(Diffuser::moves).isPresent();
-    }
-
-    private static Optional<Diffuser> diffuser(AgArch first) {
-        for (AgArch arch = first; arch != null; arch = arch.getNextAgArch()) {
-            if (arch instanceof Diffuser diffuser) {
-                return Optional.of(diffuser);
-            }
-        }
-        return Optional.empty();
+        return Diffuser.find(first).flatMap(Diffuser::moves).isPresent();
     }
 }

@@ -221,7 +221,7 @@ final class Moves {
         if (said instanceof Mail.Offer offer) {
             offered(in, arrival, offer);
         } else if (said instanceof Mail.Data data) {
-            whereThere(arrival, from, known -> known.data(data));
+            whereThere(arrival, known -> known.data(data));
         } else if (said instanceof Mail.Go) {
             if (arrival == null) {
                 say(from, number, new Mail.Awake(""));
@@ -229,9 +229,9 @@ final class Moves {
                 arrival.go();
             }
         } else if (said instanceof Mail.Cancelled) {
-            whereThere(arrival, from, Arrival::cancelled);
+            whereThere(arrival, Arrival::cancelled);
         } else if (said instanceof Mail.Want want) {
-            whereThere(departure, from, known -> known.wanted(want));
+            whereThere(departure, known -> known.wanted(want));
         } else if (said instanceof Mail.Ready) {
             if (departure == null) {
                 say(from, number, new Mail.Cancelled());
@@ -239,14 +239,14 @@ final class Moves {
                 departure.ready();
             }
         } else if (said instanceof Mail.Awake awake) {
-            whereThere(departure, from, known -> known.awake(awake.agent()));
+            whereThere(departure, known -> known.awake(awake.agent()));
         } else if (said instanceof Mail.Refused refused) {
-            whereThere(departure, from, known -> known.refused(refused));
+            whereThere(departure, known -> known.refused(refused));
         }
     }
 
     /** What is said of a move that has ended is late, and no fault. */
-    private <T> void whereThere(T known, Address from, Consumer<T> step) {
+    private <T> void whereThere(T known, Consumer<T> step) {
         if (known == null) {
             counts.get(Count.DROPPED).incrementAndGet();
         } else {
@@ -674,7 +674,7 @@ final class Moves {
 
         private int here(int part) {
             Part known = offer.parts().get(part);
-            return folder.text(known.hash()).isPresent() ? known.packed() : folder.here(known.hash());
+            return folder.has(known.hash()) ? known.packed() : folder.here(known.hash());
         }
 
         private boolean isWhole() {

@@ -115,10 +115,15 @@ class TimesTest {
         assertTrue(refusal(lines).contains(" for these bytes"), refusal(lines));
     }
 
+    /** The first packet with a short trailer. */
+    private static int marked(Lines lines) {
+        return lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+    }
+
     @Test
     void times_trailerThatTheEndOfTheTraceCuts_isAccepted() {
         Lines lines = Lines.of("partners");
-        int sent = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+        int sent = marked(lines);
         JsonObject packet = lines.get(sent);
         packet.addProperty("bits", packet.get("bits").getAsInt() - 1);
         assertTrue(refusal(lines).contains(" for these bytes"), refusal(lines));
@@ -138,8 +143,7 @@ class TimesTest {
     void times_trailerThatIsABitLongerOrShorter_isRefused() {
         for (int bits : List.of(1, -1)) {
             Lines lines = Lines.of("partners");
-            int sent =
-                    lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+            int sent = marked(lines);
             JsonObject packet = lines.get(sent);
             packet.addProperty("bits", packet.get("bits").getAsInt() + bits);
             for (String time : List.of("t", "end")) {
@@ -152,7 +156,7 @@ class TimesTest {
     @Test
     void times_trailerThatAResetBreaksOff_mayBeShorter() {
         Lines lines = Lines.of("partners");
-        int sent = lines.where(line -> lines.is(line, "rf-tx") && lines.text(line, "trailer").equals("mark")).get(0);
+        int sent = marked(lines);
         JsonObject packet = lines.get(sent);
         packet.addProperty("bits", packet.get("bits").getAsInt() - 8);
         packet.addProperty("end", packet.get("end").getAsDouble() - SLOT / 2);
