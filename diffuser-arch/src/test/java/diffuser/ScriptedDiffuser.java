@@ -53,6 +53,6 @@ public class ScriptedDiffuser extends Diffuser {
                 .setReplyTimeout(Duration.ofMillis(50))
                 .setHelloInterval(Duration.ofMillis(10))
                 .setReopenInterval(Duration.ofMillis(10))
-                .setPatience(Duration.ofMillis(300)));
+                .setPatience(Duration.ofSeconds(5)).setAttempts(20));
     }
 }
