@@ -59,6 +59,9 @@ final class ImageWriter {
      */
     static Image write(TransitionSystem ts, Intention mover) throws JasonException {
         try {
+            if (Mobile.find(ts).filter(Mobile::isAsleep).isPresent()) {
+                throw new CannotTravelException("it is on its way already");
+            }
             Image image = new ImageWriter(ts, mover).image();
             Mind.read(image);
             return image;
