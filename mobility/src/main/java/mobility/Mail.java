@@ -22,7 +22,8 @@ record Mail(int move, Said said) {
     static final int MOST_DATA = 480;
     /** The most parts of an agent. */
     static final int MOST_PARTS = 8;
-    private static final int MOST_NAME = 64;
+    /** The most letters of a name. */
+    static final int MOST_NAME = 64;
     private static final int MOST_REASON = 200;
 
     /** One kind of message. */

@@ -70,7 +70,8 @@ class GuestTest {
             ".send(bob,askOne,mobility.bomb(1))", ".send(bob,askOne,.stopMAS)", ".send(bob,askOne,(p(X) & .stopMAS))",
             ".send(bob,askAll,not .stopMAS)", ".send(bob,tell,{ p :- .stopMAS })", ".send(bob,tell,[{ p :- a }])",
             ".term2string(T,\"jag_shutting_down(1)\"); .send(bob,signal,T)", ".send(bob,askOne,X)",
-            ".send(bob,tell,\"p(1)\")", "X = { .stopMAS }; X", ".eval(X,.stopMAS); X = true", ".term2string(X,\".stopMAS\"); X"})
+            ".send(bob,tell,\"p(1)\")", "X = { .stopMAS }; X", ".eval(X,.stopMAS); X = true",
+            ".term2string(X,\".stopMAS\"); X"})
     void step_notAllowed_fails(String step) throws Exception {
         String outcome = outcome(step);
         // A test that fails in a context has no error of its own.
