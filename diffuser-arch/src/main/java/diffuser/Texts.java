@@ -243,6 +243,11 @@ public final class Texts {
                 "it has a character that commands a terminal; of these only line feeds may be sent");
     }
 
+    /** The same, with blanks in the place of what commands a terminal. */
+    public static String withoutCommands(String text) {
+        return COMMANDS.matcher(text).replaceAll(" ");
+    }
+
     private static void expect(boolean met, String text, String what) throws MalformedTextException {
         if (!met) {
             throw new MalformedTextException(text, what);

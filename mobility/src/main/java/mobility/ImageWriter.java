@@ -26,6 +26,7 @@ import jason.stdlib.suspend;
 
 import diffuser.Failure;
 import diffuser.MalformedTextException;
+import diffuser.Texts;
 
 /** Writes a running agent as texts. */
 final class ImageWriter {
@@ -67,7 +68,7 @@ final class ImageWriter {
             return image;
         } catch (CannotTravelException | MalformedTextException | RefusedException e) {
             throw new Failure("cannot_travel", ts.getAgArch().getAgName() + " cannot travel: "
-                    + e.getMessage().replaceAll("\\p{Cntrl}+", " ")).toException();
+                    + Texts.withoutCommands(e.getMessage())).toException();
         }
     }
 

@@ -19,6 +19,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 import diffuser.Failure;
+import diffuser.Texts;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -447,7 +448,8 @@ final class Moves {
             Failure why = Failure.of(thrown);
             boolean hopeless = HOPELESS.contains(why.error()) && isOpen() && !went;
             if (hopeless) {
-                stay(why);
+                stay(new Failure(why.error(),
+                        move.name() + " has stayed: its board cannot send to " + move.key().peer()));
             }
             return hopeless;
         }
@@ -580,7 +582,7 @@ final class Moves {
                 return;
             }
             stay(new Failure(refused.error(), move.key().peer() + " does not take " + move.name() + " in: "
-                    + refused.reason()));
+                    + Texts.withoutCommands(refused.reason())));
         }
 
         private void stay(Failure why) {

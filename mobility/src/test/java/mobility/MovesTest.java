@@ -2,6 +2,7 @@ package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -15,6 +16,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 
@@ -23,6 +25,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import diffuser.Failure;
 
 import javino.protocol.Bytes;
 
@@ -401,6 +405,17 @@ class MovesTest {
     private void say(int number, Mail.Said said) {
         bus.moves.received(World.STATION, new Mail(number, said).encode());
         world.runUntil(world.millis());
+    }
+
+    @Test
+    void refusal_thatCommandsTheTerminal_hasBlanks() {
+        world.contact = false;
+        CompletableFuture<String> end = move();
+        until(() -> isIn(station, Move.State.OFFERED));
+        int number = station.open().get(0).key().number();
+        station.moves.received(World.BUS, new Mail(number, new Mail.Refused("oops", "a\u001b[2J\nb")).encode());
+        world.runUntil(1_000);
+        assertTrue(Failure.of(assertThrows(CompletionException.class, end::join)).message().endsWith(": a [2J b"));
     }
 
     @Test
