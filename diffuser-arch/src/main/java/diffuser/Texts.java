@@ -106,6 +106,20 @@ public final class Texts {
         }
     }
 
+    /**
+     * What an agent of this MAS says that is trusted no more than another device: as it would come from there.
+     *
+     * @param answer whether it answers a question.
+     * @throws MalformedTextException if it is not what goes with the force, or its text does not read back.
+     */
+    public static Term asFromTheAir(Force force, boolean answer, Term said) throws MalformedTextException {
+        String text = TermWriter.write(Gate.clean(said));
+        expectNoCommand(text);
+        Term term = read(text, force);
+        check(text, term, force, answer);
+        return term;
+    }
+
     private static JasonException unsayable(MalformedTextException e) {
         return new Failure("bad_content", "this cannot be sent: " + e.getMessage()).toException();
     }
@@ -227,6 +241,11 @@ public final class Texts {
     public static void expectNoCommand(String text) throws MalformedTextException {
         expect(!COMMANDS.matcher(text).find(), text,
                 "it has a character that commands a terminal; of these only line feeds may be sent");
+    }
+
+    /** The same, with blanks in the place of what commands a terminal. */
+    public static String withoutCommands(String text) {
+        return COMMANDS.matcher(text).replaceAll(" ");
     }
 
     private static void expect(boolean met, String text, String what) throws MalformedTextException {

@@ -66,7 +66,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
         inhabitants = new Inhabitants(diffuser);
         admission = new Admission(diffuser);
         looked = System.nanoTime() - 2 * LOOK_NANOS;
-        if (!Folder.records(place()).isEmpty()) {
+        if (!Folder.records(place()).isEmpty() || !Folder.unreadable(place()).isEmpty()) {
             boolean away = Inhabitants.isAway(name());
             if (away) {
                 Mobile.empty(ts());
@@ -215,6 +215,8 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     private void carefully(Runnable step) {
         try {
             step.run();
+        } catch (UncheckedIOException e) {
+            warn("a step of a move waits for the disk: " + e.getMessage());
         } catch (RuntimeException e) {
             ts().getLogger().log(Level.SEVERE, "a step of a move has failed: " + e.getMessage(), e);
         }
@@ -248,7 +250,8 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     @Override
     public String wake(Move move, List<Bytes> texts, boolean anew) {
-        String name = inhabitants.settle(move, texts, Optional.empty());
+        remove(move);
+        String name = inhabitants.settle(move, texts, move.isGuest(folder.records()), Optional.empty());
         if (!anew) {
             tell("movedIn", name, move.key().peer());
         }
@@ -257,13 +260,32 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
 
     @Override
     public void left(Move move) {
-        inhabitants.remove(move.name());
+        remove(move);
         tell("movedOut", move.name(), move.key().peer());
     }
 
     @Override
     public void stays(Move move, List<Bytes> texts, Failure why) {
-        inhabitants.settle(move, texts, Optional.of(why));
+        remove(move);
+        inhabitants.settle(move, texts, move.isGuest(folder.records()), Optional.of(why));
+    }
+
+    /** Ends what sleeps here by the name of an agent that has left or comes, unless another is on its way from here. */
+    private void remove(Move move) {
+        boolean another = folder.records().stream().anyMatch(each -> each.name().equals(move.name())
+                && !each.key().equals(move.key()) && each.isUnderWay());
+        if (!another) {
+            inhabitants.remove(move.name());
+        }
+    }
+
+    /** An agent has ended that was awake. For any thread. */
+    void ended(String agent) {
+        execute(() -> {
+            if (moves != null) {
+                moves.ended(agent);
+            }
+        });
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
@@ -13,7 +14,6 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -71,33 +71,50 @@ class Folder implements AutoCloseable {
         }
     }
 
-    /** The records that are there; none if the folder is not there. One that cannot be read is left out. */
+    /** The records that are there; none if the folder is not there. Those of {@link #unreadable} are left out. */
     static List<Move> records(Path place) {
-        if (!Files.isDirectory(place)) {
-            return List.of();
-        }
-        try (Stream<Path> files = Files.list(place)) {
-            List<Move> all = new ArrayList<>();
-            for (Path file : files.filter(each -> each.toString().endsWith(RECORD)).sorted().toList()) {
-                read(file).ifPresent(all::add);
-            }
-            return all;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return files(place).stream().flatMap(file -> read(file).stream()).toList();
     }
 
     List<Move> records() {
         return records(place);
     }
 
-    private static Optional<Move> read(Path file) throws IOException {
+    /** The names of files that should be records, and are damaged. */
+    static List<String> unreadable(Path place) {
+        return files(place).stream().filter(file -> read(file).isEmpty()).map(file -> file.getFileName().toString())
+                .toList();
+    }
+
+    List<String> unreadable() {
+        return unreadable(place);
+    }
+
+    private static List<Path> files(Path place) {
+        if (!Files.isDirectory(place)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(place)) {
+            return files.filter(each -> each.toString().endsWith(RECORD)).sorted().toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static Optional<Move> read(Path file) {
         try {
             String name = file.getFileName().toString();
             return Optional.of(Move.of(name.substring(0, name.length() - RECORD.length()), load(file)));
-        } catch (IllegalArgumentException e) {
+        } catch (IllegalArgumentException | CharacterCodingException e) {
             return Optional.empty();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
+    }
+
+    /** Whether there is a record of a move, readable or not. */
+    boolean hasRecord(Move.Key key) {
+        return Files.exists(place.resolve(key + RECORD));
     }
 
     /** Writes a record, in the place of the one before of that move. */
@@ -126,8 +143,9 @@ class Folder implements AutoCloseable {
     /** Deletes the record of a move, if there is one. */
     void delete(Move.Key key) {
         try {
-            Files.deleteIfExists(place.resolve(key + RECORD));
-            flush(place);
+            if (Files.deleteIfExists(place.resolve(key + RECORD))) {
+                flush(place);
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -141,9 +159,14 @@ class Folder implements AutoCloseable {
         store(board, place.resolve(BOARD));
     }
 
+    /** Whether there is what {@link #keepBoard} has kept. */
+    static boolean hasBoard(Path place) {
+        return Files.exists(place.resolve(BOARD));
+    }
+
     /** Does something with the port and the address of {@link #keepBoard}, if there are any. */
     void board(BiConsumer<String, Address> step) {
-        if (Files.exists(place.resolve(BOARD))) {
+        if (hasBoard(place)) {
             try {
                 Properties board = load(place.resolve(BOARD));
                 step.accept(board.getProperty(PORT), Address.parse(board.getProperty(ADDRESS)));
@@ -158,11 +181,13 @@ class Folder implements AutoCloseable {
         return Files.exists(part(hash));
     }
 
-    /** The text of a hash, if it is here. */
+    /** The text of a hash, if it is here and undamaged. */
     Optional<Bytes> text(Bytes hash) {
         Path file = part(hash);
         try {
-            return Files.exists(file) ? Optional.of(Bytes.copyOf(Files.readAllBytes(file))) : Optional.empty();
+            return Files.exists(file)
+                    ? Optional.of(Bytes.copyOf(Files.readAllBytes(file))).filter(text -> Part.hash(text).equals(hash))
+                    : Optional.empty();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -171,7 +196,7 @@ class Folder implements AutoCloseable {
     /** Keeps a text. */
     void keep(Bytes hash, Bytes text) {
         try {
-            if (Files.exists(part(hash))) {
+            if (text(hash).isPresent()) {
                 Files.setLastModifiedTime(part(hash), FileTime.fromMillis(System.currentTimeMillis()));
             } else {
                 replace(part(hash), text.toArray());
@@ -209,10 +234,13 @@ class Folder implements AutoCloseable {
         }
     }
 
-    /** Forgets the packed bytes of a part. */
+    /** Forgets the packed bytes of a part, and its text if that is damaged. */
     void forget(Bytes hash) {
         try {
             Files.deleteIfExists(partial(hash));
+            if (text(hash).isEmpty()) {
+                Files.deleteIfExists(part(hash));
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -1,6 +1,8 @@
 package mobility;
 
 import java.lang.reflect.InvocationTargetException;
+import java.util.Optional;
+import java.util.Queue;
 import java.util.Set;
 
 import jason.JasonException;
@@ -10,9 +12,19 @@ import jason.asSemantics.InternalAction;
 import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.InternalActionLiteral;
+import jason.asSyntax.Plan;
 import jason.asSyntax.Term;
+import jason.asSyntax.parser.ParseException;
+import jason.asSyntax.parser.TokenMgrError;
 
 import diffuser.Failure;
+import diffuser.Gate;
+import diffuser.MalformedTextException;
+import diffuser.Texts;
+
+import javino.protocol.Force;
 
 /**
  * An agent that has come under inquilinism: it may think, speak with agents of the MAS and move on, and nothing else.
@@ -41,7 +53,8 @@ public class Guest extends Agent {
     /** Jason's maps, queues and sets. */
     private static final Set<String> ALLOWED_KINDS = Set.of(".map.", ".queue.", ".set.");
 
-    private static final Set<String> FORCES = Set.of("tell", "untell", "askOne", "askAll", "signal");
+    private static final Set<Force> FORCES =
+            Set.of(Force.TELL, Force.UNTELL, Force.ASK_ONE, Force.ASK_ALL, Force.SIGNAL);
 
     /** Each other internal action fails. */
     @Override
@@ -80,10 +93,50 @@ public class Guest extends Agent {
         return new Failure("guest", "a guest may not do " + what + "; SECURITY.md says what it may");
     }
 
-    /** @throws JasonException guest, if it may not send that. */
+    /**
+     * Leaves of a message what another device could say as well: who is asked would carry out an internal action in a
+     * question, and believe a rule or the mark of a sealed message that it is told.
+     *
+     * @throws JasonException guest, if nothing of it may be sent.
+     */
     static void check(Message message) throws JasonException {
-        if (!FORCES.contains(message.getIlForce())) {
+        Optional<Force> force = Force.of(message.getIlForce()).filter(FORCES::contains);
+        if (force.isEmpty()) {
             throw refused(".send(_," + message.getIlForce() + ",_)");
         }
+        try {
+            Term said = message.getPropCont() instanceof Term term ? term
+                    : ASSyntax.parseTerm(String.valueOf(message.getPropCont()));
+            Gate.refuseJasonsOwn(said);
+            message.setPropCont(Texts.asFromTheAir(force.get(), message.getInReplyTo() != null, said));
+        } catch (Gate.RefusedException | MalformedTextException | ParseException | TokenMgrError e) {
+            throw refused(".send(_," + message.getIlForce() + ",_) of that: "
+                    + Writing.brief(ASSyntax.createString(e.getMessage())));
+        }
+    }
+
+    /**
+     * {@inheritDoc} Another agent's parser has looked up already which internal actions are in what it sends; here that
+     * is this agent's to do.
+     */
+    @Override
+    public Message selectMessage(Queue<Message> messages) {
+        Message message = super.selectMessage(messages);
+        if (message != null && message.getPropCont() instanceof Term said) {
+            message.setPropCont(Terms.replace(said.clone(), Guest::unknown));
+        }
+        return message;
+    }
+
+    private static Term unknown(Term part) {
+        if (part instanceof InternalActionLiteral known) {
+            InternalActionLiteral action = new InternalActionLiteral(known.getFunctor());
+            action.setTerms(known.getTerms());
+            return action;
+        }
+        if (part instanceof Plan plan) {
+            Library.within(plan).forEach(inner -> Terms.replace(inner, Guest::unknown));
+        }
+        return part;
     }
 }

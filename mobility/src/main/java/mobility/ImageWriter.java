@@ -26,6 +26,7 @@ import jason.stdlib.suspend;
 
 import diffuser.Failure;
 import diffuser.MalformedTextException;
+import diffuser.Texts;
 
 /** Writes a running agent as texts. */
 final class ImageWriter {
@@ -59,12 +60,15 @@ final class ImageWriter {
      */
     static Image write(TransitionSystem ts, Intention mover) throws JasonException {
         try {
+            if (Mobile.find(ts).filter(Mobile::isAsleep).isPresent()) {
+                throw new CannotTravelException("it is on its way already");
+            }
             Image image = new ImageWriter(ts, mover).image();
             Mind.read(image);
             return image;
         } catch (CannotTravelException | MalformedTextException | RefusedException e) {
             throw new Failure("cannot_travel", ts.getAgArch().getAgName() + " cannot travel: "
-                    + e.getMessage().replaceAll("\\p{Cntrl}+", " ")).toException();
+                    + Texts.withoutCommands(e.getMessage())).toException();
         }
     }
 

@@ -86,10 +86,11 @@ final class Inhabitants {
     /**
      * Lets an agent live here.
      *
-     * @param why where it was to leave and stays: what its plan fails with.
+     * @param guest whether as a {@link Guest}.
+     * @param why   where it was to leave and stays: what its plan fails with.
      * @return its name.
      */
-    String settle(Move move, List<Bytes> texts, Optional<Failure> why) {
+    String settle(Move move, List<Bytes> texts, boolean guest, Optional<Failure> why) {
         try {
             Mind mind = mind(texts);
             if (move.protocol() == Protocol.PREDATION && !move.key().out()) {
@@ -99,9 +100,6 @@ final class Inhabitants {
             if (move.isOurs() && move.name().equals(own())) {
                 return takeBody(mind, why);
             }
-            boolean guest = move.protocol() == Protocol.INQUILINISM && !move.key().out();
-            // A shell that was held since the program has started it.
-            remove(move.name());
             RuntimeServices services = RuntimeServicesFactory.get();
             Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs());
             MAKING.set(true);
@@ -183,7 +181,13 @@ final class Inhabitants {
     static boolean isAway(String name) {
         return !MAKING.get() && isOfProgram(name) && project().stream()
                 .filter(each -> each.getAgArchClasses().stream().anyMatch(Inhabitants::isDiffuser))
-                .flatMap(each -> Folder.records(folder(each.name, each.getAsSetts(false, false))).stream())
+                .anyMatch(each -> isAway(name, each.name, folder(each.name, each.getAsSetts(false, false))));
+    }
+
+    private static boolean isAway(String name, String door, Path records) {
+        // Any of them may be about this agent, but about the one with the board only if it has ever left.
+        boolean unknown = !Folder.unreadable(records).isEmpty() && (!name.equals(door) || Folder.hasBoard(records));
+        return unknown || Folder.records(records).stream()
                 // Under whatever name it may live here since it came back.
                 .anyMatch(move -> move.isOurs() && List.of(move.name(), move.identity().name()).contains(name)
                         && move.state() != Move.State.READY && move.state() != Move.State.LEFT);
@@ -227,6 +231,15 @@ final class Inhabitants {
         return all.entrySet().stream().sorted(Map.Entry.comparingByKey())
                 .flatMap(each -> Diffuser.find(each.getValue().getFirstAgArch()).stream())
                 .filter(each -> each.moves().isPresent() && each.address().isPresent()).findFirst();
+    }
+
+    /** An agent that was awake has ended; where the MAS goes on, it tells those by whose board it may have come. */
+    static void ended(String name) {
+        BaseLocalMAS mas = BaseLocalMAS.getRunner();
+        if (mas != null && mas.isRunning()) {
+            mas.getAgs().values().stream().flatMap(each -> Diffuser.find(each.getFirstAgArch()).stream())
+                    .flatMap(each -> each.moves().stream()).forEach(moves -> ((BoardMoves) moves).ended(name));
+        }
     }
 
     /** Whether an agent has a board by which agents move. */

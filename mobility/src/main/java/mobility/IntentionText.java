@@ -97,7 +97,7 @@ final class IntentionText {
                 .append(trigger(means.getTrigger()));
         Set<Term> needed = new HashSet<>(returned);
         addVariables(means.getTrigger(), needed);
-        steps.forEach(step -> addVariables(step.getBodyTerm(), needed));
+        addVariables(steps, kept, needed);
         List<PlanBody> first = steps.subList(0, steps.size() - kept);
         if (!first.isEmpty()) {
             text.append("\nD").append(Writing.body(copy(first, needed), this::name));
@@ -116,6 +116,14 @@ final class IntentionText {
         }
         names = Map.of();
         return next;
+    }
+
+    /** Of those steps that are written as the plan's, no variable that is {@code _} there has a value. */
+    private void addVariables(List<PlanBody> steps, int kept, Set<Term> needed) {
+        Set<Term> planned = new HashSet<>();
+        steps.subList(steps.size() - kept, steps.size()).forEach(step -> addVariables(step.getBodyTerm(), planned));
+        planned.stream().filter(variable -> !isNameless((VarTerm) variable)).forEach(needed::add);
+        steps.subList(0, steps.size() - kept).forEach(step -> addVariables(step.getBodyTerm(), needed));
     }
 
     private int number(Plan plan) throws CannotTravelException, MalformedTextException {

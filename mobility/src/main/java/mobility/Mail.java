@@ -22,8 +22,10 @@ record Mail(int move, Said said) {
     static final int MOST_DATA = 480;
     /** The most parts of an agent. */
     static final int MOST_PARTS = 8;
-    private static final int MOST_NAME = 64;
-    private static final int MOST_REASON = 200;
+    /** The most letters of a name. */
+    static final int MOST_NAME = 64;
+    /** In bytes of UTF-8. */
+    private static final int MOST_REASON = 400;
 
     /** One kind of message. */
     sealed interface Said permits Offer, Want, Data, Ready, Go, Awake, Cancelled, Refused {
@@ -100,7 +102,12 @@ record Mail(int move, Said said) {
     }
 
     private static String shortened(String reason) {
-        return reason.length() <= MOST_REASON ? reason : reason.substring(0, MOST_REASON - 1) + "…";
+        String text = reason;
+        for (int end = reason.length(); Bytes.ofText(text).length() > MOST_REASON;) {
+            end = reason.offsetByCodePoints(end, -1);
+            text = reason.substring(0, end) + "…";
+        }
+        return text;
     }
 
     /** @throws ProtocolException BAD_CONTENT or BAD_TEXT, if the bytes are no message of a move. */

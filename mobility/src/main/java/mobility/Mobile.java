@@ -224,6 +224,15 @@ public class Mobile extends AgArch {
         super.broadcast(message);
     }
 
+    /** {@inheritDoc} One that ends while its MAS goes on does not live here again when the MAS starts again. */
+    @Override
+    public void stop() {
+        super.stop();
+        if (!isAsleep()) {
+            Inhabitants.ended(getAgName());
+        }
+    }
+
     private boolean isGuest() {
         return getTS().getAg() instanceof Guest;
     }

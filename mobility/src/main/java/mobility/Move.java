@@ -1,8 +1,10 @@
 package mobility;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -24,6 +26,8 @@ import javino.protocol.Bytes;
  */
 record Move(Key key, State state, Protocol protocol, Identity identity, String name, List<Bytes> parts,
         boolean isOurs, Optional<Key> before) {
+
+    private static final String CHECK = "check";
 
     /**
      * An agent that travels, wherever it is, and whatever it is called there.
@@ -89,6 +93,18 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         return state == State.GONE || state == State.AWAY;
     }
 
+    /** Whether it lives here as a guest: of one that was to leave, the move by which it came says so. */
+    boolean isGuest(List<Move> records) {
+        return key.out
+                ? records.stream().anyMatch(came -> before.equals(Optional.of(came.key)) && came.isGuest(records))
+                : protocol == Protocol.INQUILINISM;
+    }
+
+    /** Whether the agent sleeps here and its move has not ended. */
+    boolean isUnderWay() {
+        return state == State.OFFERED || state == State.GONE;
+    }
+
     Move ours() {
         return new Move(key, state, protocol, identity, name, parts, true, before);
     }
@@ -104,15 +120,21 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         all.setProperty("parts", parts.stream().map(Bytes::hex).collect(Collectors.joining(",")));
         all.setProperty("ours", String.valueOf(isOurs));
         before.ifPresent(known -> all.setProperty("before", known.toString()));
+        all.setProperty(CHECK, check(all));
         return all;
+    }
+
+    /** A file that has lost a line is no record: the agent would be taken for another's, or for one that is here. */
+    private static String check(Properties all) {
+        Map<Object, Object> others = new TreeMap<>(all);
+        others.remove(CHECK);
+        return Part.hash(Bytes.ofText(others.toString())).hex();
     }
 
     /** @throws IllegalArgumentException if these are no record's. */
     static Move of(String file, Properties all) {
-        for (String needed : List.of("state", "protocol", "home", "agent", "name", "parts")) {
-            if (all.getProperty(needed) == null) {
-                throw new IllegalArgumentException("it has no " + needed);
-            }
+        if (!check(all).equals(all.getProperty(CHECK))) {
+            throw new IllegalArgumentException("it is damaged");
         }
         return new Move(Key.parse(file), State.valueOf(all.getProperty("state")),
                 Protocol.valueOf(all.getProperty("protocol")),

@@ -1,5 +1,6 @@
 package mobility;
 
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -18,6 +19,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 import diffuser.Failure;
+import diffuser.Texts;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -48,6 +50,12 @@ final class Moves {
     /** So many messages of data are under way, so that others pass between. */
     private static final int WINDOW = 2;
     private static final int PERCENT = 100;
+    /** Names with a meaning in AgentSpeak, or in Jason: {@code df} is its directory. */
+    private static final Set<String> RESERVED = Set.of("self", "percept", "broadcast", "df", "true", "false", "not",
+            "mod", "div", "if", "else", "elif", "while", "for", "begin", "end");
+    private static final Set<String> HOPELESS = Set.of("no_key", "bad_destination", "too_long");
+    private static final String BAD_NAME = "an agent that travels has a name of at most 64 letters, digits and _ that"
+            + " begins with a small letter, no word of AgentSpeak, and not of four letters, as a device's address";
 
     /** The time, and the thread on which all happens. */
     interface Clock extends Executor {
@@ -122,24 +130,35 @@ final class Moves {
                 .forEach(move -> folder.delete(move.key()));
         List<Move> rest = folder.records();
         Set<Move.Key> leaving = rest.stream().flatMap(move -> move.before().stream()).collect(Collectors.toSet());
+        folder.unreadable().forEach(file -> mas.warn("the record " + file + " cannot be read: the agent of that move"
+                + " waits, and no agent that may be away is started; put the file back, or delete it"));
         for (Move move : rest) {
-            switch (move.state()) {
-                case OFFERED, GONE -> new Departure(move, texts(move), new CompletableFuture<>(), true).begin();
-                case AWAY -> mas.warn(move.name() + " is not started: it has moved to " + move.key().peer()
-                        + "; to start it anew delete the file " + move.key() + ".move");
-                case READY -> new Arrival(move).ready();
-                case LEFT -> new Arrival(move).isKnown();
-                case HERE -> {
-                    Arrival arrival = new Arrival(move);
-                    if (leaving.contains(move.key())) {
-                        arrival.isKnown();
-                    } else {
-                        arrival.wake(true);
-                    }
-                }
+            try {
+                goOn(move, leaving.contains(move.key()));
+            } catch (RuntimeException e) {
+                mas.warn("the agent " + move.name() + " of the record " + move.key() + ".move waits: "
+                        + e.getMessage());
             }
         }
         folder.tidy();
+    }
+
+    private void goOn(Move move, boolean leaves) {
+        switch (move.state()) {
+            case OFFERED -> new Departure(move, texts(move), new CompletableFuture<>(), true).begin();
+            case GONE -> new Departure(move, List.of(), new CompletableFuture<>(), true).begin();
+            case AWAY -> mas.warn(move.name() + " is not started: it has moved to " + move.key().peer()
+                    + "; to start it anew delete the file " + move.key() + ".move");
+            case READY -> new Arrival(move).ready();
+            case LEFT -> new Arrival(move).isKnown();
+            case HERE -> {
+                Arrival arrival = new Arrival(move);
+                arrival.isKnown();
+                // Where it was to leave it is not for this move to wake it.
+                arrival.lives = leaves;
+                arrival.live(true);
+            }
+        }
     }
 
     /** Says and does nothing more, as if the program had ended. */
@@ -151,7 +170,7 @@ final class Moves {
         List<Bytes> texts = new ArrayList<>();
         for (Bytes hash : move.parts()) {
             texts.add(folder.text(hash).orElseThrow(
-                    () -> new IllegalStateException("the folder of moves has lost part " + hash + " of " + move)));
+                    () -> new IllegalStateException("its text " + hash + " is lost or damaged")));
         }
         return texts;
     }
@@ -171,9 +190,13 @@ final class Moves {
             } while (departures.containsKey(key));
             Optional<Move> came = arrivals.values().stream().filter(arrival -> arrival.isHere(agent))
                     .map(arrival -> arrival.move).findFirst();
-            Move move = new Move(key, Move.State.OFFERED, protocol,
-                    came.filter(known -> known.protocol() != Protocol.CLONING).map(Move::identity)
-                            .orElse(new Move.Identity(here, agent)),
+            Move.Identity identity = came.filter(known -> known.protocol() != Protocol.CLONING).map(Move::identity)
+                    .orElse(new Move.Identity(here, agent));
+            if (!isName(identity.name())) {
+                end.completeExceptionally(new Failure("bad_name", agent + " cannot travel: " + BAD_NAME).toException());
+                return;
+            }
+            Move move = new Move(key, Move.State.OFFERED, protocol, identity,
                     agent,
                     texts.stream().map(Part::hash).toList(), came.map(Move::isOurs).orElse(mas.starts(agent)),
                     came.map(Move::key).filter(known -> protocol != Protocol.CLONING));
@@ -197,6 +220,11 @@ final class Moves {
         }
     }
 
+    /** An agent that may have come by a move has ended here, and not since it left. */
+    void ended(String agent) {
+        arrivals.values().stream().filter(arrival -> arrival.isHere(agent)).toList().forEach(Arrival::left);
+    }
+
     /** What another device has said of a move. For any thread. */
     void received(Address from, Bytes bytes) {
         clock.execute(guarded(() -> {
@@ -218,7 +246,11 @@ final class Moves {
         Departure departure = departures.get(new Move.Key(true, from, number));
         Move.Key in = new Move.Key(false, from, number);
         Arrival arrival = arrivals.get(in);
-        if (said instanceof Mail.Offer offer) {
+        boolean unknown = departure == null && arrival == null;
+        if (unknown && (folder.hasRecord(in) || folder.hasRecord(new Move.Key(true, from, number)))) {
+            // It is damaged or over: whatever is answered could be wrong.
+            counts.get(Count.DROPPED).incrementAndGet();
+        } else if (said instanceof Mail.Offer offer) {
             offered(in, arrival, offer);
         } else if (said instanceof Mail.Data data) {
             whereThere(arrival, known -> known.data(data));
@@ -323,6 +355,10 @@ final class Moves {
                     return;
                 }
                 speaking = false;
+                Departure departure = departures.get(key);
+                if (thrown != null && departure != null && departure.isHopeless(thrown)) {
+                    return;
+                }
                 if (outcome == Outcome.DELIVERED) {
                     pause = LEAST_PAUSE_MILLIS;
                     again(ANSWER_MILLIS);
@@ -393,18 +429,29 @@ final class Moves {
         }
 
         private void watch() {
-            after(lastWord + PATIENCE_MILLIS - clock.millis(), () -> {
+            after(Math.max(LEAST_PAUSE_MILLIS, lastWord + PATIENCE_MILLIS - clock.millis()), () -> {
                 if (!isOpen()) {
                     return;
                 }
-                if (clock.millis() - lastWord < PATIENCE_MILLIS) {
-                    watch();
-                    return;
+                // Where the disk fails it is tried again.
+                watch();
+                if (clock.millis() - lastWord >= PATIENCE_MILLIS) {
+                    String why = move.name() + " has stayed: nothing of it came to " + move.key().peer() + " for "
+                            + PATIENCE_MILLIS / 1_000 + " s";
+                    stay(new Failure("undelivered", went ? why + "; a clone may have come to be" : why));
                 }
-                String why = move.name() + " has stayed: nothing of it came to " + move.key().peer() + " for "
-                        + PATIENCE_MILLIS / 1_000 + " s";
-                stay(new Failure("undelivered", went ? why + "; a clone may have come to be" : why));
             });
+        }
+
+        /** What the board cannot send will never arrive. @return whether it has stayed for that. */
+        boolean isHopeless(Throwable thrown) {
+            Failure why = Failure.of(thrown);
+            boolean hopeless = HOPELESS.contains(why.error()) && isOpen() && !went;
+            if (hopeless) {
+                stay(new Failure(why.error(),
+                        move.name() + " has stayed: its board cannot send to " + move.key().peer()));
+            }
+            return hopeless;
         }
 
         /** Whether it may come back. */
@@ -486,24 +533,25 @@ final class Moves {
         }
 
         void ready() {
-            lastWord = clock.millis();
             if (move.state() == Move.State.OFFERED && move.protocol() != Protocol.CLONING) {
-                round++;
+                write(move.in(Move.State.GONE));
                 move = move.in(Move.State.GONE);
-                write(move);
-                move.before().ifPresent(this::forget);
+                round++;
                 call.say(new Mail.Go());
+                leaveBefore();
             } else if (move.protocol() == Protocol.CLONING && !went) {
                 round++;
                 went = true;
+                lastWord = clock.millis();
                 call.say(new Mail.Go());
             } else {
                 call.hurry();
             }
         }
 
-        private void forget(Move.Key before) {
-            arrivals.get(before).left();
+        /** The move by which it came is over. */
+        private void leaveBefore() {
+            move.before().map(arrivals::get).ifPresent(Arrival::left);
         }
 
         void awake(String name) {
@@ -511,18 +559,21 @@ final class Moves {
                 counts.get(Count.DROPPED).incrementAndGet();
                 return;
             }
-            close();
             if (move.protocol() != Protocol.CLONING) {
+                leaveBefore();
                 if (move.isOurs()) {
                     write(move.in(Move.State.AWAY));
                 } else {
                     folder.delete(move.key());
                 }
+            }
+            close();
+            if (move.protocol() != Protocol.CLONING) {
                 mas.left(move);
             }
             counts.get(Count.LEFT).incrementAndGet();
-            folder.tidy();
             end.complete(name.isEmpty() ? move.identity().name() : name);
+            folder.tidy();
         }
 
         void refused(Mail.Refused refused) {
@@ -531,12 +582,12 @@ final class Moves {
                 return;
             }
             stay(new Failure(refused.error(), move.key().peer() + " does not take " + move.name() + " in: "
-                    + refused.reason()));
+                    + Texts.withoutCommands(refused.reason())));
         }
 
         private void stay(Failure why) {
-            close();
             folder.delete(move.key());
+            close();
             counts.get(Count.STAYED).incrementAndGet();
             if (restarted) {
                 mas.stays(move, texts, why);
@@ -574,19 +625,21 @@ final class Moves {
             throw new RefusedException("too_large", "it has " + offer.length() + " bytes of text; at most "
                     + limits.length() + " are taken");
         }
+        if (offer.parts().stream().anyMatch(part -> part.packed() > Part.mostPacked(part.length()))) {
+            throw new RefusedException("too_large", "its texts become longer when they are packed");
+        }
         if (arrivals.values().stream().filter(arrival -> !arrival.isOver()).count() >= limits.agents()) {
             throw new RefusedException("too_many", limits.agents() + " agents have come or are coming already");
         }
         if (!isName(offer.identity().name())) {
-            throw new RefusedException("bad_name", "an agent that travels has a name of letters, digits and _ that"
-                    + " begins with a small letter, and not of four of them, as a device's address");
+            throw new RefusedException("bad_name", BAD_NAME);
         }
     }
 
     /** Of an agent that may travel: messages to a device and what a source says must not be mistaken. */
     static boolean isName(String agent) {
-        return agent.matches("[a-z]\\w*") && agent.length() != Address.LENGTH
-                && !List.of("self", "percept", "broadcast").contains(agent);
+        return agent.matches("[a-z]\\w*") && agent.length() != Address.LENGTH && agent.length() <= Mail.MOST_NAME
+                && !RESERVED.contains(agent);
     }
 
     private void refuse(Move.Key key, RefusedException why) {
@@ -603,6 +656,10 @@ final class Moves {
         private final Call call;
         private boolean admitted;
         private boolean recorded;
+        /** It was woken, or is on a move of its own. */
+        private boolean lives;
+        /** A part of it was not what was offered, and is asked for once more. */
+        private boolean repeats;
         /** That the sender has to go on elsewhere was said, and nothing that fits has come since. */
         private boolean complained;
         private long lastWord;
@@ -621,12 +678,14 @@ final class Moves {
 
         /** From its record. */
         void ready() {
-            arrivals.put(move.key(), this);
-            recorded = true;
+            isKnown();
+            // What cannot be read must not be called ready.
+            texts(move);
             call.say(new Mail.Ready());
         }
 
         void ask() {
+            watch();
             afterwards(mas.admit(move.name(), offer.protocol(), move.key().peer()),
                     (done, thrown) -> answered(thrown));
         }
@@ -638,7 +697,6 @@ final class Moves {
             if (thrown == null) {
                 admitted = true;
                 lastWord = clock.millis();
-                watch();
                 goOn(true);
                 return;
             }
@@ -655,6 +713,7 @@ final class Moves {
                 }
                 if (clock.millis() - lastWord >= FORGET_MILLIS) {
                     arrivals.remove(move.key());
+                    folder.tidy();
                 } else {
                     watch();
                 }
@@ -664,6 +723,7 @@ final class Moves {
         void offeredAgain(Mail.Offer again) {
             lastWord = clock.millis();
             if (wasAwake()) {
+                live(false);
                 awake();
             } else if (recorded) {
                 call.hurry();
@@ -689,7 +749,7 @@ final class Moves {
         /** Takes it in if all is here; else says what lacks. */
         private void goOn(boolean say) {
             if (isWhole()) {
-                takeIn();
+                onDisk(this::takeIn);
             } else if (say) {
                 List<Integer> offsets = new ArrayList<>();
                 for (int i = 0; i < offer.parts().size(); i++) {
@@ -719,9 +779,11 @@ final class Moves {
                 }
             } else if (end > here) {
                 complained = false;
-                folder.append(part.hash(), data.bytes().from(here - data.offset()));
-                report();
-                goOn(false);
+                onDisk(() -> {
+                    folder.append(part.hash(), data.bytes().from(here - data.offset()));
+                    report();
+                    goOn(false);
+                });
             }
         }
 
@@ -739,21 +801,43 @@ final class Moves {
         }
 
         private void takeIn() {
+            List<Bytes> texts = new ArrayList<>();
             try {
-                List<Bytes> texts = new ArrayList<>();
                 for (Part part : offer.parts()) {
                     texts.add(whole(part));
                 }
                 mas.check(move.name(), move.protocol(), texts);
-                for (int i = 0; i < texts.size(); i++) {
-                    folder.keep(move.parts().get(i), texts.get(i));
-                }
-                folder.write(move);
-                recorded = true;
-                call.say(new Mail.Ready());
             } catch (RefusedException e) {
-                arrivals.remove(move.key());
-                refuse(move.key(), e);
+                if (isWhole() || repeats) {
+                    end(e);
+                } else {
+                    // What came before, or was kept, may have been damaged here.
+                    repeats = true;
+                    goOn(true);
+                }
+                return;
+            }
+            for (int i = 0; i < texts.size(); i++) {
+                folder.keep(move.parts().get(i), texts.get(i));
+            }
+            folder.write(move);
+            recorded = true;
+            call.say(new Mail.Ready());
+        }
+
+        /** It is not taken in, and nothing of it stays here. */
+        private void end(RefusedException why) {
+            arrivals.remove(move.key());
+            refuse(move.key(), why);
+            offer.parts().forEach(part -> folder.forget(part.hash()));
+        }
+
+        /** A step that needs the disk. */
+        private void onDisk(Runnable step) {
+            try {
+                step.run();
+            } catch (UncheckedIOException e) {
+                end(new RefusedException("disk", "its records cannot be written: " + e.getMessage()));
             }
         }
 
@@ -773,28 +857,39 @@ final class Moves {
         void go() {
             if (!recorded) {
                 counts.get(Count.DROPPED).incrementAndGet();
-            } else if (wasAwake()) {
-                awake();
             } else {
-                call.stop();
-                wake(false);
+                if (!wasAwake()) {
+                    come();
+                }
+                live(false);
                 awake();
             }
         }
 
         /** The record comes first: from then on this agent lives here and nowhere else. */
-        void wake(boolean anew) {
-            arrivals.put(move.key(), this);
-            recorded = true;
-            if (!anew) {
-                List<Move> absences = absences();
-                move = absences.stream().anyMatch(Move::isOurs) ? move.in(Move.State.HERE).ours()
-                        : move.in(Move.State.HERE);
-                folder.write(move);
-                absences.forEach(this::forget);
-                counts.get(Count.CAME).incrementAndGet();
+        private void come() {
+            texts(move);
+            List<Move> absences = absences();
+            Move here = absences.stream().anyMatch(Move::isOurs) ? move.in(Move.State.HERE).ours()
+                    : move.in(Move.State.HERE);
+            folder.write(here);
+            move = here;
+            call.stop();
+            absences.forEach(this::forget);
+            counts.get(Count.CAME).incrementAndGet();
+        }
+
+        /**
+         * Wakes it, unless it is or was awake.
+         *
+         * @param anew whether it was here before, and this computer has started again since.
+         */
+        void live(boolean anew) {
+            if (lives || isOver()) {
+                return;
             }
             String name = mas.wake(move, texts(move), anew);
+            lives = true;
             if (!name.equals(move.name())) {
                 move = move.named(name);
                 folder.write(move);
@@ -823,8 +918,11 @@ final class Moves {
 
         /** The agent has gone on: what comes late of this move does not wake it again. */
         void left() {
+            if (isOver()) {
+                return;
+            }
+            folder.write(move.in(Move.State.LEFT));
             move = move.in(Move.State.LEFT);
-            folder.write(move);
             List<Arrival> over = arrivals.values().stream().filter(Arrival::isOver).toList();
             over.stream().limit(Math.max(0, over.size() - MOST_LEFT)).forEach(old -> {
                 arrivals.remove(old.move.key());
@@ -850,9 +948,9 @@ final class Moves {
                 counts.get(Count.DROPPED).incrementAndGet();
                 return;
             }
+            folder.delete(move.key());
             call.stop();
             arrivals.remove(move.key());
-            folder.delete(move.key());
         }
     }
 }

@@ -46,6 +46,11 @@ record Part(Bytes hash, int packed, int length) {
         }
     }
 
+    /** No text of that length has more bytes when it is packed. */
+    static int mostPacked(int length) {
+        return length + length / 1000 + 64;
+    }
+
     /** A text, packed. */
     static Bytes pack(Bytes text) {
         Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION, true);
@@ -53,7 +58,7 @@ record Part(Bytes hash, int packed, int length) {
             deflater.setDictionary(dictionary());
             deflater.setInput(text.toArray());
             deflater.finish();
-            byte[] room = new byte[text.length() + text.length() / 1000 + 64];
+            byte[] room = new byte[mostPacked(text.length())];
             int length = 0;
             while (!deflater.finished()) {
                 length += deflater.deflate(room, length, room.length - length);

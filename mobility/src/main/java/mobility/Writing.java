@@ -22,6 +22,7 @@ import jason.bb.BeliefBase;
 
 import diffuser.MalformedTextException;
 import diffuser.TermWriter;
+import diffuser.Texts;
 
 /** Writes terms as texts that read back elsewhere, or says why there is none. */
 final class Writing {
@@ -123,7 +124,7 @@ final class Writing {
     /** A term in one short line, for messages. */
     static String brief(Term term) {
         String text = term instanceof StringTerm string ? string.getString() : String.valueOf(term);
-        String line = text.replaceAll("\\p{Cntrl}+", " ");
+        String line = Texts.withoutCommands(text);
         return line.length() <= MOST_BRIEF ? line : line.substring(0, MOST_BRIEF) + "…";
     }
 }

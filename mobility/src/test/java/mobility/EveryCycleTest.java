@@ -120,6 +120,16 @@ class EveryCycleTest {
                     !start.
                     @me +!start <- .remove_plan(me); say(a); !b(X); say(X); say(b).
                     +!b(gone).
+                    """), Map.entry("variables without a name", """
+                    k(_,1). k(X,X). k([_|_],2). b(1)[source(bob)].
+                    !start.
+                    +!start <- !a(_,R); say(R); !b([_,Q,_|T],Q,T); say(Q); ?k(z,V); say(V); L = [_,_,3]; !c(L); say(L);
+                        -b(1)[source(_)]; !k(f(1)[z(Y)]); say(Y).
+                    +!a(X,p(X,Y,_)) <- X = 1; Y = _.
+                    +!b([A|_],q,[]) <- A = 2; say(A).
+                    +!c([1,2|_]).
+                    +!k(_[z(W)]) <- W = 7; say(k).
+                    -b(_) <- say(gone).
                     """), Map.entry("texts and names", """
                     !start("a \\"b\\"\\nc",'ROMA',[1,"x",[Y|T]],-2.5).
                     +!start(S,A,L,N) <- say(S,A,N,ns::p); L = [B,C|D]; !go(L,N); +ns::q(A); ?ns::q(Z); say(Z).

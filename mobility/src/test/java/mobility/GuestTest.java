@@ -1,21 +1,29 @@
 package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.regex.Pattern;
 
 import jason.asSemantics.Agent;
+import jason.asSemantics.Message;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
+import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What an agent may do that has come under inquilinism. */
@@ -59,11 +67,51 @@ class GuestTest {
             "jason.stdlib.stopMAS", "mobility.bomb(1)", "mobility.leave", ".send(bob,achieve,x)",
             ".send(bob,tellHow,\"+!a <- b.\")", ".send(bob,untellHow,\"l\")", ".send(bob,askHow,\"+!a\")",
             ".send(bob,unachieve,x)", ".broadcast(achieve,x)", ".df_register(x)", ".set_random_seed(1)",
-            "X = { .stopMAS }; X", ".eval(X,.stopMAS); X = true", ".term2string(X,\".stopMAS\"); X"})
+            ".send(bob,askOne,mobility.bomb(1))", ".send(bob,askOne,.stopMAS)", ".send(bob,askOne,(p(X) & .stopMAS))",
+            ".send(bob,askAll,not .stopMAS)", ".send(bob,tell,{ p :- .stopMAS })", ".send(bob,tell,[{ p :- a }])",
+            ".term2string(T,\"jag_shutting_down(1)\"); .send(bob,signal,T)", ".send(bob,askOne,X)",
+            ".send(bob,tell,\"p(1)\")", "X = { .stopMAS }; X", ".eval(X,.stopMAS); X = true",
+            ".term2string(X,\".stopMAS\"); X"})
     void step_notAllowed_fails(String step) throws Exception {
         String outcome = outcome(step);
         // A test that fails in a context has no error of its own.
         assertEquals(step.startsWith(".eval") ? "constraint_failed[]" : "guest[]", outcome);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '#', value = {"tell # p(1)[cast(unicast,'SUPP'),source(bob),a(2)] # p(1)[a(2)]",
+            "tell # [p(1)[cast(unicast,'SUPP')],q(-2)] # [p(1),q(-2)]", "askOne # p(X)[Y] # p(X)",
+            "signal # go[error(x)] # go"})
+    void message_leavesWhatAnotherDeviceCouldSay(String force, String said, String left) throws Exception {
+        Message message = new Message(force, "guest", "bob", ASSyntax.parseTerm(said));
+        Guest.check(message);
+        assertEquals(left, message.getPropCont().toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"[1,\"a\",[p(2)]]", "3", "p(4)"})
+    void answer_mayBeAnyDatum(String said) throws Exception {
+        Message message = new Message("tell", "guest", "bob", ASSyntax.parseTerm(said));
+        message.setInReplyTo("mid1");
+        Guest.check(message);
+        assertEquals(said, message.getPropCont().toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"p({ .stopMAS })", "{ +!q <- .stopMAS }", "[p(.stopMAS)]"})
+    void whatAnotherHasLookedUp_isLookedUpAnew(String said) throws Exception {
+        Stage host = Stage.of("b(" + said + ").");
+        Term known = host.ts.getAg().findBel(ASSyntax.parseLiteral("b(_)"), new Unifier()).getTerm(0);
+        Queue<Message> messages = new ArrayDeque<>(List.of(new Message("tell", "bob", "guest", known)));
+        Message message = new Guest().selectMessage(messages);
+        List<InternalActionLiteral> found = new ArrayList<>();
+        Terms.visit((Term) message.getPropCont(), part -> {
+            if (part instanceof InternalActionLiteral action) {
+                found.add(action);
+            }
+        });
+        assertEquals(1, found.size());
+        assertNull(found.get(0).getIA(null));
     }
 
     @Test

@@ -3,12 +3,14 @@ package mobility;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
+import jason.JasonException;
 import jason.asSemantics.Message;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Trigger;
@@ -73,6 +75,14 @@ class MobileTest {
         mobile.awaken();
         assertEquals(List.of("say b", "say wait_timeout", "say end"), stage.untilDone(3).done);
         assertFalse(stage.ts.getC().hasPendingIntention());
+    }
+
+    @Test
+    void sleeper_cannotBeMovedASecondTime() {
+        Stage stage = Stage.of("!go. +!go <- say(go).").run(1);
+        stage.front(new Mobile()).fallAsleep();
+        JasonException e = assertThrows(JasonException.class, () -> ImageWriter.write(stage.ts, null));
+        assertEquals("traveller cannot travel: it is on its way already", e.getMessage());
     }
 
     @Test

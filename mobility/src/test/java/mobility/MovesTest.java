@@ -1,19 +1,32 @@
 package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import diffuser.Failure;
 
 import javino.protocol.Bytes;
 
@@ -138,6 +151,309 @@ class MovesTest {
         world.runUntil(200_000);
         assertEquals(List.of("stayed undelivered"), station.told);
         assertEquals(Set.of(), bus.awake.keySet());
+    }
+
+    @Test
+    void depart_receiversDiskFullWhenItWakes_livesThereWhenThereIsRoom() {
+        move();
+        until(() -> isIn(bus, Move.State.READY));
+        bus.broken.add("write");
+        world.runUntil(world.millis() + 100_000);
+        assertEquals(0, world.awake(AGENT));
+        bus.broken.clear();
+        world.runUntil(world.millis() + 60_000);
+        assertOnlyAt(bus, station);
+        assertEquals(List.of(), station.open());
+    }
+
+    @Test
+    void depart_receiverCannotMakeIt_livesThereWhenItCan() {
+        bus.crowded = true;
+        CompletableFuture<String> end = move();
+        world.runUntil(100_000);
+        assertFalse(end.isDone(), "it is awake nowhere");
+        bus.crowded = false;
+        world.runUntil(200_000);
+        assertOnlyAt(bus, station);
+        assertEquals(AGENT, end.join());
+    }
+
+    @Test
+    void depart_receiversDiskFull_isRefused() {
+        bus.broken.add("write");
+        move();
+        world.runUntil(30_000);
+        assertEquals("stayed disk", station.told.get(0));
+        assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_sendersDiskFullWhenItGoes_goesWhenThereIsRoom() {
+        move();
+        until(() -> isIn(bus, Move.State.READY));
+        station.broken.add("write");
+        world.runUntil(world.millis() + 20_000);
+        assertEquals(0, world.awake(AGENT));
+        station.broken.clear();
+        world.runUntil(world.millis() + 60_000);
+        assertOnlyAt(bus, station);
+    }
+
+    @Test
+    void depart_sendersDiskStaysFull_staysAfterPatience() {
+        move();
+        until(() -> isIn(bus, Move.State.READY));
+        station.broken.add("write");
+        world.runUntil(200_000);
+        assertOnlyAt(station, bus);
+        assertEquals(List.of(), bus.open());
+    }
+
+    @Test
+    void depart_sendersDiskFullWhenItHasArrived_endsWhenThereIsRoom() {
+        CompletableFuture<String> end = move();
+        until(() -> isIn(station, Move.State.GONE));
+        station.broken.addAll(Set.of("write", "delete"));
+        world.runUntil(world.millis() + 60_000);
+        assertFalse(end.isDone());
+        station.broken.clear();
+        world.runUntil(world.millis() + 60_000);
+        assertEquals(AGENT, end.join());
+        assertOnlyAt(bus, station);
+        assertEquals(List.of(), station.open());
+    }
+
+    @Test
+    void depart_refusedAndRecordNotDeleted_wakesWhenItIs() {
+        bus.admits = false;
+        station.broken.add("delete");
+        move();
+        world.runUntil(200_000);
+        assertEquals(0, world.awake(AGENT));
+        station.broken.clear();
+        world.runUntil(300_000);
+        assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_folderDeletedMeanwhile_staysHere() throws IOException {
+        bus.admits = false;
+        move();
+        until(() -> isIn(station, Move.State.OFFERED));
+        deleteAll(folder.resolve(World.STATION.toString()));
+        world.runUntil(30_000);
+        assertEquals(List.of("stayed refused"), station.told);
+        assertOnlyAt(station, bus);
+        move();
+        world.runUntil(60_000);
+        assertEquals("stayed disk", station.told.get(1));
+    }
+
+    @Test
+    void depart_backAndDiskFullWhenItHasGone_doesNotWakeThereAgain() {
+        move();
+        world.runUntil(30_000);
+        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
+        // Two records change when it goes: there is room for the first.
+        until(() -> isIn(station, Move.State.READY));
+        bus.broken.add("write LEFT");
+        world.runUntil(world.millis() + 60_000);
+        bus.broken.clear();
+        world.runUntil(world.millis() + 60_000);
+        bus.kill();
+        bus.start();
+        world.runUntil(world.millis() + 60_000);
+        assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_withoutKey_saysSoAtOnce() {
+        station.key = false;
+        move();
+        world.runUntil(1_000);
+        assertEquals(List.of("stayed no_key"), station.told);
+        assertOnlyAt(station, bus);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"anna", "self", "percept", "Bob", "a-b", "df", "true", "not"})
+    void depart_nameThatCouldBeMistaken_saysSoBeforeAnythingIsSent(String name) {
+        station.awake.put(name, TEXTS);
+        station.depart(name, Protocol.MUTUALISM, World.BUS);
+        world.runUntil(1_000);
+        assertEquals(List.of("stayed bad_name"), station.told);
+        assertEquals(0, world.messages);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "state=AWAY", "\u0000\u00ff\u0000", "garbage \\uZZ"})
+    void start_recordDamaged_nothingIsAnsweredAndTheLogSaysWhichFile(String garbage) throws IOException {
+        move();
+        until(() -> isIn(bus, Move.State.READY));
+        until(() -> isIn(station, Move.State.GONE));
+        for (World.Side side : List.of(bus, station)) {
+            side.kill();
+            Path record = record(side);
+            byte[] good = Files.readAllBytes(record);
+            Files.write(record, garbage.getBytes(StandardCharsets.ISO_8859_1));
+            side.start();
+            world.runUntil(world.millis() + 60_000);
+            assertTrue(side.told.get(side.told.size() - 1).contains(record.getFileName().toString()),
+                    () -> "" + side.told);
+            assertEquals(0, world.awake(AGENT));
+            side.kill();
+            Files.write(record, good);
+            side.start();
+            world.contact = side == station;
+        }
+        world.runUntil(world.millis() + 100_000);
+        assertOnlyAt(bus, station);
+    }
+
+    @Test
+    void start_recordThatLacksALine_isDamaged() throws IOException {
+        move();
+        until(() -> isIn(station, Move.State.OFFERED));
+        station.kill();
+        Path record = record(station);
+        List<String> lines = Files.readAllLines(record);
+        for (String line : lines) {
+            Files.write(record, lines.stream().filter(each -> !each.equals(line)).toList());
+            boolean comment = line.startsWith("#");
+            assertEquals(comment ? 1 : 0, Folder.records(record.getParent()).size(), line);
+            assertEquals(comment ? 0 : 1, Folder.unreadable(record.getParent()).size(), line);
+        }
+    }
+
+    private Path record(World.Side side) throws IOException {
+        try (Stream<Path> files = Files.list(folder.resolve(side.address.toString()))) {
+            return files.filter(file -> file.toString().endsWith(".move")).findFirst().orElseThrow();
+        }
+    }
+
+    @Test
+    void start_textDamaged_othersGoOnAndItWaits() throws IOException {
+        station.awake.put("other", TEXTS);
+        move();
+        station.depart("other", Protocol.MUTUALISM, World.BUS);
+        world.runUntil(60_000);
+        bus.kill();
+        Move move = Folder.records(folder.resolve("SUBB")).get(0);
+        assertEquals(2, Folder.records(folder.resolve("SUBB")).size());
+        Path part = folder.resolve("SUBB").resolve("parts").resolve(move.parts().get(0).hex());
+        byte[] good = Files.readAllBytes(part);
+        Files.write(part, new byte[0]);
+        bus.start();
+        world.runUntil(100_000);
+        assertEquals(Set.of(), bus.awake.keySet(), "not with an empty text");
+        assertEquals(2, bus.told.stream().filter(line -> line.contains("lost or damaged")).count());
+        bus.kill();
+        Files.write(part, good);
+        bus.start();
+        assertEquals(Set.of(AGENT, "other"), bus.awake.keySet());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", ".part"})
+    void depart_whatIsThereIsDamaged_comesAgain(String kind) throws IOException {
+        Path file = folder.resolve("SUBB").resolve("parts").resolve(Part.hash(TEXTS.get(0)).hex() + kind);
+        Files.write(file, "rubbish".getBytes(StandardCharsets.US_ASCII));
+        move();
+        world.runUntil(60_000);
+        assertOnlyAt(bus, station);
+    }
+
+    @Test
+    void ended_whatCameOrIsToLeave_doesNotLiveHereAgain() {
+        move();
+        world.runUntil(30_000);
+        bus.awake.remove(AGENT);
+        bus.moves.ended(AGENT);
+        bus.kill();
+        bus.start();
+        world.runUntil(60_000);
+        assertEquals(0, world.awake(AGENT));
+    }
+
+    @Test
+    void offers_neverFinished_areForgottenWithWhatCame() throws IOException {
+        Random random = new Random(3);
+        for (int i = 0; i < 300; i++) {
+            byte[] hash = new byte[Part.HASH_LENGTH];
+            random.nextBytes(hash);
+            Part part = new Part(Bytes.copyOf(hash), 900, 900);
+            say(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), new Move.Identity(World.STATION, AGENT)));
+            // Each second one is whole, and wrong, also when it is asked for again.
+            for (int wrong = 0; wrong < 2; wrong++) {
+                say(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
+                say(i, new Mail.Data(0, 480, Bytes.copyOf(new byte[420])));
+            }
+            world.runUntil(world.millis() + 20_000);
+        }
+        world.runUntil(world.millis() + 2 * Moves.FORGET_MILLIS);
+        try (Stream<Path> parts = Files.list(folder.resolve("SUBB").resolve("parts"))) {
+            assertTrue(parts.count() <= 64, "they do not fill the disk");
+        }
+        assertEquals(List.of(), Folder.records(folder.resolve("SUBB")));
+        assertTrue(bus.moves.count(Moves.Count.REFUSED) >= 150, "" + bus.moves.count(Moves.Count.REFUSED));
+        station.awake.put(AGENT, TEXTS);
+        move();
+        world.runUntil(world.millis() + 60_000);
+        assertOnlyAt(bus, station);
+    }
+
+    private void say(int number, Mail.Said said) {
+        bus.moves.received(World.STATION, new Mail(number, said).encode());
+        world.runUntil(world.millis());
+    }
+
+    @Test
+    void refusal_thatCommandsTheTerminal_hasBlanks() {
+        world.contact = false;
+        CompletableFuture<String> end = move();
+        until(() -> isIn(station, Move.State.OFFERED));
+        int number = station.open().get(0).key().number();
+        station.moves.received(World.BUS, new Mail(number, new Mail.Refused("oops", "a\u001b[2J\nb")).encode());
+        world.runUntil(1_000);
+        assertTrue(Failure.of(assertThrows(CompletionException.class, end::join)).message().endsWith(": a [2J b"));
+    }
+
+    @Test
+    void offer_packedLongerThanAnyPacker_isRefused() {
+        say(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
+                new Move.Identity(World.STATION, AGENT)));
+        assertTrue(bus.told.get(0).contains("become longer"), () -> "" + bus.told);
+    }
+
+    @Test
+    void guest_thatStaysWhereItWasToLeave_isGuestAgain() {
+        Move.Key came = new Move.Key(false, World.STATION, 1);
+        Move.Identity who = new Move.Identity(World.STATION, AGENT);
+        Move guest = new Move(came, Move.State.HERE, Protocol.INQUILINISM, who, AGENT, List.of(), false,
+                Optional.empty());
+        Move leaves = new Move(new Move.Key(true, World.STATION, 2), Move.State.OFFERED, Protocol.MUTUALISM, who,
+                AGENT, List.of(), false, Optional.of(came));
+        assertTrue(leaves.isGuest(List.of(guest, leaves)));
+        assertFalse(leaves.isGuest(List.of(leaves)));
+    }
+
+    private static void deleteAll(Path place) throws IOException {
+        try (Stream<Path> files = Files.walk(place)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+
+    private static boolean isIn(World.Side side, Move.State state) {
+        return side.open().stream().anyMatch(each -> each.state() == state);
+    }
+
+    private void until(BooleanSupplier condition) {
+        for (int i = 0; i < 100_000 && !condition.getAsBoolean(); i++) {
+            world.runUntil(world.millis() + 1);
+        }
+        assertTrue(condition.getAsBoolean());
     }
 
     /** What does not become shorter. */

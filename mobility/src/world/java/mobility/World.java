@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -143,6 +144,12 @@ final class World {
         private Runnable last = () -> {};
         boolean on;
         boolean admits = true;
+        /** Its board has the other's key. */
+        boolean key = true;
+        /** What its disk does not do now: write, delete. */
+        final Set<String> broken = new HashSet<>();
+        /** Its MAS cannot make an agent now. */
+        boolean crowded;
         RefusedException refusal;
 
         Side(Address address, Path place) {
@@ -183,8 +190,16 @@ final class World {
                 super(place);
             }
 
+            private void expect(String operation) {
+                if (broken.contains(operation)) {
+                    throw new UncheckedIOException(new IOException("the disk does not " + operation));
+                }
+            }
+
             @Override
             void write(Move move) {
+                expect("write");
+                expect("write " + move.state());
                 maybeKilled("before the record " + move.state());
                 super.write(move);
                 maybeKilled("after the record " + move.state());
@@ -192,6 +207,7 @@ final class World {
 
             @Override
             void delete(Move.Key key) {
+                expect("delete");
                 maybeKilled("before a record is deleted");
                 super.delete(key);
                 maybeKilled("after a record was deleted");
@@ -199,12 +215,14 @@ final class World {
 
             @Override
             void keep(Bytes hash, Bytes text) {
+                expect("write");
                 maybeKilled("before a part is kept");
                 super.keep(hash, text);
             }
 
             @Override
             void append(Bytes hash, Bytes packed) {
+                expect("write");
                 super.append(hash, packed);
                 maybeKilled("when bytes of a part have come");
             }
@@ -232,6 +250,8 @@ final class World {
             } catch (Killed e) {
                 kill();
                 World.this.after(random.nextInt(20_000), this::start);
+            } catch (UncheckedIOException | IllegalStateException e) {
+                told.add(e.getMessage());
             }
         }
 
@@ -268,6 +288,10 @@ final class World {
             String type = String.valueOf((char) bytes.at(0));
             maybeKilled("before the message " + type);
             CompletableFuture<Outcome> end = new CompletableFuture<>();
+            if (!key) {
+                end.completeExceptionally(new Failure("no_key", "the board has no key for " + to).toException());
+                return end;
+            }
             int mine = life;
             long size = BESIDE + 14L * bytes.length();
             bits += size;
@@ -315,6 +339,9 @@ final class World {
         @Override
         public String wake(Move move, List<Bytes> texts, boolean anew) {
             maybeKilled("before the agent wakes");
+            if (crowded) {
+                throw new IllegalStateException("the agent cannot live here");
+            }
             if (!anew) {
                 arrivals++;
                 unasked += asked ? 0 : 1;

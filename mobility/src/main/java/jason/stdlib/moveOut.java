@@ -1,7 +1,8 @@
 package jason.stdlib;
 
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 import jason.JasonException;
 import jason.asSemantics.DefaultInternalAction;
@@ -81,7 +82,7 @@ public class moveOut extends DefaultInternalAction {
     }
 
     private List<String> names(Term argument) throws JasonException {
-        List<String> names = new ArrayList<>();
+        Set<String> names = new LinkedHashSet<>();
         for (Term single : argument.isList() && !argument.isVar() ? (ListTerm) argument : List.of(argument)) {
             names.add(Names.of(single).orElseThrow(() -> JasonException.createWrongArgument(this,
                     "the names of agents were expected, not '" + argument + "'.")));
@@ -89,6 +90,6 @@ public class moveOut extends DefaultInternalAction {
         if (names.isEmpty()) {
             throw JasonException.createWrongArgument(this, "the names of agents were expected, not an empty list.");
         }
-        return names;
+        return List.copyOf(names);
     }
 }
