@@ -75,6 +75,10 @@ final class Moves {
         static final Limits USUAL = new Limits(65_536, 16);
     }
 
+    /** Why the board here does not send, where it will not later either. */
+    private static final Set<String> HOPELESS =
+            Set.of("no_key", "bad_destination", "too_long", "legacy_board", "nonce_exhausted");
+
     /** What is counted, for who looks for a fault. */
     enum Count {
         CAME, LEFT, REFUSED, STAYED, DROPPED
@@ -284,9 +288,12 @@ final class Moves {
         private boolean speaking;
         /** What was begun for an earlier message says no more. */
         private int turn;
+        private final Consumer<Failure> failed;
 
-        Call(Move.Key key) {
+        /** @param failed is told each time that the board here does not even send it. */
+        Call(Move.Key key, Consumer<Failure> failed) {
             this.key = key;
+            this.failed = failed;
         }
 
         void say(Mail.Said said) {
@@ -330,6 +337,9 @@ final class Moves {
                     again(pause);
                     pause = Math.min(MOST_PAUSE_MILLIS, 2 * pause);
                 }
+                if (thrown != null) {
+                    failed.accept(Failure.of(thrown));
+                }
             });
         }
 
@@ -371,7 +381,7 @@ final class Moves {
             this.end = end;
             this.restarted = restarted;
             this.packed = texts.stream().map(Part::pack).toList();
-            this.call = new Call(move.key());
+            this.call = new Call(move.key(), this::unsent);
             List<Part> parts = new ArrayList<>();
             for (int i = 0; i < texts.size(); i++) {
                 parts.add(new Part(Part.hash(texts.get(i)), packed.get(i).length(), texts.get(i).length()));
@@ -412,6 +422,14 @@ final class Moves {
             return departures.get(move.key()) == this && move.state() == Move.State.OFFERED;
         }
 
+        private void unsent(Failure why) {
+            if (isOpen() && HOPELESS.contains(why.error())) {
+                // Its own words have the whole message in them, in hexadecimal.
+                stay(new Failure(why.error(), move.name() + " has stayed: this board will not send to "
+                        + move.key().peer() + ", " + why.error()));
+            }
+        }
+
         void wanted(Mail.Want want) {
             if (!isOpen() || want.offsets().size() != packed.size()) {
                 counts.get(Count.DROPPED).incrementAndGet();
@@ -445,7 +463,12 @@ final class Moves {
                 long delivered = IntStream.of(next).asLongStream().sum();
                 afterwards(say(move.key().peer(), move.key().number(),
                         new Mail.Data(part, from, packed.get(part).slice(from, to))),
-                        (outcome, thrown) -> sent(mine, outcome, delivered));
+                        (outcome, thrown) -> {
+                            if (thrown != null) {
+                                unsent(Failure.of(thrown));
+                            }
+                            sent(mine, outcome, delivered);
+                        });
             }
         }
 
@@ -610,7 +633,7 @@ final class Moves {
 
         Arrival(Move move) {
             this.move = move;
-            this.call = new Call(move.key());
+            this.call = new Call(move.key(), why -> {});
             lastWord = clock.millis();
             lastProgress = lastWord;
         }

@@ -1,19 +1,24 @@
 package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+
+import diffuser.Failure;
 
 import javino.protocol.Bytes;
 
@@ -56,6 +61,28 @@ class MovesTest {
         assertOnlyAt(bus, station);
         assertEquals(1, station.moves.count(Moves.Count.LEFT));
         assertEquals(1, bus.moves.count(Moves.Count.CAME));
+    }
+
+    @Test
+    void depart_boardWillNeverSend_failsAtOnceWithItsWords() {
+        station.unsent = Optional.of(new Failure("no_key", "the board has no key for ROMA"));
+        CompletableFuture<String> end = move();
+        world.runUntil(1_000);
+        CompletionException thrown = assertThrows(CompletionException.class, end::join);
+        assertEquals(new Failure("no_key", "inspector has stayed: this board will not send to SUBB, no_key"),
+                Failure.of(thrown));
+        assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_boardIsBackSoon_goesAllTheSame() {
+        station.unsent = Optional.of(new Failure("port_off", "the board is away"));
+        CompletableFuture<String> end = move();
+        world.runUntil(10_000);
+        station.unsent = Optional.empty();
+        world.runUntil(50_000);
+        assertEquals(AGENT, end.join());
+        assertOnlyAt(bus, station);
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Random;
 import java.util.Set;
@@ -144,6 +145,8 @@ final class World {
         boolean on;
         boolean admits = true;
         RefusedException refusal;
+        /** Why its board sends nothing. */
+        Optional<Failure> unsent = Optional.empty();
 
         Side(Address address, Path place) {
             this.address = address;
@@ -268,6 +271,10 @@ final class World {
             String type = String.valueOf((char) bytes.at(0));
             maybeKilled("before the message " + type);
             CompletableFuture<Outcome> end = new CompletableFuture<>();
+            if (unsent.isPresent()) {
+                end.completeExceptionally(unsent.get().toException());
+                return end;
+            }
             int mine = life;
             long size = BESIDE + 14L * bytes.length();
             bits += size;
