@@ -9,6 +9,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import jason.JasonException;
 import jason.asSemantics.Intention;
 import jason.asSemantics.TransitionSystem;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+import jason.asSyntax.Term;
+import jason.bb.BeliefBase;
 import jason.infra.local.BaseLocalMAS;
 import jason.infra.local.LocalAgArch;
 
@@ -59,7 +63,7 @@ public final class Departures {
         boolean also = agents.contains(self);
         Intention mover = ts.getC().getSelectedIntention();
         // Before anything is sent: what cannot travel is said now.
-        Image image = also ? ImageWriter.write(ts, mover) : null;
+        Image image = also ? image(ts, mover, known) : null;
         String key = "moveOut/javino/" + COUNT.incrementAndGet();
         Intentions.await(ts.getC(), key);
         List<CompletableFuture<String>> ends = new ArrayList<>();
@@ -101,7 +105,7 @@ public final class Departures {
         CompletableFuture<String> end = new CompletableFuture<>();
         ts.runAtBeginOfNextCycle(() -> {
             try {
-                depart(moves, ts, protocol, to, ImageWriter.write(ts, null)).whenComplete((name, thrown) -> {
+                depart(moves, ts, protocol, to, image(ts, null, protocol)).whenComplete((name, thrown) -> {
                     if (thrown == null) {
                         end.complete(name);
                     } else {
@@ -114,6 +118,31 @@ public final class Departures {
         });
         ts.getAgArch().wakeUpDeliberate();
         return end;
+    }
+
+    /** @throws JasonException cannot_travel, if something holds the agent here. */
+    private static Image image(TransitionSystem ts, Intention mover, Protocol protocol) throws JasonException {
+        Optional<Literal> role = protocol == Protocol.CLONING ? Optional.empty() : role(ts);
+        if (role.isPresent()) {
+            throw new Failure("cannot_travel", ts.getAgArch().getAgName() + " cannot travel: it plays the role "
+                    + role.get().getTerm(1) + " in the group " + role.get().getTerm(2)
+                    + " of an organisation; let it call leaveRole first").toException();
+        }
+        return ImageWriter.write(ts, mover);
+    }
+
+    /** As JaCaMo's groups tell it to who plays a role there: {@code play(Agent,Role,Group)}. */
+    private static Optional<Literal> role(TransitionSystem ts) {
+        Term self = ASSyntax.createAtom(ts.getAgArch().getAgName());
+        for (Literal belief : ts.getAg().getBB()) {
+            boolean playing = belief.getFunctor().equals("play") && belief.getArity() == 3
+                    && belief.getTerm(0).equals(self) && belief.hasAnnot(BeliefBase.TPercept)
+                    && !belief.getAnnots("artifact_id").isEmpty();
+            if (playing) {
+                return Optional.of(belief);
+            }
+        }
+        return Optional.empty();
     }
 
     private static CompletableFuture<String> depart(BoardMoves moves, TransitionSystem ts, Protocol protocol,

@@ -10,6 +10,9 @@ import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 
 import jason.architecture.AgArch;
+import jason.asSemantics.Circumstance;
+import jason.asSemantics.Event;
+import jason.asSemantics.TransitionSystem;
 import jason.infra.local.BaseLocalMAS;
 import jason.infra.local.LocalAgArch;
 import jason.mas2j.AgentParameters;
@@ -105,8 +108,8 @@ final class Inhabitants {
             MAKING.set(true);
             String name = services.createAgent(move.name(), null,
                     guest ? Guest.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
-                    architectures(ours, guest), null, new Settings(), null);
-            mind.enter(agent(name).orElseThrow().getTS(), why);
+                    architectures(ours, guest), null, ours.map(Inhabitants::settings).orElseGet(Settings::new), null);
+            enter(mind, agent(name).orElseThrow().getTS(), why);
             services.startAgent(name);
             return name;
         } catch (RefusedException e) {
@@ -130,6 +133,32 @@ final class Inhabitants {
         return all;
     }
 
+    /**
+     * Lets a mind enter an agent. An architecture may have a goal before all others already, as that of JaCaMo has to
+     * focus on artifacts. Jason has one place for such a goal, in which the mind's own would replace it: then it waits
+     * its turn.
+     */
+    private static void enter(Mind mind, TransitionSystem ts, Optional<Failure> why) {
+        Circumstance circumstance = ts.getC();
+        Event first = circumstance.removeAtomicEvent();
+        mind.enter(ts, why);
+        if (first != null) {
+            if (circumstance.hasAtomicIntention() || circumstance.getAtomicEvent() != null) {
+                first.getIntention().setAtomic(0);
+            }
+            circumstance.addEvent(first);
+        }
+    }
+
+    /** As the program says, for its architectures as well: JaCaMo's have from there what the agent focuses on. */
+    private static Settings settings(AgentParameters ours) {
+        Settings settings = ours.getAsSetts(false, false);
+        // It comes with a mind.
+        settings.removeUserParameter(Settings.INIT_BELS);
+        settings.removeUserParameter(Settings.INIT_GOALS);
+        return settings;
+    }
+
     private String own() {
         return diffuser.getTS().getAgArch().getAgName();
     }
@@ -149,6 +178,7 @@ final class Inhabitants {
             Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
             mind.enter(diffuser.getTS(), why);
+            Mobile.perceiveAnew(diffuser.getTS());
         });
         diffuser.getTS().getAgArch().wakeUpDeliberate();
         return own();

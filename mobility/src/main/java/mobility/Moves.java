@@ -53,7 +53,6 @@ final class Moves {
     /** Names with a meaning in AgentSpeak, or in Jason: {@code df} is its directory. */
     private static final Set<String> RESERVED = Set.of("self", "percept", "broadcast", "df", "true", "false", "not",
             "mod", "div", "if", "else", "elif", "while", "for", "begin", "end");
-    private static final Set<String> HOPELESS = Set.of("no_key", "bad_destination", "too_long");
     private static final String BAD_NAME = "an agent that travels has a name of at most 64 letters, digits and _ that"
             + " begins with a small letter, no word of AgentSpeak, and not of four letters, as a device's address";
 
@@ -82,6 +81,10 @@ final class Moves {
 
         static final Limits USUAL = new Limits(65_536, 16);
     }
+
+    /** Why the board here does not send, where it will not later either. */
+    private static final Set<String> HOPELESS =
+            Set.of("no_key", "bad_destination", "too_long", "legacy_board", "nonce_exhausted");
 
     /** What is counted, for who looks for a fault. */
     enum Count {
@@ -316,9 +319,12 @@ final class Moves {
         private boolean speaking;
         /** What was begun for an earlier message says no more. */
         private int turn;
+        private final Consumer<Failure> failed;
 
-        Call(Move.Key key) {
+        /** @param failed is told each time that the board here does not even send it. */
+        Call(Move.Key key, Consumer<Failure> failed) {
             this.key = key;
+            this.failed = failed;
         }
 
         void say(Mail.Said said) {
@@ -355,16 +361,15 @@ final class Moves {
                     return;
                 }
                 speaking = false;
-                Departure departure = departures.get(key);
-                if (thrown != null && departure != null && departure.isHopeless(thrown)) {
-                    return;
-                }
                 if (outcome == Outcome.DELIVERED) {
                     pause = LEAST_PAUSE_MILLIS;
                     again(ANSWER_MILLIS);
                 } else {
                     again(pause);
                     pause = Math.min(MOST_PAUSE_MILLIS, 2 * pause);
+                }
+                if (thrown != null) {
+                    failed.accept(Failure.of(thrown));
                 }
             });
         }
@@ -407,7 +412,7 @@ final class Moves {
             this.end = end;
             this.restarted = restarted;
             this.packed = texts.stream().map(Part::pack).toList();
-            this.call = new Call(move.key());
+            this.call = new Call(move.key(), this::unsent);
             List<Part> parts = new ArrayList<>();
             for (int i = 0; i < texts.size(); i++) {
                 parts.add(new Part(Part.hash(texts.get(i)), packed.get(i).length(), texts.get(i).length()));
@@ -443,20 +448,17 @@ final class Moves {
             });
         }
 
-        /** What the board cannot send will never arrive. @return whether it has stayed for that. */
-        boolean isHopeless(Throwable thrown) {
-            Failure why = Failure.of(thrown);
-            boolean hopeless = HOPELESS.contains(why.error()) && isOpen() && !went;
-            if (hopeless) {
-                stay(new Failure(why.error(),
-                        move.name() + " has stayed: its board cannot send to " + move.key().peer()));
-            }
-            return hopeless;
-        }
-
         /** Whether it may come back. */
         private boolean isOpen() {
             return departures.get(move.key()) == this && move.state() == Move.State.OFFERED;
+        }
+
+        private void unsent(Failure why) {
+            if (isOpen() && !went && HOPELESS.contains(why.error())) {
+                // Its own words have the whole message in them, in hexadecimal.
+                stay(new Failure(why.error(), move.name() + " has stayed: this board will not send to "
+                        + move.key().peer() + ", " + why.error()));
+            }
         }
 
         void wanted(Mail.Want want) {
@@ -492,7 +494,12 @@ final class Moves {
                 long delivered = IntStream.of(next).asLongStream().sum();
                 afterwards(say(move.key().peer(), move.key().number(),
                         new Mail.Data(part, from, packed.get(part).slice(from, to))),
-                        (outcome, thrown) -> sent(mine, outcome, delivered));
+                        (outcome, thrown) -> {
+                            if (thrown != null) {
+                                unsent(Failure.of(thrown));
+                            }
+                            sent(mine, outcome, delivered);
+                        });
             }
         }
 
@@ -667,7 +674,7 @@ final class Moves {
 
         Arrival(Move move) {
             this.move = move;
-            this.call = new Call(move.key());
+            this.call = new Call(move.key(), why -> {});
             lastWord = clock.millis();
             lastProgress = lastWord;
         }

@@ -219,10 +219,27 @@ final class Reading {
 
     private static void refuseJasonsOwn(String text, Term term) throws RefusedException {
         try {
-            Gate.refuseJasonsOwn(term);
+            Gate.refuseJasonsOwn(Terms.<RuntimeException>replace(term.clone(), Reading::withPlainActions));
         } catch (Gate.RefusedException e) {
             throw refused(text, e.getMessage());
         }
+    }
+
+    /**
+     * A body whose plain actions are of no namespace: a variable for theirs, as in the plans of JaCaMo, matches nothing
+     * of Jason's. Their names and parts stay.
+     */
+    private static Term withPlainActions(Term term) {
+        if (term instanceof PlanBody body) {
+            for (PlanBody step = body; step != null && !step.isEmptyBody(); step = step.getBodyNext()) {
+                boolean plain = step.getBodyType() == PlanBody.BodyType.action && !step.getBodyTerm().isVar()
+                        && step.getBodyTerm() instanceof Literal action && action.getNS().isVar();
+                if (plain) {
+                    step.setBodyTerm(step.getBodyTerm().cloneNS(Literal.DefaultNS));
+                }
+            }
+        }
+        return term;
     }
 
     /** With variables of its own. */

@@ -2,6 +2,7 @@ package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -51,7 +52,11 @@ class HostileImageTest {
             "+!a <- .print(\"\u202e\").", "+!a\u009b <- b.", "+!a\u2028+!b.", "+!a <- b.\n\n+!c <- d.",
             "+!a <- no.such(1).", "+!a <- .nosuch(1).",
             "+!a <- java.lang.Runtime.exec(1).", "+!a : java.lang.Thread.sleep(1) <- b.",
-            "@l +!a <- b.\n@l +!c <- d."})
+            "@l +!a <- b.\n@l +!c <- d.", "+!a <- +NS::p.", "+!a <- !NS::p.", "+!a <- ?NS::p.",
+            "+!a <- if (b) { -NS::p }.",
+            "+!a <- p(NS::q).", "+!a <- NS::p(NS::q).", "+!a <- NS::p(kqml_received(b)).",
+            "+!a <- NS::kqml_received(b).",
+            "+!a : NS::p <- b.", "+!a <- b(NS) . { +NS::p <- c. }"})
     void program_hostile_isRefused(String program) {
         refusal(program, "");
     }
@@ -74,6 +79,13 @@ class HostileImageTest {
             "P+!X <- a.", "Pp :- q.", "I\nF0,0,+!a\nVX[a],1"})
     void state_hostile_isRefused(String state) {
         refusal("+!a <- b; c.", state);
+    }
+
+    /** As in the plans of JaCaMo, by which agents focus on artifacts. */
+    @ParameterizedTest
+    @ValueSource(strings = {"+!a(NS) <- NS::p(b)[c].", "+!a(NS) <- if (b) { NS::p } else { ns::p }."})
+    void program_plainActionOfSomeNamespace_isRead(String program) throws Exception {
+        assertNotNull(Mind.read(new Image(program, "")));
     }
 
     @Test

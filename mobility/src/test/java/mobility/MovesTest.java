@@ -72,6 +72,29 @@ class MovesTest {
     }
 
     @Test
+    void depart_boardWillNeverSend_failsAtOnceWithItsWords() {
+        station.unsent = Optional.of(new Failure("no_key", "the board has no key for ROMA"));
+        CompletableFuture<String> end = move();
+        world.runUntil(1_000);
+        CompletionException thrown = assertThrows(CompletionException.class, end::join);
+        assertEquals(new Failure("no_key", "inspector has stayed: this board will not send to SUBB, no_key"),
+                Failure.of(thrown));
+        assertEquals(List.of("stayed no_key"), station.told);
+        assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_boardIsBackSoon_goesAllTheSame() {
+        station.unsent = Optional.of(new Failure("port_off", "the board is away"));
+        CompletableFuture<String> end = move();
+        world.runUntil(10_000);
+        station.unsent = Optional.empty();
+        world.runUntil(50_000);
+        assertEquals(AGENT, end.join());
+        assertOnlyAt(bus, station);
+    }
+
+    @Test
     void depart_otherSideRefuses_staysAndSaysWhy() {
         bus.admits = false;
         CompletableFuture<String> end = move();
@@ -263,15 +286,6 @@ class MovesTest {
         bus.kill();
         bus.start();
         world.runUntil(world.millis() + 60_000);
-        assertOnlyAt(station, bus);
-    }
-
-    @Test
-    void depart_withoutKey_saysSoAtOnce() {
-        station.key = false;
-        move();
-        world.runUntil(1_000);
-        assertEquals(List.of("stayed no_key"), station.told);
         assertOnlyAt(station, bus);
     }
 

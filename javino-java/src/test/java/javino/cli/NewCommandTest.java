@@ -75,6 +75,16 @@ class NewCommandTest extends CommandFixture {
 
     @ParameterizedTest
     @ValueSource(strings = {"--jason", "--jacamo"})
+    void new_readme_hasTheLineForAgentsThatMove(String kind) throws IOException {
+        Path project = folder.resolve("robot");
+        assertEquals(0, run("new", kind, project.toString()), err.toString());
+        String readme = text(project.resolve("README.md"));
+        assertTrue(readme.matches("(?s).*`implementation 'org\\.javino:mobility:\\d+\\.\\d+.*?'`.*"), readme);
+        assertTrue(text(project.resolve(".gitignore")).contains("\nmoves/\n"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--jason", "--jacamo"})
     void new_files_haveNoPlaceholderLeft(String kind) throws IOException {
         Path project = folder.resolve("robot");
         assertEquals(0, run("new", kind, project.toString()), err.toString());

@@ -91,11 +91,12 @@ class IgnoredFilesTest {
         make("", "keys");
         make("", "keys.part");
         make("", "eeprom/a.bin");
+        make("examples/highway", "moves/bus/1");
         assertEquals("", unknown());
     }
 
     @ParameterizedTest
-    @CsvSource({"keys", "keys.part", "eeprom/robot.bin", "build/eeprom.bin", "ports/robot"})
+    @CsvSource({"keys", "keys.part", "eeprom/robot.bin", "build/eeprom.bin", "ports/robot", "moves/robot/1"})
     void newProject_leavesOutKeys(String file) throws Exception {
         git("init", "-q");
         Files.copy(Repository.ROOT.resolve(PROJECT), folder.resolve(".gitignore"));

@@ -1,6 +1,5 @@
 package harness;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -49,13 +48,15 @@ public final class AgentProcess implements AutoCloseable {
      * @param listener is told each line that it prints, on the thread that reads it.
      */
     public static AgentProcess run(String name, Path folder, Consumer<String> listener) throws IOException {
-        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        // Small and quick to start: a campaign has a dozen.
-        ProcessBuilder command = new ProcessBuilder(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
-                "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
-                "jason.infra.local.RunLocalMAS", name + ".mas2j",
-                "--log-conf", ROOT.resolve("examples/highway/logging.properties").toString(), "--no-net")
-                .directory(folder.toFile());
+        return run(Platform.USUAL, name, folder, listener);
+    }
+
+    /** The same on another platform, which takes the program of that name. */
+    public static AgentProcess run(Platform platform, String name, Path folder, Consumer<String> listener)
+            throws IOException {
+        ProcessBuilder command =
+                new ProcessBuilder(platform.command(name, ROOT.resolve("examples/highway/logging.properties")))
+                        .directory(folder.toFile());
         return new AgentProcess(command.redirectErrorStream(true).start(), listener);
     }
 

@@ -124,8 +124,13 @@ public final class Travels implements AutoCloseable {
 
     /** Starts one MAS, or starts it again. */
     public void start(int side) throws IOException {
+        start(side, Platform.USUAL);
+    }
+
+    /** Starts one MAS on a platform; what is not Jason needs a program {@code mas} of its own in the MAS's folder. */
+    public void start(int side, Platform platform) throws IOException {
         int life = ++lives[side];
-        processes.set(side, AgentProcess.run("mas", place(side), line -> printed(side, life, line)));
+        processes.set(side, AgentProcess.run(platform, "mas", place(side), line -> printed(side, life, line)));
     }
 
     private void printed(int side, int life, String line) {

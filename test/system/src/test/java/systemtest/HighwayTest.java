@@ -3,17 +3,15 @@ package systemtest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import harness.Platform;
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -115,16 +113,9 @@ class HighwayTest {
     @Tag("verify")
     @Test
     void newerJavaAndJason_showAllBehaviours() throws Exception {
-        Path jason = Path.of(System.getProperty("javino.newerJason"));
-        Optional<Path> home = NewerJava.home();
-        String skipped = "skipped: the highway with " + jason.getFileName()
-                + " needs Java 21 or newer, beside " + JAVA + " or named by JAVA_HOME_21_X64";
-        if (home.isEmpty()) {
-            System.out.println(skipped);
-        }
-        assumeTrue(home.isPresent(), skipped);
+        Platform newer = NewerJava.withNewerJason();
         copyScenario();
-        Run run = follow(start(home.get(), classPathWith(jason), EMULATOR));
+        Run run = follow(start(newer.java(), newer.classPath(), EMULATOR));
 
         run.assertAllObserved();
         assertFalse(run.says("WARNING"), run::toString);
@@ -265,13 +256,6 @@ class HighwayTest {
                 emulator));
         command.addAll(List.of(options));
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
-    }
-
-    /** The class path of this test with another Jason. */
-    private static String classPathWith(Path jason) {
-        List<String> others = Stream.of(CLASS_PATH.split(File.pathSeparator))
-                .filter(jar -> !jar.contains("jason-interpreter")).toList();
-        return jason + File.pathSeparator + String.join(File.pathSeparator, others);
     }
 
     /** The scenario in a folder of its own, so that nobody's run is disturbed; it uses the real sketches. */

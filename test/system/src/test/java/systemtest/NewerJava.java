@@ -1,5 +1,8 @@
 package systemtest;
 
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import harness.Platform;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Files;
@@ -15,6 +18,23 @@ final class NewerJava {
     private static final int LEAST = 21;
 
     private NewerJava() {}
+
+    /** That Java with Jason 3.3; who asks is skipped, and says so, where there is none. */
+    static Platform withNewerJason() throws IOException {
+        return with(System.getProperty("javino.newerJason"), "Jason 3.3");
+    }
+
+    /** That Java with other libraries in the place of Jason. */
+    static Platform with(String libraries, String what) throws IOException {
+        Optional<Path> home = home();
+        String skipped = "skipped: " + what + " needs Java " + LEAST + " or newer, beside "
+                + System.getProperty("java.home") + " or named by JAVA_HOME_21_X64";
+        if (home.isEmpty()) {
+            System.out.println(skipped);
+        }
+        assumeTrue(home.isPresent(), skipped);
+        return Platform.USUAL.with(home.get(), libraries);
+    }
 
     /** The home of the newest Java here, if that is new enough. */
     static Optional<Path> home() throws IOException {

@@ -1,6 +1,7 @@
 package systemtest;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.AgentProcess;
 import harness.Emulator;
@@ -39,6 +40,23 @@ class OpennessTest {
                     "closed",         // -mob
                     "totallyClosed"), // -com: the board is unplugged again
                     openness(agent));
+        }
+    }
+
+    /** Definitions 2 to 5, by a real radio by which agents can move as soon as a plan admits them. */
+    @Test
+    void radioOpensAndAPlanAdmits_agentSeesTheFourKindsOfTableOne(@TempDir Path folder) throws Exception {
+        try (Emulator emulator = new Emulator.Scenario().board("antenna", "Vehicle").start(folder);
+                AgentProcess agent = AgentProcess.start("harbour", folder)) {
+            agent.await("openness limitedOpen");
+            assertEquals(List.of(
+                    "totallyClosed",
+                    "closed",         // +com: the radio is open
+                    "open",           // +mob: a plan admits
+                    "totallyClosed",  // -com, -mob: the radio is blocked
+                    "limitedOpen"),   // +mob: another way to move
+                    openness(agent));
+            assertTrue(emulator.process().isAlive(), "the board was there all the time");
         }
     }
 

@@ -1,0 +1,160 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import harness.Emulator;
+import harness.Platform;
+import harness.Travels;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import javino.protocol.Address;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** An agent that moves by emulated radio between a MAS of JaCaMo and one of Jason. */
+@Tag("verify")
+class JaCaMoMovesTest {
+
+    private static final List<Address> IDS = List.of(Address.parse("SUSS"), Address.parse("SUBB"));
+
+    private static final String MAS = """
+            mas house {
+                agent door : door.asl {
+                    ag-arch: diffuser.Diffuser
+                    moves: "moves"
+                    newcomers: "jaca.CAgentArch"
+                }
+                agent walker : walker.asl {
+                    ag-arch: mobility.Mobile
+                    @AGENT@
+                }
+                workspace room {
+                    artifact board : cartago.tools.TupleSpace()
+                }
+                organisation house : house.xml {
+                    group family : household
+                }
+                asl-path: "."
+                org-path: "."
+            }
+            """;
+
+    private static final String ORGANISATION = """
+            <?xml version="1.0" encoding="UTF-8"?>
+            <organisational-specification id="house" os-version="1.0" xmlns="http://moise.sourceforge.net/os">
+              <structural-specification>
+                <role-definitions><role id="watcher"/></role-definitions>
+                <group-specification id="household">
+                  <roles><role id="watcher" min="0" max="1"/></roles>
+                </group-specification>
+              </structural-specification>
+            </organisational-specification>
+            """;
+
+    private static final String TEMPLATES = """
+            { include("$jacamo/templates/common-cartago.asl") }
+            { include("$jacamo/templates/common-moise.asl") }
+            { include("$moise/asl/org-obedient.asl") }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private static Platform jacamo(String version) throws Exception {
+        String libraries = System.getProperty("javino." + version);
+        String skipped = "skipped: moves under JaCaMo need -Pjacamo=URL of JaCaMo's Maven repository";
+        if (libraries == null) {
+            System.out.println(skipped);
+        }
+        assumeTrue(libraries != null, skipped);
+        Platform platform = version.startsWith("newer") ? NewerJava.with(libraries, "JaCaMo 1.3")
+                : Platform.USUAL.with(Platform.USUAL.java(), libraries);
+        return platform.launchedBy("jacamo.infra.JaCaMoLauncher", ".jcm");
+    }
+
+    /** What the agent says that begins as the walker of one of the two, until it says that it is done. */
+    private List<String> said(Platform home, Platform away, String agent, String program) throws Exception {
+        try (Emulator emulator =
+                new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
+                Travels travels = new Travels(emulator, folder.resolve("mas"), List.of("home", "away"), IDS,
+                        List.of(true, true), program, line -> {})) {
+            for (int side : List.of(Travels.HOME, Travels.AWAY)) {
+                Path place = travels.place(side);
+                // That of the other MAS must not have the name.
+                String mas = side == Travels.HOME ? MAS.replace("@AGENT@", agent)
+                        : MAS.replace("@AGENT@", "").replace("agent walker : walker.asl", "agent other : other.asl");
+                Files.writeString(place.resolve("mas.jcm"), mas);
+                Files.writeString(place.resolve("house.xml"), ORGANISATION);
+                Files.writeString(place.resolve("other.asl"), "none.\n");
+            }
+            Files.writeString(travels.place(Travels.AWAY).resolve("door.asl"),
+                    "+!moveIn(_, inquilinism)[cast(unicast, _)].\n", StandardOpenOption.APPEND);
+            travels.start(Travels.AWAY, away);
+            travels.start(Travels.HOME, home);
+            travels.await("end", 1, line -> line.endsWith("] I am done"));
+            List<String> said = travels.lines().stream().filter(line -> line.contains("[walker] I "))
+                    .map(line -> line.substring(line.indexOf("I "))).toList();
+            assertEquals(said.stream().anyMatch(line -> line.startsWith("I came")),
+                    emulator.trace().stream().anyMatch(event -> !Travels.said(event).isEmpty()), "moves on the air");
+            return said;
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"jacamo", "newerJacamo"})
+    void moveOut_toJasonAndBack_focusesAtHomeAgainOnWhatItsProgramSays(String version) throws Exception {
+        List<String> said = said(jacamo(version), Platform.USUAL, "focus: room.board", """
+                +!begin : not begun <- +begun; .wait(focused(_, board[artifact_type(_)], _)); !visit;
+                    .print("I am done").
+                +!begin.
+                +!visit <- ?focused(_, board[artifact_type(_)], B); +have(B); !try; -have(_); !go(3).
+                +!go(X) <- .moveOut("@THERE@", mutualism); .print("I came to Jason"); !write(X);
+                    .moveOut("@HERE@", mutualism); .print("I came home");
+                    .wait(focused(_, board[artifact_type(_)], _)); !write(X); in(hello, Y); .print("I read ", Y).
+                +!try <- .moveOut("@THERE@", mutualism).
+                -!try[error(E), error_msg(Why)] <- .print("I stay: ", E, " ", Why).
+                +!write(X) <- out(hello, X); .print("I wrote ", X).
+                -!write(X)[error(E)] <- .print("I could not write: ", E).
+                """ + TEMPLATES);
+
+        assertTrue(said.get(0).matches("I stay: cannot_travel .* holds an artifact's handle, cobj_\\d+"),
+                said::toString);
+        assertEquals(List.of("I came to Jason", "I could not write: action_failed", "I came home", "I wrote 3",
+                "I read 3", "I am done"), said.subList(1, said.size()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"jacamo", "newerJacamo"})
+    void moveOut_playsARole_staysBeforeAnythingIsSent(String version) throws Exception {
+        assertEquals(List.of(
+                "I stay: cannot_travel walker cannot travel: it plays the role watcher in the group family of an "
+                        + "organisation; let it call leaveRole first",
+                "I am done"), said(jacamo(version), Platform.USUAL, "roles: watcher in family", """
+                        +!begin : not begun <- +begun; .wait(play(_, watcher, family)); !try; .print("I am done").
+                        +!begin.
+                        +!try <- .moveOut("@THERE@", mutualism); .print("I came there").
+                        -!try[error(E), error_msg(Why)] <- .print("I stay: ", E, " ", Why).
+                        """ + TEMPLATES));
+    }
+
+    /** As the receiver's list says: and a guest has no artifacts, whatever the list says. */
+    @ParameterizedTest
+    @ValueSource(strings = {"jacamo", "newerJacamo"})
+    void moveIn_newcomersAndGuests_haveArtifactsAsTheReceiverSays(String version) throws Exception {
+        assertEquals(List.of("I came", "I joined", "I came home", "I came again", "I could not join: action_failed",
+                "I am done"), said(Platform.USUAL, jacamo(version), "", """
+                        +!begin : not begun <- +begun; .moveOut("@THERE@", mutualism); .print("I came"); !join;
+                            .moveOut("@HERE@", mutualism); .print("I came home");
+                            .moveOut("@THERE@", inquilinism); .print("I came again"); !join; .print("I am done").
+                        +!begin.
+                        +!join <- joinWorkspace("/main/room", W); .print("I joined").
+                        -!join[error(E)] <- .print("I could not join: ", E).
+                        """));
+    }
+}
