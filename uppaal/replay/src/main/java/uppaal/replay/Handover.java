@@ -2,7 +2,6 @@ package uppaal.replay;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -15,7 +14,6 @@ import uppaal.ModelException;
 import uppaal.document.Document;
 import uppaal.document.DocumentReader;
 import uppaal.document.Edge;
-import uppaal.document.Template;
 import uppaal.language.Expressions;
 import uppaal.language.Term;
 import uppaal.network.JointMove;
@@ -37,6 +35,8 @@ final class Handover {
             + "World = Others(SUPPORT, 0); system Support, End, World;";
     private static final String RECEIVER = "Bus = Process(BUS, false); End = Receiver(BUS, 0, true); "
             + "World = Others(BUS, 0); system Bus, End, World;";
+    /** An end knows nothing of its agent's next move. */
+    private static final String NEVER = "Move Receiver: Here -> Left, 1";
     private static final Document MODEL = model();
 
     private final Map<String, Scene> known = new HashMap<>();
@@ -143,7 +143,7 @@ final class Handover {
         Possible.Seen seen = possible.see(name);
         if (seen.possible().isPresent() && covered.add(seen)) {
             seen.edges().stream().filter(edge -> edge.startsWith("End:"))
-                    .forEach(edge -> edges.add(scene.template() + edge.substring("End".length())));
+                    .forEach(edge -> edges.add("Move " + scene.template() + edge.substring("End".length())));
         }
         return seen.possible();
     }
@@ -153,19 +153,16 @@ final class Handover {
         return Set.copyOf(edges);
     }
 
-    /** All edges of sender and receiver: {@code template: source -> target, number among these}. */
+    /** All that a trace can take: {@code Move template: source -> target, number among these}. */
     static Set<String> edges() {
         Set<String> edges = new TreeSet<>();
-        for (Template template : MODEL.templates()) {
+        for (String name : List.of("Sender", "Receiver")) {
             Map<String, Integer> numbers = new HashMap<>();
-            List<String> paths = new ArrayList<>();
-            for (Edge edge : template.edges()) {
-                paths.add(template.name() + ": " + edge.path() + ", " + numbers.merge(edge.path(), 1, Integer::sum));
-            }
-            if (List.of("Sender", "Receiver").contains(template.name())) {
-                edges.addAll(paths);
+            for (Edge edge : MODEL.template(name).edges()) {
+                edges.add("Move " + name + ": " + edge.path() + ", " + numbers.merge(edge.path(), 1, Integer::sum));
             }
         }
+        edges.remove(NEVER);
         return edges;
     }
 }

@@ -51,10 +51,6 @@ final class Moves {
             word.parts().forEach(part -> kept.remove(event.board() + part.hash()));
         } else if (word.is('W')) {
             keep(end);
-        } else if (word.is('A') && end.offer().filter(offer -> !offer.isCloning()).isPresent()) {
-            String agent = end.offer().get().identity();
-            ends.values().stream().filter(other -> isOf(other, agent) && !other.move.equals(word.move()))
-                    .forEach(MoveEnd::mayReturn);
         }
     }
 
@@ -92,6 +88,8 @@ final class Moves {
         end.hears(word, word.is('O') ? kept(event.board(), word.parts()) : List.of(), true);
         if (word.is('D') && word.part() < end.parts().size()) {
             come(end, word);
+        } else if (word.is('G')) {
+            end.offer().filter(offer -> !offer.isCloning()).ifPresent(offer -> wake(word.move(), offer.identity()));
         }
     }
 
@@ -99,6 +97,11 @@ final class Moves {
         return parts.stream()
                 .map(part -> Math.min(part.packed(), kept.getOrDefault(board + part.hash(), part.packed())))
                 .toList();
+    }
+
+    /** An agent may wake, and so be back where it was before, also at another board of the same MAS. */
+    private void wake(String move, String agent) {
+        ends.values().stream().filter(end -> isOf(end, agent) && !end.move.equals(move)).forEach(MoveEnd::mayReturn);
     }
 
     /** Bytes of a part have come to a board. Another move may have the same part. */

@@ -12,10 +12,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.TreeSet;
 
 /**
- * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed
- * between boards and hosts must be what the model allows. Takes the lines as they come; what it remembers does not
+ * Replays a trace of emulated boards in the automata of {@code delivery.xml} and {@code handover.xml}: what was on the
+ * air and what passed between boards and hosts must be what the models allow. Takes the lines as they come; what it remembers does not
  * grow with the trace.
  */
 public final class Replay {
@@ -152,14 +153,24 @@ public final class Replay {
                         : "refused at " + refusal);
     }
 
-    /** Edges of the model's automata that the trace may have taken, as {@link #edges} names them. */
+    /**
+     * Edges of the models' automata that the trace may have taken, as {@link #edges} and {@link #edgesOfMoves} name
+     * them.
+     */
     public synchronized Set<String> covered() {
-        return scenes.covered();
+        Set<String> all = new TreeSet<>(scenes.covered());
+        all.addAll(handover.covered());
+        return all;
     }
 
-    /** All edges of the model's automata that a trace can take. */
+    /** All edges of the automata of {@code delivery.xml} that a trace can take. */
     public static Set<String> edges() {
         return Scenes.edges();
+    }
+
+    /** Likewise of {@code handover.xml}. */
+    public static Set<String> edgesOfMoves() {
+        return Handover.edges();
     }
 
     private void enter(Event event) {

@@ -141,8 +141,14 @@ class MovesTest {
 
     @Test
     void move_thereAndBack_isAccepted() {
+        Replay replay = lines.replayWithKeys("moves");
         assertEquals("model: trace accepted (155 events, 13 messages opened, 13 proofs, 13 messages of moves)",
-                lines.replayWithKeys("moves").verdict());
+                replay.verdict());
+        assertTrue(replay.covered().containsAll(List.of("Move Sender: Gone -> Away, 1",
+                "Move Receiver: Coming -> Whole, 1", "Move Receiver: Waking -> Telling, 1")),
+                replay.covered().toString());
+        assertTrue(Replay.edgesOfMoves().containsAll(
+                replay.covered().stream().filter(edge -> edge.startsWith("Move ")).toList()));
         assertAccepted();
     }
 
