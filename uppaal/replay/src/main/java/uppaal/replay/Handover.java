@@ -72,11 +72,11 @@ final class Handover {
             asked.forEach(text -> terms.put(text, Expressions.parse(text, network, FILE)));
             Map<String, String> kinds = kinds(network);
             Possible first = Possible.first(network, terms.values(), (state, move) -> name(network, kinds, move));
-            return new Scene(template, first.or(anew(first)), terms);
+            return new Scene(template, anew(first), terms);
         });
     }
 
-    /** What is known of a process that has just been started again: it goes on from any record. */
+    /** What is known of a process that has just been started: it goes on from any record, or has none yet. */
     private static Possible anew(Possible first) {
         Possible any = first;
         Possible before;

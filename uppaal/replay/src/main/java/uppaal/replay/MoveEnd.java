@@ -179,9 +179,8 @@ final class MoveEnd {
         for (int i = 0; may && i < from.size(); i++) {
             may = from.get(i) <= state.at.get(i);
         }
-        int pieces = pieces(total(from));
-        return !may || pieces == WHOLE ? Optional.empty()
-                : after(state, "says W" + pieces).map(wanting -> new State(wanting.possible, state.heard, from));
+        return !may ? Optional.empty()
+                : after(state, "says W" + pieces(total(from))).map(wanting -> new State(wanting.possible, state.heard, from));
     }
 
     /** It goes on where it was asked to; of what it has said one message may not have come to its board. */
@@ -337,28 +336,25 @@ final class MoveEnd {
 
     // What else may happen
 
-    /** Its host may have been started again: what it had not heard, and what its board had not taken, is lost. */
+    /**
+     * Its host may have been started again: what it had not heard is lost. What its board had not taken it says again.
+     */
     void mayDie() {
         named = null;
         List<State> after = new ArrayList<>(states);
-        every(state -> {
-            Possible any = state.possible;
-            Possible before;
-            do {
-                before = any;
-                for (String name : before.next()) {
-                    any = name.startsWith("says") ? any.or(before.after(name).orElse(before)) : any;
-                }
-            } while (any != before);
-            handover.after(scene, any, "dies").ifPresent(possible -> after.add(
-                    new State(possible, forgotten + unheard.size(), isSender ? UNKNOWN : state.at)));
-        });
+        every(state -> handover.after(scene, state.possible, "dies").ifPresent(
+                possible -> after.add(new State(possible, forgotten + unheard.size(), state.at))));
         set(after);
     }
 
     /** Its agent may be back, by another move. */
     void mayReturn() {
         set(states.stream().map(state -> state.with(perhaps(state.possible, "returns"))).toList());
+    }
+
+    /** All was heard in the end. */
+    void end() {
+        every(state -> {});
     }
 
     /** Its agent is awake here again. @return whether it may be. */

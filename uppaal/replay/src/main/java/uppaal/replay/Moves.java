@@ -65,8 +65,7 @@ final class Moves {
     }
 
     private static boolean isOf(MoveEnd end, String agent) {
-        return end.isSender
-                && end.offer().filter(offer -> !offer.isCloning() && offer.identity().equals(agent)).isPresent();
+        return end.isSender && end.offer().filter(offer -> offer.identity().equals(agent)).isPresent();
     }
 
     /** What a receiver says that it has, it has; and what was handed to it meanwhile. */
@@ -123,6 +122,11 @@ final class Moves {
     /** A board says hello, perhaps to a host that has been started again. */
     void greets(Event event) {
         ends.values().stream().filter(end -> end.board.equals(event.board())).forEach(MoveEnd::mayDie);
+    }
+
+    /** The trace has ended. */
+    void end() {
+        ends.values().forEach(MoveEnd::end);
     }
 
     private MoveEnd end(String board, boolean isSender, String peer, String move) {

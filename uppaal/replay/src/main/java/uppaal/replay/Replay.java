@@ -139,6 +139,7 @@ public final class Replay {
     public synchronized void finish() {
         ended = true;
         perform(Double.POSITIVE_INFINITY);
+        moves.end();
     }
 
     /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */

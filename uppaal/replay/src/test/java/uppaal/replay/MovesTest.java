@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What hosts must not say of a move. {@code moves.jsonl} is what two boards did of which {@code home} sent an agent to
+ * What hosts must not say of a move. {@code moves/walker.jsonl} is what two boards did of which {@code home} sent an agent to
  * {@code away}, from where it came back ({@code test/system}'s {@code MovesTest}), without the events that the model
  * does not speak of. Moves are changed by hand here; the first one is 1, the way back 2.
  */
@@ -27,7 +27,7 @@ class MovesTest {
     private static final int BODY_AT = MOVE_AT + 8;
     private static final String NOTHING_YET = "000000000000";
 
-    private final Lines lines = Lines.of("moves");
+    private final Lines lines = Lines.of("moves/walker");
     /** Where the next word goes. */
     private int at;
 
@@ -141,7 +141,7 @@ class MovesTest {
 
     @Test
     void move_thereAndBack_isAccepted() {
-        Replay replay = lines.replayWithKeys("moves");
+        Replay replay = lines.replayWithKeys("moves/walker");
         assertEquals("model: trace accepted (155 events, 13 messages opened, 13 proofs, 13 messages of moves)",
                 replay.verdict());
         assertTrue(replay.covered().containsAll(List.of("Move Sender: Gone -> Away, 1",
@@ -350,9 +350,9 @@ class MovesTest {
 
     @Test
     void want_ofMoreThanCame_isRefused() {
-        after("away hears D 1").then("away says W 1", "00012f000001")
-                .assertRefused("says 'want' from byte 303, 1 of move e9aa02fa to SUSS; expected nothing; of its parts "
-                        + "these bytes are there: [0, 0] or [303, 0]");
+        after("away hears D 1").then("away hears O 1", body("home says O 1")).then("away says W 1", "00012f000001")
+                .assertRefused("says 'want' from byte 303, 1 of move e9aa02fa to SUSS; expected 'refused' or 'want'; "
+                        + "of its parts these bytes are there: [0, 0] or [303, 0]");
     }
 
     @ParameterizedTest
@@ -416,5 +416,136 @@ class MovesTest {
                 .then("home says C 00000004").then("away hears O 00000005", body("home says O 1"))
                 .then("away says A 00000005", hex("walker")).assertAccepted();
         then("home says C " + OTHER).assertRefused("says 'cancelled'");
+    }
+
+    /** An offer of one part with 2000 bytes. */
+    private static String large() {
+        return hex("m") + "01" + "0123456789abcdef" + "0007d0" + "000fa0" + hex("SUSSlarge");
+    }
+
+    private static String data(int offset, int length) {
+        return "00%06x".formatted(offset) + "ff".repeat(length);
+    }
+
+    /** The away host says what it wants of a large agent. */
+    private MovesTest thenLargeIsWanted(String word) {
+        return after(word).then("away hears O " + OTHER, large()).then("away says W " + OTHER, "000000");
+    }
+
+    @Test
+    void data_ofWhichOneMessageLacks_isAccepted() {
+        after("home hears W 1").then("home says O " + OTHER, large()).then("home hears W " + OTHER, "000000")
+                .then("home says D " + OTHER, data(480, 480)).assertAccepted();
+        then("home says D " + OTHER, data(1441, 480)).assertRefused("[960]");
+    }
+
+    @Test
+    void data_inTheMidstOfAPartAfterGo_isRefused() {
+        after("home hears W 1").then("home says O " + OTHER, large()).then("home hears W " + OTHER, "000000")
+                .then("home says D " + OTHER, data(0, 480)).then("home hears R " + OTHER)
+                .then("home says G " + OTHER).then("home says D " + OTHER, data(480, 480))
+                .assertRefused("says 'data'");
+    }
+
+    @Test
+    void data_tooLong_isOfAWrongForm() {
+        after("home hears W 1").then("home says O " + OTHER, large()).then("home hears W " + OTHER, "000000")
+                .then("home says D " + OTHER, data(0, 481)).assertRefused("'data' of a wrong form");
+    }
+
+    @Test
+    void want_afterAGap_isAccepted() {
+        thenLargeIsWanted("away hears O 1").then("away hears D " + OTHER, data(480, 480))
+                .then("away says W " + OTHER, "000000").assertAccepted();
+        then("away hears D " + OTHER, data(0, 480)).then("away hears D " + OTHER, data(480, 480))
+                .then("away hears D " + OTHER, data(960, 480)).then("away hears D " + OTHER, data(1500, 480))
+                .then("away says W " + OTHER, "0005a0").assertAccepted();
+    }
+
+    @Test
+    void want_thatIsAskedForAgain_isAccepted() {
+        after("away hears D 1").then("away hears O 1", body("home says O 1")).then("away says W 1", "00012f000000")
+                .assertAccepted();
+    }
+
+    @Test
+    void want_thatDidNotComeToItsBoard_isNotMissed() {
+        after("away says W 1").then("away hears O 1", body("home says O 1")).assertAccepted();
+    }
+
+    @Test
+    void awake_afterAnOffer_isAccepted() {
+        after("away says A 1").then("away hears O 1", body("home says O 1")).then("away says A 1", hex("walker"))
+                .assertAccepted();
+    }
+
+    @Test
+    void awake_underAnotherNameWhenOthersHaveBeenStarted_isRefused() {
+        after("away says A 1").thenStarts("home").then("away hears G 1").then("away says A 1", hex("walker_1"))
+                .assertRefused("expected 'walker' as before");
+    }
+
+    @Test
+    void ready_heardAgainAndAgain_isAnsweredOnce() {
+        after("home says G 1");
+        for (int i = 0; i < 10; i++) {
+            then("home hears R 1");
+        }
+        after("home says A 2").then("home hears R 1").then("home says C 1").assertAccepted();
+    }
+
+    @Test
+    void offer_afterACloneHasCome_isRefused() {
+        String clone = hex("c") + body("home says O 1").substring(2);
+        after("home hears A 1").then("home hears O " + OTHER, clone).then("home says R " + OTHER)
+                .then("home hears G " + OTHER).then("home says A " + OTHER, hex("walker"))
+                .then("home says O 00000004", body("home says O 1")).assertRefused("which has gone");
+    }
+
+    /** The receiver has refused another move of the same parts: it has no record of it. */
+    private MovesTest thenIsRefused(String offer) {
+        return then("away hears O " + OTHER, offer).then("away says X " + OTHER, hex("no way"));
+    }
+
+    @Test
+    void ready_ofPartsThatAnotherMoveHasBrought_isAccepted() {
+        String offer = body("home says O 1");
+        after("away says W 1").thenIsRefused(offer);
+        after("away hears D 1", 2).then("away hears O " + OTHER, offer).then("away says R " + OTHER).assertAccepted();
+    }
+
+    @Test
+    void ready_ofPartsThatAnotherMoveHasBroughtInPart_isRefused() {
+        String offer = large();
+        thenLargeIsWanted("away hears O 1").then("away hears O 00000004", offer)
+                .then("away says W 00000004", "000000").then("away hears C 00000004")
+                .then("away hears D " + OTHER, data(1520, 480)).thenStarts("away")
+                .then("away hears O 00000004", offer).then("away says R 00000004").assertRefused("says 'ready'");
+    }
+
+    @Test
+    void ready_ofPartsThatItsHostHasOffered_isAccepted() {
+        after("away says W 1").thenIsRefused(body("home says O 1"))
+                .then("away says O 00000004", body("home says O 1") + hex("x"))
+                .then("away hears O " + OTHER, body("home says O 1")).then("away says R " + OTHER).cut()
+                .assertAccepted();
+    }
+
+    @Test
+    void want_ofPartsThatAnotherMoveBrings_namesThemInTheirPlaces() {
+        String offer = body("home says O 1");
+        String first = offer.substring(4, 32);
+        String swapped = offer.substring(0, 4) + offer.substring(32, 60) + first + offer.substring(60);
+        after("away says W 1").then("away hears O " + OTHER, swapped).then("away says W " + OTHER, NOTHING_YET);
+        after("away hears D 1").then("away hears O " + OTHER, swapped).then("away says W " + OTHER, "00000000012f")
+                .assertAccepted();
+    }
+
+    @Test
+    void want_ofPartsThatAForgottenMoveBrings_namesNone() {
+        String offer = body("home says O 1");
+        after("away says W 1").then("away hears O " + OTHER, offer).then("away says W " + OTHER, NOTHING_YET);
+        after("away hears D 1").then("away hears O " + OTHER, offer).then("away says W " + OTHER, NOTHING_YET).cut()
+                .assertAccepted();
     }
 }
