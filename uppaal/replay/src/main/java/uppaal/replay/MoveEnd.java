@@ -59,9 +59,8 @@ final class MoveEnd {
      * What a board has handed to its host.
      *
      * @param kept of an offer: how many bytes of its parts may be there
-     * @param own false where it is of another move, and has bytes of the same part
      */
-    private record Heard(MoveWord word, List<Integer> kept, boolean own) {}
+    private record Heard(MoveWord word, List<Integer> kept) {}
 
     /** Its board. */
     final String board;
@@ -180,7 +179,8 @@ final class MoveEnd {
             may = from.get(i) <= state.at.get(i);
         }
         return !may ? Optional.empty()
-                : after(state, "says W" + pieces(total(from))).map(wanting -> new State(wanting.possible, state.heard, from));
+                : after(state, "says W" + pieces(total(from)))
+                        .map(wanting -> new State(wanting.possible, state.heard, from));
     }
 
     /** It goes on where it was asked to; of what it has said one message may not have come to its board. */
@@ -215,14 +215,14 @@ final class MoveEnd {
 
     // What its host hears
 
-    /** Its board has handed this to its host. */
-    void hears(MoveWord word, List<Integer> kept, boolean own) {
+    /** Its board has handed this to its host, or data of another move that has the same part. */
+    void hears(MoveWord word, List<Integer> kept) {
         if (word.is('O') && offer == null) {
             offered(word);
         } else if (word.is('O') && !Arrays.equals(word.body(), offer.body())) {
             return;
         }
-        unheard.add(new Heard(word, kept, own));
+        unheard.add(new Heard(word, kept));
         if (unheard.size() > MOST_UNHEARD) {
             List<State> later = new ArrayList<>();
             every(state -> {
@@ -325,9 +325,6 @@ final class MoveEnd {
             more.set(word.part(), end);
             pass(coming.get(), "comes D", total(state.at), total(more))
                     .ifPresent(possible -> after.add(state.heard(possible, more)));
-            if (!heard.own) {
-                after.add(state.heard(coming.get(), state.at));
-            }
         } else {
             after.add(state.heard(coming.get(), state.at));
         }

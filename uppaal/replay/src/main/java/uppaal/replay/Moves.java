@@ -84,7 +84,7 @@ final class Moves {
         }
         MoveWord word = said.get();
         MoveEnd end = end(event.board(), !word.isOfSender(), event.text("origin"), word.move());
-        end.hears(word, word.is('O') ? kept(event.board(), word.parts()) : List.of(), true);
+        end.hears(word, word.is('O') ? kept(event.board(), word.parts()) : List.of());
         if (word.is('D') && word.part() < end.parts().size()) {
             come(end, word);
         } else if (word.is('G')) {
@@ -112,7 +112,7 @@ final class Moves {
             if (other != end && !other.isSender && other.board.equals(end.board)) {
                 for (int part = 0; part < other.parts().size(); part++) {
                     if (other.parts().get(part).hash().equals(hash)) {
-                        other.hears(data.of(other.move, part), List.of(), false);
+                        other.hears(data.of(other.move, part), List.of());
                     }
                 }
             }
