@@ -26,3 +26,5 @@ A[] (Receiver1.Left || Receiver1.Answering) imply awake[BUS] == 0
 A[] Receiver1.Here imply awake[BUS] == 1
 /* Z14 holds: a sender that was killed knows nothing of a clone. */
 A[] Support.Starting imply (Sender1.Home || Sender1.Over)
+/* Z15 holds: who knows nothing of a move that has gone answers so, and forgets it. */
+E<> Receiver1.None && A1.UnderWay && woken[0] == 0

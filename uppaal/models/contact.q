@@ -30,3 +30,21 @@ E<> kills == 0 && Sender1.grown && X1.UnderWay && has[0] == 0
 E<> kills == 0 && Sender1.tries == 2 && !Sender1.grown && Receiver1.Here
 /* W23 holds: a message may be lost. */
 E<> losses == 1 && O1.Silent && Sender1.tries == 1
+/* W24 holds: a sender that is started again has all its patience. */
+A[] (Support.Starting && Sender1.Offered) imply (Sender1.tries == 0 && !Sender1.grown && Sender1.next == PARTS)
+/* W25 holds: who is refused does not wait on. */
+A[] (losses == 0 && copies == 0 && kills == 0 && underWay[0] == 0 && Sender1.Offered && Sender1.tries == 1 && !Sender1.grown) imply !Receiver1.None
+/* W26 holds: a sender that offers says one thing at a time. */
+A[] (O1.UnderWay ? 1 : 0) + (D1_0.UnderWay ? 1 : 0) + (D1_1.UnderWay ? 1 : 0) <= 1
+/* W27 holds: patience may last for so many offers. */
+E<> kills == 0 && Sender1.tries == TRIES && Receiver1.Asked
+/* W28 holds: nobody forgets a move while what he wants is under way. */
+A[] (kills == 0 && (W1_0.UnderWay || W1_1.UnderWay)) imply !Receiver1.None
+/* W29 holds: nobody wants what he has. */
+A[] (kills == 0 && W1_0.UnderWay) imply has[0] == 0
+/* W30 holds: a piece that comes twice is answered with what is wanted. */
+E<> kills == 0 && losses == 0 && Sender1.tries == 2 && !Sender1.grown && W1_1.UnderWay
+/* W31 holds: a receiver that is killed in the midst of its pieces may keep what has come. */
+E<> Bus.Starting && losses == 0 && copies == 0 && underWay[0] == 0 && Sender1.next == 1 && has[0] == 1
+/* W32 holds: or lose it. */
+E<> Bus.Starting && losses == 0 && copies == 0 && underWay[0] == 0 && Sender1.next == 1 && has[0] == 0

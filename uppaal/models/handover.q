@@ -50,3 +50,5 @@ E<> C1.UnderWay && Receiver1.None && has[0] == PARTS
 E<> Sender1.Sleeping && awake[SUPPORT] == 0
 /* J26 holds: parts that no record names may be removed. */
 E<> C1.UnderWay && Receiver1.None && has[0] == 0
+/* J37 holds: both moves may begin. */
+E<> begun == MOVES

@@ -13,8 +13,10 @@ E<> Receiver1.None && has[0] == 0 && D1_1.UnderWay && X1.Silent && R1.Silent
 /* J33 holds: an offer that is late may be wanted again. */
 E<> Receiver1.Wanting && R1.UnderWay && has[0] == 0
 /* J34 holds: of a process that was killed only its records and parts are left. */
-A[] (Bus.Starting imply !(Receiver1.Asked || Receiver1.Coming || Receiver1.Whole || Receiver1.Kept)) && (Support.Starting imply !(Sender1.Sleeping || Sender1.Deleted || Sender1.told))
+A[] (Bus.Starting imply !(Receiver1.Asked || Receiver1.Wanting || Receiver1.Coming || Receiver1.Whole || Receiver1.Kept)) && (Support.Starting imply !(Sender1.Sleeping || Sender1.Deleted || Sender1.told))
 /* J35 holds: all parts may be there, and no record. */
 E<> Bus.Starting && has[0] == PARTS && Receiver1.None && R1.Silent
 /* J36 holds: parts of which nothing is recorded may be left, or be lost. */
 E<> Bus.Starting && has[0] == 0 && W1_1.UnderWay && X1.Silent && R1.Silent
+/* J38 holds: only who offers has pieces to send. */
+A[] Sender1.Offered || Sender1.next == PARTS

@@ -30,3 +30,5 @@ E<> Sender1.Away && Receiver1.Answering
 E<> Sender2.Over && Receiver1.Here && awake[BUS] == 1
 /* I16 holds: and may be killed before it is. */
 E<> Sender2.Offered && Receiver1.Here
+/* I17 holds: nobody is told to forget what has come back. */
+A[] !(Sender1.Cancelling && Receiver2.Telling)

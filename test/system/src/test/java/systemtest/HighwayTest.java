@@ -56,7 +56,8 @@ class HighwayTest {
             assertTrue(lastButOne().matches(ALL), this::toString);
             assertTrue(
                     last().matches(
-                            "model: trace accepted \\(\\d+ events, [1-9]\\d* messages opened, [1-9]\\d* proofs\\)"),
+                            "model: trace accepted \\(\\d+ events, [1-9]\\d* messages opened, [1-9]\\d* proofs"
+                                    + "(, [1-9]\\d* messages of moves)?\\)"),
                     this::toString);
             assertEquals(0, status);
         }
@@ -94,6 +95,7 @@ class HighwayTest {
 
         run.assertAllObserved();
         assertTrue(run.says("I am back from ROMA: obstacle at"), run::toString);
+        assertTrue(run.last().contains(" messages of moves)"), run::toString);
         run.assertNothingLeft();
     }
 

@@ -1,5 +1,6 @@
 package uppaal.replay;
 
+import com.google.gson.JsonParseException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -7,6 +8,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -81,11 +83,11 @@ final class Bytes {
 
     /** What the event says was said; null where it does not say that, and without keys it need not. */
     private byte[] content(Event event) {
-        if (event.fields().has("hex")) {
-            return HexFormat.of().parseHex(event.text("hex"));
+        Optional<byte[]> said = event.said();
+        if (said.isEmpty() && opener.hasKeys()) {
+            throw new JsonParseException("an event '" + event.name() + "' without 'content'");
         }
-        return !opener.hasKeys() && !event.fields().has("content") ? null
-                : event.text("content").getBytes(StandardCharsets.UTF_8);
+        return said.orElse(null);
     }
 
     /** Somebody begins to send a packet. */

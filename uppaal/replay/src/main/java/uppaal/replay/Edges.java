@@ -11,7 +11,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 
-/** {@code gradle :test:system:edges}: which edges of the model many runs together may have taken, and which not. */
+/** {@code gradle :test:system:edges}: which edges of the models many runs together may have taken, and which not. */
 public final class Edges {
     private static final int ALL = 100;
 
@@ -29,23 +29,34 @@ public final class Edges {
     }
 
     static int run(Path folder, int enough) throws IOException {
-        Set<String> missing = new TreeSet<>(Replay.edges());
-        int all = missing.size();
+        Set<String> taken = new TreeSet<>();
         Map<String, List<Integer>> counts = new TreeMap<>();
         List<Path> runs;
         try (Stream<Path> files = Files.list(folder)) {
             runs = files.toList();
         }
         for (Path run : runs) {
-            List<String> taken = Files.readAllLines(run);
-            missing.removeAll(taken);
+            List<String> edges = Files.readAllLines(run);
+            taken.addAll(edges);
             String test = run.getFileName().toString().replaceFirst("-.*", "");
-            counts.computeIfAbsent(test, added -> new ArrayList<>()).add(taken.size());
+            counts.computeIfAbsent(test, added -> new ArrayList<>()).add(edges.size());
         }
         counts.forEach((test, edges) -> System.out.println("model: edges taken by " + test + ": " + edges));
+        // How a move ends chance decides: what of it is not taken is told, and no fault.
+        count(runs.size() + " runs may have taken", Replay.edgesOfMoves(), taken, "of moves");
+        int all = Replay.edges().size();
+        return count(runs.size() + " runs may have taken", Replay.edges(), taken, "of delivery") * ALL >= enough * all
+                ? 0
+                : 1;
+    }
+
+    /** Says how many of some edges were taken, and which were not. */
+    private static int count(String who, Set<String> edges, Set<String> taken, String what) {
+        Set<String> missing = new TreeSet<>(edges);
+        missing.removeAll(taken);
         missing.forEach(edge -> System.out.println("model: not taken: " + edge));
-        int taken = all - missing.size();
-        System.out.println("model: " + runs.size() + " runs may have taken " + taken + " of its " + all + " edges");
-        return taken * ALL >= enough * all ? 0 : 1;
+        int count = edges.size() - missing.size();
+        System.out.println("model: " + who + " " + count + " of the " + edges.size() + " edges " + what);
+        return count;
     }
 }

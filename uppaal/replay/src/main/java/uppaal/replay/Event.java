@@ -4,7 +4,10 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import com.google.gson.JsonSyntaxException;
+import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * One line of the emulator's trace (emulator/README.md).
@@ -48,6 +51,13 @@ record Event(int index, double seconds, String board, String name, JsonObject fi
         } catch (NumberFormatException wrong) {
             throw new JsonParseException("an event '" + name + "' whose '" + field + "' is no number", wrong);
         }
+    }
+
+    /** What one agent says to another; nothing where it does not tell. */
+    Optional<byte[]> said() {
+        return fields.has("hex") ? Optional.of(HexFormat.of().parseHex(text("hex")))
+                : fields.has("content") ? Optional.of(text("content").getBytes(StandardCharsets.UTF_8))
+                        : Optional.empty();
     }
 
     @Override

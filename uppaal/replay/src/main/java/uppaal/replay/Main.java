@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Set;
 
 /** {@code gradle checkTrace}: says in one line whether the model allows what a trace tells. */
 public final class Main {
@@ -46,8 +47,12 @@ public final class Main {
             return 2;
         }
         System.out.println(replay.verdict());
-        System.out.println("model: it may have taken " + replay.covered().size() + " of the model's "
-                + Replay.edges().size() + " edges");
+        Set<String> covered = replay.covered();
+        Set<String> moves = Replay.edgesOfMoves();
+        long ofMoves = covered.stream().filter(moves::contains).count();
+        System.out.println("model: it may have taken " + (covered.size() - ofMoves) + " of the model's "
+                + Replay.edges().size() + " edges"
+                + (ofMoves == 0 ? "" : ", and of moves " + ofMoves + " of " + moves.size()));
         return replay.refusal().isPresent() ? 1 : 0;
     }
 }

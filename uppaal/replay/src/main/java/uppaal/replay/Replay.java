@@ -12,10 +12,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.TreeSet;
 
 /**
- * Replays a trace of emulated boards in the automata of {@code delivery.xml}: what was on the air and what passed
- * between boards and hosts must be what the model allows. Takes the lines as they come; what it remembers does not
+ * Replays a trace of emulated boards in the automata of {@code delivery.xml} and {@code handover.xml}: what was on the
+ * air and what passed between boards and hosts must be what the models allow. Takes the lines as they come; what it remembers does not
  * grow with the trace.
  */
 public final class Replay {
@@ -60,6 +61,8 @@ public final class Replay {
     private final Scenes scenes;
     private final RadioCell cell;
     private final Bytes bytes;
+    private final Handover handover;
+    private final Moves moves;
     private int lines;
     private int events;
     private double now;
@@ -68,7 +71,7 @@ public final class Replay {
 
     /** Where the run's keys are not known: what is sealed is not opened. */
     public Replay() {
-        this(null, new Scenes());
+        this(null, new Scenes(), new Handover());
     }
 
     /**
@@ -77,19 +80,21 @@ public final class Replay {
      * @param keys a keyring, or what the emulator's {@code --keys} writes; it may come to be while the trace does
      */
     public Replay(Path keys) {
-        this(new Keys(keys), new Scenes());
+        this(new Keys(keys), new Scenes(), new Handover());
     }
 
-    private Replay(Keys keys, Scenes scenes) {
+    private Replay(Keys keys, Scenes scenes, Handover handover) {
         this.keys = keys;
         this.scenes = scenes;
         cell = new RadioCell(disturbances, scenes);
         bytes = new Bytes(keys);
+        this.handover = handover;
+        moves = new Moves(handover);
     }
 
     /** A replay of a trace much like this one, by the same thread: it knows what this one has found of the model. */
     public Replay another() {
-        return new Replay(keys, scenes);
+        return new Replay(keys, scenes, handover);
     }
 
     /** Boards may hear more than the trace tells, and less: nothing is demanded, and little refused for its time. */
@@ -134,6 +139,7 @@ public final class Replay {
     public synchronized void finish() {
         ended = true;
         perform(Double.POSITIVE_INFINITY);
+        moves.end();
     }
 
     /** Why the model refuses the trace, in one line that names the event; nothing where it does not. */
@@ -143,18 +149,29 @@ public final class Replay {
 
     /** In one line, what came of it. */
     public synchronized String verdict() {
-        return "model: trace " + (refusal == null ? "accepted (" + events + " events" + bytes.checked() + ")"
-                : "refused at " + refusal);
+        return "model: trace "
+                + (refusal == null ? "accepted (" + events + " events" + bytes.checked() + moves.checked() + ")"
+                        : "refused at " + refusal);
     }
 
-    /** Edges of the model's automata that the trace may have taken, as {@link #edges} names them. */
+    /**
+     * Edges of the models' automata that the trace may have taken, as {@link #edges} and {@link #edgesOfMoves} name
+     * them.
+     */
     public synchronized Set<String> covered() {
-        return scenes.covered();
+        Set<String> all = new TreeSet<>(scenes.covered());
+        all.addAll(handover.covered());
+        return all;
     }
 
-    /** All edges of the model's automata that a trace can take. */
+    /** All edges of the automata of {@code delivery.xml} that a trace can take. */
     public static Set<String> edges() {
         return Scenes.edges();
+    }
+
+    /** Likewise of {@code handover.xml}. */
+    public static Set<String> edgesOfMoves() {
+        return Handover.edges();
     }
 
     private void enter(Event event) {
@@ -300,6 +317,7 @@ public final class Replay {
             case "host-id" -> {
                 cell.named(event);
                 bytes.named(event);
+                moves.greets(event);
             }
             case "host-key" -> cell.key(event);
             case "host-radio" -> cell.radio(event);
@@ -307,6 +325,7 @@ public final class Replay {
             case "host-transmit" -> {
                 cell.transmit(event);
                 bytes.transmit(event);
+                moves.says(event);
             }
             case "crash" -> throw new RefusedException(event.board() + "'s program crashes");
             case "percepts", "host-nothing" -> cell.tell(event);
@@ -314,6 +333,7 @@ public final class Replay {
                 cell.tell(event);
                 cell.hand(event);
                 bytes.hand(event);
+                moves.hears(event);
             }
             case "host-taking" -> cell.take(event, "taking");
             case "host-taken" -> cell.take(event, "confirmed");

@@ -33,5 +33,6 @@ class EdgesTest {
     @Test
     void edges_areThoseThatTracesTake() {
         assertEquals(128, Replay.edges().size());
+        assertEquals(67, Replay.edgesOfMoves().size());
     }
 }
