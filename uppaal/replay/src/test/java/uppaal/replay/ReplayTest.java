@@ -922,6 +922,34 @@ class ReplayTest {
     }
 
     /** The police has been asked to send to these, at once. */
+    /** As an attacker may repeat it, for example after a reset: that it is old, too, only the whole can tell. */
+    @Test
+    void replay_firstPieceOfWhatIsOlderThanWhatTheHostHas_isAnsweredInTime() {
+        Lines lines = pieces("mega");
+        lines.add(1.1, "police", "host-transmit", Map.of("number", 1, "destination", "SUPP", "asked", 1.0));
+        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+        reach(lines, 2.4, "police", piece("41", "4a", "4259", "77".repeat(11)), "piece");
+        handAndAcknowledge(lines, 2.8, 0, "41");
+        lines.add(3.5, "support", "reset", Map.of("why", "fault"));
+        reach(lines, 5, "police", unicast("SUPP", 1), "unicast");
+        handAndAcknowledge(lines, 5.4, 1, "42");
+        reach(lines, 8, "thief", QUESTION, "piece");
+        JsonObject heard = lines.get(lines.all.size());
+        heard.addProperty("t", heard.get("end").getAsDouble());
+        send(lines, 8.4, "support", "2b4b41415355505042" + "49" + "01" + "00".repeat(8), "acknowledgement");
+        sort(lines);
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
+    private static void handAndAcknowledge(Lines lines, double seconds, int number, String digit) {
+        hand(lines, seconds, number, "01000" + number);
+        take(lines, seconds + 0.05, number);
+        String delivered = "2b4b41" + digit + "535550504241" + "00".repeat(8);
+        send(lines, seconds + 0.2, "support", delivered, "acknowledgement");
+        hear(lines, seconds + 0.2, "police", "support", delivered, "acknowledgement");
+        outcome(lines, seconds + 0.6, number, "delivered");
+    }
+
     private static Lines severalAsked(String... destinations) {
         Lines lines = twoBoards();
         for (int number = 0; number < destinations.length; number++) {
