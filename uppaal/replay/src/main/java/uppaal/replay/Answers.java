@@ -107,6 +107,12 @@ final class Answers {
                     desk.name, told / (double) UNITS_A_SECOND, Math.max(0, least) / UNITS_A_SECOND,
                     most / UNITS_A_SECOND));
         }
+        if (told < desk.uptime) {
+            throw new RefusedException(String.format("%s says that it has been up for %.1f s; expected no less than "
+                    + "the %.1f s of before", desk.name, told / (double) UNITS_A_SECOND,
+                    desk.uptime / (double) UNITS_A_SECOND));
+        }
+        desk.uptime = told;
     }
 
     /** A floor is not below what is stale, and at most 31 above what the board can have had of this origin and key. */

@@ -39,6 +39,8 @@ final class Desk {
     double resetAt;
     /** When it said hello since then; negative where it has not. */
     double greetedAt = -1;
+    /** What it has told last of its uptime since then, as a notice has it. */
+    int uptime;
     private final List<Asked> waiting = new ArrayList<>();
     private final Map<String, Asked> current = new HashMap<>();
     private long highest = -1;
@@ -62,6 +64,7 @@ final class Desk {
         leastEpoch = epoch < 0 || epoch == NONE_LEFT ? leastEpoch : epoch + 1;
         resetAt = seconds;
         greetedAt = -1;
+        uptime = 0;
         told = -1;
         lastId = -1;
         lastBroadcast = null;

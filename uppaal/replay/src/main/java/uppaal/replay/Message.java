@@ -2,6 +2,7 @@ package uppaal.replay;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -12,8 +13,9 @@ import java.util.stream.Collectors;
  * One message, with its ends at the boards.
  */
 final class Message {
-    /** So long a receiver surely keeps a piece, in seconds. */
+    /** So long a receiver surely keeps a piece after a new one, in seconds; and nearly always what it told to have. */
     private static final double KEPT = 4;
+    private static final double TOLD = 2;
     /** And after so long without another new piece it has forgotten all: 5 s, and some more. */
     static final double FORGOTTEN = 6;
 
@@ -38,10 +40,14 @@ final class Message {
     /** How often an acknowledgement of it came undamaged to its sender, and how often it was told that it is stale. */
     private int confirmed;
     private int stale;
-    /** When a piece came last so that its receiver has it, and how often in a row that has told to lack such ones. */
-    private final Map<Integer, Double> kept = new HashMap<>();
-    private final Map<Integer, Double> lastCame = new HashMap<>();
-    private int missed;
+    /** The pieces that its receiver may have, and those of them that it surely has. */
+    private final Set<Integer> possible = new HashSet<>();
+    private final Set<Integer> kept = new HashSet<>();
+    /** When one came last, and one that is surely new. */
+    private double lastPiece = Double.NEGATIVE_INFINITY;
+    private double renewed = Double.NEGATIVE_INFINITY;
+    /** How often in a row its receiver has told to lack a piece that it surely has. */
+    private final Map<Integer, Integer> missed = new HashMap<>();
     private boolean doubted;
     /** Whether it was handed on or answered, or was to be. */
     private boolean heeded;
@@ -258,29 +264,57 @@ final class Message {
 
     /** Whether all its pieces have come so that its receiver has them. */
     boolean isKept(double seconds) {
-        return kept.size() == pieces && kept.values().stream().allMatch(came -> came > seconds - KEPT);
+        return kept.size() == pieces && keeps(seconds);
+    }
+
+    /** Whether its receiver surely has its first piece. */
+    boolean hasFirst(double seconds) {
+        return kept.contains(0) && keeps(seconds);
+    }
+
+    private boolean keeps(double seconds) {
+        return renewed > seconds - KEPT;
     }
 
     /**
      * A piece comes to its receiver.
      *
-     * @param surely whether undamaged, and there is a place for it; but one that may have come before may be forgotten
-     *        at any moment, since only new pieces keep the others
+     * @param surely whether undamaged, and there is a place for it; but only new pieces keep the others
+     * @return whether it is surely new there
      */
-    void comes(int piece, boolean surely, double seconds) {
-        Double before = lastCame.put(piece, seconds);
-        if (surely && (before == null || before < seconds - FORGOTTEN)) {
-            kept.put(piece, seconds);
+    boolean comes(int piece, boolean surely, double seconds) {
+        if (lastPiece < seconds - FORGOTTEN) {
+            possible.clear();
+            doubted = false;
         }
+        if (!keeps(seconds)) {
+            kept.clear();
+        }
+        lastPiece = seconds;
+        boolean isNew = possible.add(piece) && surely;
+        if (isNew) {
+            kept.add(piece);
+            renewed = seconds;
+        }
+        return isNew;
     }
 
     /** Its receiver tells which pieces it has. @return how often in a row it has lacked one that it keeps */
     int missed(int all, double seconds) {
-        kept.values().removeIf(came -> came < seconds - KEPT);
-        missed = !doubted && kept.keySet().stream().anyMatch(piece -> isLacking(all, piece)) ? missed + 1 : 0;
-        kept.keySet().removeIf(piece -> isLacking(all, piece));
-        lastCame.keySet().removeIf(piece -> isLacking(all, piece));
-        return missed;
+        Set<Integer> told = new HashSet<>();
+        for (int piece = 0; piece < pieces; piece++) {
+            if (!isLacking(all, piece)) {
+                missed.remove(piece);
+                told.add(piece);
+            } else if (!doubted && keeps(seconds) && kept.contains(piece)) {
+                missed.merge(piece, 1, Integer::sum);
+            }
+        }
+        kept.clear();
+        kept.addAll(told);
+        renewed = Math.max(renewed, seconds - KEPT + TOLD);
+        possible.removeIf(piece -> isLacking(all, piece));
+        return missed.values().stream().mapToInt(Integer::intValue).max().orElse(0);
     }
 
     private static boolean isLacking(int all, int piece) {
@@ -288,8 +322,14 @@ final class Message {
     }
 
     /** A piece may be here twice, and one of them forged. */
-    void doubtPieces() {
+    void doubtPieces(double seconds) {
         doubted = true;
+        lastPiece = seconds;
+    }
+
+    /** Whether a piece of it may be forged. */
+    boolean isDoubted() {
+        return doubted;
     }
 
     /** An answer comes undamaged to its sender that tells which of its pieces have come. */
@@ -311,7 +351,7 @@ final class Message {
         stale = 0;
         lacking = 0;
         kept.clear();
-        missed = 0;
+        missed.clear();
     }
 
     /** Up to this moment nothing more was seen at a board. */

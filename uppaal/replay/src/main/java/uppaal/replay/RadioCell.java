@@ -205,6 +205,7 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
         }
+        board.questions.pass(start, board.ear);
         board.ear.begin(start, payload.isData() ? "own_message" : "own_answer", owner);
         board.send(
                 new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message, answered,
@@ -220,7 +221,9 @@ final class RadioCell {
 
     /** A board may hear somebody else from now on. */
     void carrier(Event event, double seconds) throws RefusedException {
-        board(event.board()).ear.begin(seconds, "carrier", null);
+        Station board = board(event.board());
+        board.questions.pass(seconds, board.ear);
+        board.ear.begin(seconds, "carrier", null);
     }
 
     /** And no longer. */
@@ -243,7 +246,10 @@ final class RadioCell {
                     + unconfirmed.getAsInt());
         }
         checkWaiting(event.seconds(), board);
-        if (NOTHING_WAITS.contains(event.name())) {
+        board.questions.pass(event.seconds(), board.ear);
+        boolean nothing = NOTHING_WAITS.contains(event.name());
+        checkAnswered(board, board.questions.unanswered((nothing ? event.seconds() : before) - LATE));
+        if (nothing) {
             for (Message message : board.missed(event.seconds() - LATE)) {
                 if (missed.merge(message.sort(), 1, Integer::sum) > LOST) {
                     throw new RefusedException(board.name() + " has nothing to tell; expected a message (" + message
@@ -258,6 +264,17 @@ final class RadioCell {
             if (sender != null && sender.ended() < reply - LATE) {
                 throw new RefusedException(board.name() + " tells its host something, and not how a message has ended ("
                         + transmission.message + ")");
+            }
+        }
+    }
+
+    /** What came undamaged is answered, or handed over, nearly always. */
+    private void checkAnswered(Station board, Map<String, Message> unanswered) throws RefusedException {
+        for (Map.Entry<String, Message> each : unanswered.entrySet()) {
+            if (missed.merge(each.getKey(), 1, Integer::sum) > LOST) {
+                throw new RefusedException(board.name() + " does not answer (" + each.getValue()
+                        + "); expected an answer: of the last " + (LOST + 1) + " times that " + each.getKey()
+                        + " came undamaged no board has answered one");
             }
         }
     }
@@ -406,7 +423,10 @@ final class RadioCell {
                 message.receiver(board).perhapsSends(start, answer);
             }
         }
-        able.forEach(Message::heed);
+        if (answer.equals("pieces") && able.size() == 1) {
+            checkAnswered(board, board.questions.unanswered(able.get(0)));
+        }
+        able.forEach(message -> heed(board, message));
         meet(board, able::contains);
         if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message()[0], start) > LOST) {
             throw new RefusedException(board.name() + " answers " + (LOST + 1)
@@ -447,7 +467,7 @@ final class RadioCell {
             }
         }
         for (Message message : forged(packet)) {
-            message.doubtPieces();
+            message.doubtPieces(seconds);
             if (packet.payload().asks() && message.hasReached(board)) {
                 for (String step : message.arrivals(board)) {
                     message.perhaps(seconds, board, step);
@@ -479,11 +499,8 @@ final class RadioCell {
         }
         if (message != null && message.concerns(board) && board.isConcernedBy(message.destination)) {
             boolean isKept = undamaged && canOpen(board, packet) && board.hasRoom(message, payload, seconds);
-            message.comes(payload.index(), isKept, seconds);
-            if (isKept && message.isUnicast()
-                    && (!payload.isPiece() || payload.asks() && (payload.index() == 0 || message.isKept(seconds)))) {
-                message.comes(seconds);
-            }
+            boolean isNew = message.comes(payload.index(), isKept, seconds);
+            ask(message, payload, board, isKept, isNew, seconds);
             if (isKept && message.becomesWhole(board, seconds)) {
                 board.expects(message, seconds);
             }
@@ -496,6 +513,30 @@ final class RadioCell {
             } else if (packet.answer().equals("pieces")) {
                 packet.answered().get(0).told(payload.message()[0]);
             }
+        }
+    }
+
+    /**
+     * Its receiver is to answer a unicast, once its host has taken it; and a piece that asks, if it has the first one.
+     *
+     * @param surely whether it comes undamaged to who can take it
+     * @param isNew whether the piece is surely new there
+     */
+    private static void ask(Message message, Payload payload, Station board, boolean surely, boolean isNew,
+            double seconds) {
+        if (!message.isUnicast() || payload.isPiece() && !payload.asks()) {
+            return;
+        }
+        if (!surely || payload.isPiece() && payload.index() > 0 && !message.hasFirst(seconds)) {
+            board.questions.doubt(message);
+            return;
+        }
+        message.comes(seconds);
+        if (!message.isDoubted()) {
+            board.questions.come(message, !payload.isPiece() ? "a unicast"
+                    : !isNew ? "a piece that asks, which may be there,"
+                            : payload.index() == 0 ? "a new first piece that asks" : "another new piece that asks",
+                    seconds);
         }
     }
 
@@ -548,9 +589,14 @@ final class RadioCell {
             message = sent.get(i).mayDo(event.seconds(), board, "hand") ? sent.get(i) : message;
         }
         message.receiver(event.seconds(), board, "hand");
-        message.heed();
+        heed(board, message);
         board.hand(number, message);
         meet(board, each -> isHanded(each, event));
+    }
+
+    private void heed(Station board, Message message) {
+        message.heed();
+        board.questions.answer(message).ifPresent(missed::remove);
     }
 
     /** A board hands over what it was to, or answers. */

@@ -46,8 +46,8 @@ public final class Replay {
     private static final double REMEMBERED = 30;
     /** With so many bit errors carriers are still heard. */
     private static final double FEW_ERRORS = 0.002;
-    /** Commands that change nothing of what boards hear, or of which the trace tells that. */
-    private static final Set<String> QUIET = Set.of("send", "speed", "light", "sensor");
+    /** Commands and faults that change nothing of what boards hear, or of which another event tells that. */
+    private static final Set<String> QUIET = Set.of("send", "speed", "light", "sensor", "reset", "power-cut");
     /** What makes reception uncertain. */
     private static final List<String> UNCERTAIN =
             List.of("bitErrorRate", "bursts", "errorsByDistance", "shadowing", "noise", "capture");
@@ -211,7 +211,7 @@ public final class Replay {
                 if (isLossOfPower(event)) {
                     disturbances.add(event.seconds() - BROKEN_OFF, event.seconds());
                     enter(event.seconds(), event, Part.EVENT);
-                } else if (!QUIET.contains(event.textOrEmpty("do"))) {
+                } else if (!QUIET.contains(event.textOrEmpty("do")) && !isToldAsFault(event)) {
                     disturbances.add(event.seconds(),
                             event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
                 }
@@ -230,6 +230,11 @@ public final class Replay {
     /** Its board does nothing from now on until it is reset. */
     private static boolean isLossOfPower(Event event) {
         return event.name().equals("fault") && event.textOrEmpty("do").equals("power-cut");
+    }
+
+    /** A jam's fault tells how long it takes. */
+    private static boolean isToldAsFault(Event event) {
+        return event.name().equals("command") && event.textOrEmpty("do").equals("jam");
     }
 
     private static boolean isUncertain(Event scenario) {

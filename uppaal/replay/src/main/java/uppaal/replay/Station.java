@@ -76,6 +76,8 @@ final class Station {
 
     /** What it hears. */
     final Ear ear;
+    /** What it is to answer. */
+    final Questions questions = new Questions();
 
     Station(String name, Ear ear) {
         this.name = name;
@@ -243,9 +245,11 @@ final class Station {
      * host has looked lately, and there is little else that it may not have taken.
      */
     boolean hasRoom(Message message, Payload payload, double seconds) {
+        if (handed.containsValue(message)) {
+            return false;
+        }
         if (payload.isPiece()) {
-            return !handed.containsValue(message)
-                    && pieces.values().stream().filter(last -> last > seconds - Message.FORGOTTEN).count() <= places;
+            return pieces.values().stream().filter(last -> last > seconds - Message.FORGOTTEN).count() <= places;
         }
         int all = came.size() + handed.size();
         boolean areShort = Stream.concat(came.stream(), handed.values().stream())
@@ -281,6 +285,7 @@ final class Station {
 
     void forgetExpected() {
         expected.clear();
+        questions.clear();
     }
 
     /** Whether it has told its host something since then. */

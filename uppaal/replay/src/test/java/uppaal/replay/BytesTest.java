@@ -348,6 +348,17 @@ class BytesTest {
                 .sends("police", sealed("SUPP", FIRST, HELP));
     }
 
+    /** Two notices within the tenth by which a board's clock may be wrong. */
+    @ParameterizedTest
+    @CsvSource({"00d2, 00dc, ''", "00dc, 00dc, ''", "00dc, 00db, says that it has been up for 21.9 s; expected no less"})
+    void stale_withAnUptimeBelowThatOfTheNoticeBefore_isRefused(String first, String second, String words) {
+        Talk talk = lost().unheard("support", acknowledgement(FIRST, "00000100001f" + first))
+                .sends("police", sealed("SUPP", FIRST, HELP))
+                .unheard("support", acknowledgement(FIRST, "00000100001f" + second));
+        assertTrue(words.isEmpty() ? talk.verdict().contains("accepted") : talk.verdict().contains(words),
+                talk.verdict());
+    }
+
     @ParameterizedTest
     @CsvSource({"00000100001f, 00d2, ''", "000001000000, 00d2, ''", "000001000020, 00d2, tells the floor 000001000020",
             "000000ffffff, 00d2, tells the floor 000000ffffff", "00000100001f, 0000, been up for 0.0 s",
