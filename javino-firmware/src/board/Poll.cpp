@@ -107,7 +107,8 @@ bool Poll::addMessages(Reply &reply) {
 
 // Returns whether all packets fitted.
 bool Poll::addOverheard(Reply &reply) {
-  for (ByteQueue::Record packet = overheard_.firstUntold(); packet.bytes != nullptr; packet = overheard_.after(packet)) {
+  for (ByteQueue::Record packet = overheard_.firstUntold(); packet.bytes != nullptr;
+       packet = overheard_.after(packet)) {
     Record record(reply, 'O');
     record.add(packet.bytes, packet.length);
     if (!record.close()) return false;

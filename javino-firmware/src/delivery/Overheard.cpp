@@ -26,8 +26,8 @@ void Overheard::add(const RadioPacket &lost) {
   const uint8_t count = lost.count();
   uint8_t length = static_cast<uint8_t>(lost.symbols / 2);
   if (length != 0) length--;  // the count
-  const uint8_t most = count == RadioPacket::NO_COUNT ? MAX_RADIO_PAYLOAD
-                                                      : static_cast<uint8_t>(count - linecode::PACKET_OVERHEAD);
+  const uint8_t most =
+      count == RadioPacket::NO_COUNT ? MAX_RADIO_PAYLOAD : static_cast<uint8_t>(count - linecode::PACKET_OVERHEAD);
   if (length > most) length = most;
   uint8_t *const into = append(DAMAGED, length);
   for (uint8_t i = 0; into && i < length; i++) into[i] = lost.readByte(static_cast<uint8_t>(i + 1));

@@ -32,8 +32,10 @@ class BoardRelaying : public testing::Test {
 TEST_F(BoardRelaying, sends_a_frame_of_any_origin_once_and_byte_by_byte) {
   const std::vector<Bytes> all = {sealed(OTHER_KEY, "SUPO", "ROMA", {0, 0, 1, 0, 0, 9}, "tell;x"),
                                   sealed(OTHER_KEY, "//SU", "ROMA", {0, 0, 1, 0, 0, 10}, "tell;x"),
-                                  plain("////", "ROMA", "tell;x"), plain("+KAA", "ROMA", "12345678"),
-                                  plain("+FAA", "ROMA", std::string(67, 'x')), plain("SUHO", "ROMA", "")};
+                                  plain("////", "ROMA", "tell;x"),
+                                  plain("+KAA", "ROMA", "12345678"),
+                                  plain("+FAA", "ROMA", std::string(67, 'x')),
+                                  plain("SUHO", "ROMA", "")};
   uint8_t number = 0;
   for (const Bytes &frame : all) {
     const BoardReply reply = board.request('Y', frame);

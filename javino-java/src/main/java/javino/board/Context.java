@@ -15,7 +15,8 @@ import java.util.concurrent.atomic.AtomicReference;
  * @param listener   told what happens.
  */
 record Context(String name, BoardConfig config, RequestQueue queue, Perception perception,
-        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, SessionCounters counters, ListenerGuard listener) {
+        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, SessionCounters counters,
+        ListenerGuard listener) {
 
     static Context of(String name, BoardConfig config, BoardListener listener) {
         SessionCounters counters = new SessionCounters();

@@ -163,7 +163,7 @@ public final class Replay {
                 enter(event.number("start"), event, Part.BEGIN);
                 enter(event.number("end"), event, Part.END);
             }
-            case "host-transmit" -> enter(event.number("asked"), event, Part.EVENT);
+            case "host-transmit", "host-relay" -> enter(event.number("asked"), event, Part.EVENT);
             case "rf-rx" -> {
                 enter(event.number("start"), event, Part.CARRIER);
                 enter(event.seconds(), event, Part.EVENT);
@@ -308,6 +308,7 @@ public final class Replay {
                 cell.transmit(event);
                 bytes.transmit(event);
             }
+            case "host-relay" -> cell.relay(event);
             case "crash" -> throw new RefusedException(event.board() + "'s program crashes");
             case "percepts", "host-nothing" -> cell.tell(event);
             case "host-handed" -> {
