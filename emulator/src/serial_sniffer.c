@@ -140,6 +140,10 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
     write_key(s, packet->message + 1, packet->message + 1 + ADDRESS_LENGTH);
   if (command != 0 && strchr("IKNUFD", command) && packet->length >= 1 + ADDRESS_LENGTH)
     memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
+  if (command == 'Y') {
+    s->request.content_length = packet->length - 1;
+    memcpy(s->request.content, packet->message + 1, s->request.content_length);
+  }
   if (command == 'R' && packet->length == 2) s->request.open = packet->message[1] == 1;
   if (command == 'P' && packet->length == 8) {
     s->request.taken = packet->message[7];
@@ -219,6 +223,14 @@ static void write_transmission(serial_sniffer *s, const serial_request *request,
   trace_end(s->out);
 }
 
+static void write_relay(serial_sniffer *s, const serial_request *request, int number, cycles_t at) {
+  begin(s, at, "host-relay");
+  trace_count(s->out, "number", (uint64_t)number);
+  trace_time(s->out, "asked", request->at);
+  trace_hex(s->out, "payload", request->content, request->content_length);
+  trace_end(s->out);
+}
+
 // The check value tells whether two boards have the same key, and nothing more (SPEC 5.2).
 static void write_key_step(serial_sniffer *s, const serial_request *request, const char *step, const uint8_t *check,
                            size_t length, cycles_t at) {
@@ -261,6 +273,9 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
     case 'F': write_key_step(s, request, "finish", body, length, at); break;
     case 'D': write_key_step(s, request, "delete", body, length, at); break;
     case 'R': write_radio(s, request->open, at); break;
+    case 'Y':
+      if (length == 1) write_relay(s, request, body[0], at);
+      break;
     case 'P':
       if (request->taken >= 0) {
         s->taken = request->taken;

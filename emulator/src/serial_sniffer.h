@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host,
 // how transmissions ended, what the board perceives, and what the host changes: host-id, host-key, host-radio, host-transmit,
-// host-handed, host-taking, host-taken, host-outcome, host-nothing and percepts events. Keys that the host gives go to a file
+// host-relay, host-handed, host-taking, host-taken, host-outcome, host-nothing and percepts events. Keys that the host gives go to a file
 // of their own.
 #ifndef JAVINO_SERIAL_SNIFFER_H
 #define JAVINO_SERIAL_SNIFFER_H
@@ -35,7 +35,7 @@ typedef struct {
   bool open;                           // of a request for the radio
   uint8_t epoch[SERIAL_EPOCH_LENGTH];  // that the boot epoch is to be raised to
   cycles_t at;
-  uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent
+  uint8_t content[SERIAL_MAX_MESSAGE];  // that is to be sent, or relayed
   size_t content_length;
 } serial_request;
 

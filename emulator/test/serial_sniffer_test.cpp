@@ -64,8 +64,8 @@ class Line {
   std::vector<Event> events(const std::string &event) { return run.events(event); }
   size_t all() {
     size_t count = 0;
-    for (const char *event : {"host-id", "host-key", "host-radio", "host-transmit", "host-handed", "host-taking",
-                              "host-taken", "host-outcome"})
+    for (const char *event : {"host-id", "host-key", "host-radio", "host-transmit", "host-relay", "host-handed",
+                              "host-taking", "host-taken", "host-outcome"})
       count += events(event).size();
     return count;
   }
@@ -170,6 +170,22 @@ TEST(SerialSniffer, tells_what_is_to_be_sent_and_when_the_host_asked) {
   EXPECT_EQ(sent[0].text("destination"), "//SU");
   EXPECT_EQ(sent[0].text("content"), "tell;help");
   EXPECT_LT(json_real_value(json_object_get(sent[0].fields, "asked")), sent[0].t);
+}
+
+TEST(SerialSniffer, tells_what_is_to_be_relayed) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, joined({bytes("Y////CAFEAIx")}));
+  EXPECT_TRUE(line.events("host-relay").empty());
+  line.board(2, {0, 7});
+  auto relayed = line.events("host-relay");
+  ASSERT_EQ(relayed.size(), 1u);
+  EXPECT_EQ(relayed[0].number("number"), 7);
+  EXPECT_EQ(relayed[0].text("payload"), "2f2f2f2f43414645414978");
+  EXPECT_LT(json_real_value(json_object_get(relayed[0].fields, "asked")), relayed[0].t);
+  line.host(3, TO_BOARD, bytes("Y"));
+  line.board(3, {3});
+  EXPECT_EQ(line.events("host-relay").size(), 1u);
 }
 
 TEST(SerialSniffer, tells_messages_with_their_contents_and_outcomes) {

@@ -69,6 +69,12 @@
 #define JAVINO_BROADCAST_SENDS 1
 #endif
 
+/// Bytes of RAM for packets that were overheard, until the host has had them (SPEC 4.3): a packet takes its payload and 7
+/// bytes more, 84 at most. With 0 the board neither overhears nor relays: the commands O and Y are UNKNOWN_COMMAND.
+#ifndef JAVINO_OVERHEARD_BYTES
+#define JAVINO_OVERHEARD_BYTES JAVINO_BY_CHIP(256, 0)
+#endif
+
 /// Radio packets that wait or are being received, 2…8. 150 bytes of RAM each, 124 without parity.
 #ifndef JAVINO_RADIO_PACKETS
 #define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
@@ -156,6 +162,7 @@ static const uint8_t PARTNERS = JAVINO_PARTNERS;
 static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
+static const uint16_t OVERHEARD_BYTES = JAVINO_OVERHEARD_BYTES;
 static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
 static const bool MENDING = JAVINO_MENDING;
 static const uint8_t DAMAGED_COPIES = JAVINO_DAMAGED_COPIES;
@@ -184,6 +191,10 @@ static_assert(JAVINO_TRANSMIT_BYTES >= JAVINO_MAX_MESSAGE + 13 && JAVINO_TRANSMI
               "JAVINO_TRANSMIT_BYTES must hold the longest frame and 3 bytes, and be at most 4096");
 static_assert(JAVINO_PARTNERS >= 1 && JAVINO_PARTNERS <= 8, "JAVINO_PARTNERS must be 1…8");
 static_assert(JAVINO_REASSEMBLIES >= 0 && JAVINO_REASSEMBLIES <= 8, "JAVINO_REASSEMBLIES must be 0…8");
+static_assert(JAVINO_OVERHEARD_BYTES == 0 || (JAVINO_OVERHEARD_BYTES >= 84 && JAVINO_OVERHEARD_BYTES <= 4096),
+              "JAVINO_OVERHEARD_BYTES must be 0, or hold the longest packet: 84…4096");
+static_assert(JAVINO_OVERHEARD_BYTES == 0 || JAVINO_MAX_MESSAGE >= 87,
+              "JAVINO_OVERHEARD_BYTES: a reply of JAVINO_MAX_MESSAGE bytes tells the longest packet, 87 at least");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
 static_assert(JAVINO_MENDING == 0 || JAVINO_MENDING == 1, "JAVINO_MENDING must be 0 or 1");
 static_assert(JAVINO_MENDING == 1 || (JAVINO_PARITY == 0 && JAVINO_DAMAGED_COPIES == 0),

@@ -4,7 +4,7 @@ namespace javino {
 
 Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
     : delivery_(radio, state_),
-      poll_(delivery_.outbox().outcomes(), delivery_.inbox(), state_.counters),
+      poll_(delivery_.outbox().outcomes(), delivery_.inbox(), delivery_.overheard(), state_.counters),
       commands_(firmwareName, state_, delivery_, poll_, actions_),
       session_(port, commands_, poll_, state_.counters) {}
 

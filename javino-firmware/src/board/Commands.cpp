@@ -76,6 +76,8 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'C': return actions_.list(body, length, reply);
     case 'I': return setRfId(body, length);
     case 'R': return openRadio(body, length);
+    case 'O': return overhear(body, length);
+    case 'Y': return relay(body, length, reply);
     case 'E': return keyCommands_.raiseEpoch(body, length);
     case 'K':
     case 'N':
@@ -132,6 +134,28 @@ Status Commands::setRfId(const uint8_t *body, uint16_t length) {
 Status Commands::openRadio(const uint8_t *body, uint16_t length) {
   if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
   delivery_.open(body[0] == 1);
+  return Status::OK;
+}
+
+Status Commands::overhear(const uint8_t *body, uint16_t length) {
+  if (config::OVERHEARD_BYTES == 0) return Status::UNKNOWN_COMMAND;
+  if (length != 1 || body[0] > 1) return Status::BAD_ARGUMENT;
+  delivery_.overheard().listen(body[0] == 1);
+  return Status::OK;
+}
+
+// The frame waits for the air as the message of a broadcast from the serial line.
+Status Commands::relay(const uint8_t *body, uint16_t length, Reply &reply) {
+  if (config::OVERHEARD_BYTES == 0) return Status::UNKNOWN_COMMAND;
+  Frame frame;
+  if (Frame::parse(body, length, frame) != FrameError::NONE || !frame.origin.isDevice()) return Status::BAD_ARGUMENT;
+  if (frame.origin == state_.id.address()) return Status::WRONG_ORIGIN;
+  const Address::Class to = frame.destination.classOf();
+  if (to == Address::SERIAL_LINE || to == Address::RESERVED) return Status::BAD_DESTINATION;
+  if (frame.length > delivery_.pieceLength()) return Status::TOO_LONG;
+  Outbox &outbox = delivery_.outbox();
+  if (!outbox.fits(static_cast<uint16_t>(HEADER_LENGTH + length))) return Status::QUEUE_FULL;
+  reply.add(outbox.addPlain({Address::broadcast(), Address::serialLine(), body, length}));
   return Status::OK;
 }
 

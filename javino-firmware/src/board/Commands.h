@@ -45,6 +45,8 @@ class Commands {
   JAVINO_NOINLINE Status keysChanged(Status status);
   Status setRfId(const uint8_t *body, uint16_t length);
   Status openRadio(const uint8_t *body, uint16_t length);
+  Status overhear(const uint8_t *body, uint16_t length);
+  Status relay(const uint8_t *body, uint16_t length, Reply &reply);
   JAVINO_NOINLINE Status statistics(uint16_t length, Reply &reply);
 
   const char *const firmwareName_;

@@ -40,6 +40,7 @@ const uint8_t Poll::DEFAULT_SAMPLE_MILLIS;
 
 void Poll::tellAgain() {
   outcomes_.keepTold();
+  overheard_.keepTold();
   told_ = false;
 }
 
@@ -50,6 +51,7 @@ bool Poll::hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
     tellAgain();
   } else if ((flags & REPLY_COMING) == 0) {
     outcomes_.forgetTold();
+    overheard_.forgetTold();
   }
   flags_ = flags;
   leastMillis_ = leastMillis;
@@ -72,13 +74,15 @@ bool Poll::answer(Reply &reply, bool released) {
   return true;
 }
 
-bool Poll::isWaiting() const { return outcomes_.areUntold() || inbox_.first().bytes != nullptr; }
+bool Poll::isWaiting() const {
+  return outcomes_.areUntold() || inbox_.first().bytes != nullptr || overheard_.areUntold();
+}
 
 void Poll::addWaiting(Reply &reply) {
   const uint16_t flagsAt = reply.mark();
   reply.add(0);
   addOutcomes(reply);
-  if (!addMessages(reply)) reply.replace(flagsAt, MORE_WAITING);
+  if (!addMessages(reply) || !addOverheard(reply)) reply.replace(flagsAt, MORE_WAITING);
 }
 
 // All of them fit: Outcomes::MAX_UNREPORTED sees to that.
@@ -97,6 +101,18 @@ bool Poll::addMessages(Reply &reply) {
   uint8_t number = inbox_.firstNumber();
   for (ByteQueue::Record record = inbox_.first(); record.bytes != nullptr; record = inbox_.after(record)) {
     if (!addMessage(number++, Inbox::read(record), reply)) return false;
+  }
+  return true;
+}
+
+// Returns whether all packets fitted.
+bool Poll::addOverheard(Reply &reply) {
+  for (ByteQueue::Record packet = overheard_.firstUntold(); packet.bytes != nullptr;
+       packet = overheard_.after(packet)) {
+    Record record(reply, 'O');
+    record.add(packet.bytes, packet.length);
+    if (!record.close()) return false;
+    overheard_.tell();
   }
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include "../delivery/Inbox.h"
 #include "../delivery/Outcomes.h"
+#include "../delivery/Overheard.h"
 #include "../support/Inlining.h"
 #include "../support/Counters.h"
 #include "DeadBands.h"
@@ -17,14 +18,19 @@ namespace javino {
 typedef void (*PerceptSource)(Percepts &percepts);
 
 /// Answers a poll, and holds the answer until there is something to tell: outcomes of transmissions, received messages,
+/// packets that were overheard,
 /// or percepts that have changed (SPEC 4.3).
 class Poll {
  public:
   /// How often the sensors are read, where the sketch does not say it.
   static const uint8_t DEFAULT_SAMPLE_MILLIS = 20;
 
-  Poll(Outcomes &outcomes, Inbox &inbox, Counters &counters)
-      : outcomes_(outcomes), inbox_(inbox), counters_(counters), sampleMillis_(DEFAULT_SAMPLE_MILLIS) {}
+  Poll(Outcomes &outcomes, Inbox &inbox, Overheard &overheard, Counters &counters)
+      : outcomes_(outcomes),
+        inbox_(inbox),
+        overheard_(overheard),
+        counters_(counters),
+        sampleMillis_(DEFAULT_SAMPLE_MILLIS) {}
 
   void setSource(PerceptSource source) { source_ = source; }
 
@@ -57,6 +63,7 @@ class Poll {
   JAVINO_NOINLINE void addWaiting(Reply &reply);
   void addOutcomes(Reply &reply);
   bool addMessages(Reply &reply);
+  bool addOverheard(Reply &reply);
   static bool addMessage(uint8_t number, const Inbox::Message &message, Reply &reply);
   bool isOver(uint32_t now) const { return static_cast<int32_t>(now - endsAt_) >= 0; }
   bool isReadingDue(uint32_t now, bool released) const;
@@ -64,6 +71,7 @@ class Poll {
 
   Outcomes &outcomes_;
   Inbox &inbox_;
+  Overheard &overheard_;
   Counters &counters_;
   PerceptSource source_ JAVINO_ZEROED;
   uint16_t sampleMillis_;

@@ -134,10 +134,21 @@ bool Courier::seal(bool again) {
   return true;
 }
 
+// As it is to be on the air. One that is relayed waits in the outbox as the message of a broadcast from the serial line.
+ByteQueue::Record Courier::frame() const {
+  const Message &message = current();
+  ByteQueue::Record record = outbox_.find(message.number);
+  if (config::OVERHEARD_BYTES != 0 && message.sender.isSerial()) {
+    record.bytes += HEADER_LENGTH;
+    record.length = static_cast<uint16_t>(record.length - HEADER_LENGTH);
+  }
+  return record;
+}
+
 // Prepares the first attempt of a frame that nobody has seen yet.
 void Courier::restart() {
   Message &message = current();
-  message.count = pieces::count(outbox_.find(message.number).length, medium_.pieceLength());
+  message.count = pieces::count(frame().length, medium_.pieceLength());
   if (message.count > 1) {
     message.id = nextId_;
     nextId_ = static_cast<uint8_t>((nextId_ + 1) % IDS);
@@ -181,7 +192,7 @@ void Courier::noteCarrier() {
 
 void Courier::send() {
   Message &message = current();
-  const ByteQueue::Record record = outbox_.find(message.number);
+  const ByteQueue::Record record = frame();
   uint8_t index = 0;
   for (onAir_ = 1; (message.pending & onAir_) == 0; onAir_ = static_cast<uint8_t>(onAir_ << 1)) index++;
   const bool wantsAnswer = isUnicast() && message.pending == onAir_;
@@ -213,13 +224,18 @@ void Courier::packetSent() {
   } else if (isUnicast()) {
     patience_ = PATIENCE_MILLIS;
     message.phase = AWAITING;
-  } else if (++message.attempt !=
-             (message.destination.isMulticast() ? config::MULTICAST_SENDS : config::BROADCAST_SENDS)) {
+  } else if (++message.attempt != sends()) {
     message.pending = pieces::all(message.count);
     contend();
   } else {
     finish(Outcome::SENT);
   }
+}
+
+// What is relayed is sent once: if it asks for an answer, its sender asks again.
+uint8_t Courier::sends() const {
+  if (current().destination.isMulticast()) return config::MULTICAST_SENDS;
+  return config::BROADCAST_SENDS != 1 && current().sender.isSerial() ? 1 : config::BROADCAST_SENDS;
 }
 
 // No answer came: of a frame in pieces one asks what has arrived, in the end the first one, without which none can be

@@ -92,9 +92,11 @@ class Courier {
   void noteCarrier();
   JAVINO_NOINLINE void send();
   void packetSent();
+  uint8_t sends() const;
   void attemptFailed();
   JAVINO_NOINLINE void finish(Outcome outcome);
   bool isUnicast() const { return current().destination.isDevice(); }
+  ByteQueue::Record frame() const;
   bool concerns(const Frame &acknowledgement) const;
   bool accept(const Frame &acknowledgement);
   bool isExpected(Proof::Type type, const RadioPacket &lost);

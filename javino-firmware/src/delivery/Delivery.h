@@ -8,6 +8,7 @@
 #include "Acknowledger.h"
 #include "Admission.h"
 #include "MediumAccess.h"
+#include "Overheard.h"
 #include "Courier.h"
 #include "Inbox.h"
 #include "Pieces.h"
@@ -29,7 +30,8 @@ class Delivery {
         inbox_(state.replays, acknowledger_),
         admission_(state, inbox_, acknowledger_),
         courier_(medium_, state),
-        receiver_(medium_, admission_, courier_, acknowledger_) {}
+        overheard_(state.counters),
+        receiver_(medium_, admission_, courier_, acknowledger_, overheard_) {}
 
   /// Starts the radio; to be called once, after a boot, when id and epoch are known.
   /// @return false where it does not start
@@ -58,8 +60,12 @@ class Delivery {
   /// Whether a frame of this length fits the radio's packets.
   bool carries(uint16_t frameLength) const { return pieces::count(frameLength, medium_.pieceLength()) <= MAX_PIECES; }
 
+  /// The most bytes of a frame that travels in one packet, beside its header.
+  uint8_t pieceLength() const { return medium_.pieceLength(); }
+
   Outbox &outbox() { return courier_.outbox(); }
   Inbox &inbox() { return inbox_; }
+  Overheard &overheard() { return overheard_; }
 
  private:
   BoardState &state_;
@@ -68,6 +74,7 @@ class Delivery {
   Inbox inbox_;
   Admission admission_;
   Courier courier_;
+  Overheard overheard_;
   Receiver receiver_;
 };
 

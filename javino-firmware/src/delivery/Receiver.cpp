@@ -11,6 +11,7 @@ void Receiver::run() {
   while (uint8_t *packet = medium_.receive(length)) {
     isDoubtful_ = config::MENDING && mender && mender->isDoubtful();
     acknowledger_.heard(KeyStore::NO_SLOT);
+    overheard_.add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, length);
     accept(packet, length);
     if (config::PARITY && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
@@ -23,6 +24,7 @@ void Receiver::run() {
   }
   if (mender && mender->lost()) {
     acknowledger_.heard(KeyStore::NO_SLOT);
+    overheard_.add(*mender->lost());
     if (config::MENDING) courier_.acknowledged(*mender->lost());
     medium_.release();
   }

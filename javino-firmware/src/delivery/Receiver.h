@@ -7,6 +7,7 @@
 #include "Admission.h"
 #include "MediumAccess.h"
 #include "Courier.h"
+#include "Overheard.h"
 #include "PieceReceiver.h"
 #include "../support/Zeroed.h"
 
@@ -16,8 +17,14 @@ namespace javino {
 /// blocked only acknowledgements of our own messages are looked at.
 class Receiver {
  public:
-  Receiver(MediumAccess &medium, Admission &admission, Courier &courier, Acknowledger &acknowledger)
-      : medium_(medium), admission_(admission), courier_(courier), acknowledger_(acknowledger), pieces_(admission) {}
+  Receiver(MediumAccess &medium, Admission &admission, Courier &courier, Acknowledger &acknowledger,
+           Overheard &overheard)
+      : medium_(medium),
+        admission_(admission),
+        courier_(courier),
+        acknowledger_(acknowledger),
+        overheard_(overheard),
+        pieces_(admission) {}
 
   /// Takes in all that the radio holds.
   JAVINO_NOINLINE void run();
@@ -35,6 +42,7 @@ class Receiver {
   Admission &admission_;
   Courier &courier_;
   Acknowledger &acknowledger_;
+  Overheard &overheard_;
   bool open_ JAVINO_ZEROED;
   bool isDoubtful_ JAVINO_ZEROED;  // the packet that is looked at
   PiecesTaken<config::REASSEMBLIES != 0>::Type pieces_;

@@ -50,12 +50,14 @@ bool RadioPacket::isIntact() const {
   return crc.value() == CRC_OF_INTACT;
 }
 
+uint8_t RadioPacket::readByte(uint8_t index) const {
+  const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index + 1)));
+  return static_cast<uint8_t>(linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * index))) << 4 | (low & 0x0F));
+}
+
 // Three bytes of symbols make two bytes: none is overwritten before it was read.
 void RadioPacket::makeBytes(uint8_t length) {
-  for (uint8_t i = 0; i < length; i++) {
-    const uint8_t low = linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i + 1)));
-    room[i] = static_cast<uint8_t>(linecode::nibbleOf(symbol(static_cast<uint8_t>(2 * i))) << 4 | (low & 0x0F));
-  }
+  for (uint8_t i = 0; i < length; i++) room[i] = readByte(i);
   areBytes = true;
 }
 

@@ -45,7 +45,11 @@ struct RadioPacket {
   /// @return 1…77.
   uint8_t payloadLength() const { return static_cast<uint8_t>(room[0] - linecode::PACKET_OVERHEAD); }
 
-  /// Puts so many bytes in the place of their symbols. The nibble of one that is not in the table becomes 15.
+  /// The byte that two symbols stand for; 15 is the nibble of one that is not in the table.
+  /// @param index of a byte both of whose symbols have come
+  uint8_t readByte(uint8_t index) const;
+
+  /// Puts so many bytes, as readByte() tells them, in the place of their symbols.
   void makeBytes(uint8_t length);
 
   /// Whether the CRC of the bytes is right.

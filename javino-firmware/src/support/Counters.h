@@ -42,6 +42,7 @@ enum class Counter : uint8_t {
   RADIO_ANSWERS_DROPPED,
   RADIO_DOUBTFUL,
   RADIO_ANSWERS_BORNE,
+  RADIO_OVERHEARD_DROPPED,
   END  ///< one more than the last
 };
 

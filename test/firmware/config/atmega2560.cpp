@@ -19,6 +19,7 @@ static_assert(config::REASSEMBLIES == 2, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
 static_assert(config::BROADCAST_ORIGINS == 4, "");
+static_assert(config::OVERHEARD_BYTES == 256, "");
 static_assert(config::RADIO_PACKETS == 3, "");
 static_assert(config::ACKNOWLEDGEMENTS == 6, "");
 static_assert(config::ACTIONS == 16, "");
@@ -29,6 +30,6 @@ static_assert(config::EEPROM_START == 0, "");
 
 static_assert(EEPROM_END == 3354, "");
 static_assert(sizeof(TakenNonces) == 318, "retained RAM, beside the board's");
-static_assert(sizeof(Board) <= 4580, "the protocol's part of static RAM");
+static_assert(sizeof(Board) <= 4860, "the protocol's part of static RAM");
 
 }  // namespace javino

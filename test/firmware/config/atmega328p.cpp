@@ -19,6 +19,7 @@ static_assert(config::REASSEMBLIES == 0, "");
 static_assert(config::MULTICAST_SENDS == 2, "");
 static_assert(config::BROADCAST_SENDS == 1, "");
 static_assert(config::BROADCAST_ORIGINS == 2, "");
+static_assert(config::OVERHEARD_BYTES == 0, "");
 static_assert(config::RADIO_PACKETS == 2, "");
 static_assert(config::ACKNOWLEDGEMENTS == 3, "");
 static_assert(config::ACTIONS == 8, "");

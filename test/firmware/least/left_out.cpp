@@ -32,6 +32,8 @@ TEST_F(LeastBoard, does_not_know_the_commands_that_are_left_out) {
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('U', ROMA).status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('F', ROMA).status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('S').status);
+  EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('O', {1}).status);
+  EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('Y', plain("////", "ROMA", "tell;x")).status);
 }
 
 TEST_F(LeastBoard, has_no_action) {

@@ -6,12 +6,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Counter;
+import javino.protocol.Frame;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.ProtocolException;
@@ -85,11 +87,26 @@ public final class Board implements AutoCloseable {
             throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
         }
         String description = "transmit to " + to + ": " + content;
-        CompletableFuture<Outcome> end = new CompletableFuture<>();
-        CompletableFuture<Void> taken = ask(description, board -> {
+        return transmission(description, board -> {
             Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
             return Request.transmit(to, origin, content);
-        }, reply -> {
+        });
+    }
+
+    /**
+     * Sends a frame of another device once, byte by byte as it is, when the air is free. The board needs no key and no
+     * address for it. The transmission ends as {@link Outcome#SENT}.
+     *
+     * @throws IllegalArgumentException if the frame is too long for any packet of a radio.
+     */
+    public Transmission relay(Frame frame) {
+        Request request = Request.relay(frame);
+        return transmission(request.toString(), board -> request);
+    }
+
+    private Transmission transmission(String description, Pending.Source source) {
+        CompletableFuture<Outcome> end = new CompletableFuture<>();
+        CompletableFuture<Void> taken = ask(description, source, reply -> {
             session.transmitting(reply.transmissionNumber(), end);
             return null;
         });
@@ -116,10 +133,22 @@ public final class Board implements AutoCloseable {
 
     /** Switches the reception of radio messages on or off, now and whenever the board comes online again. */
     public CompletableFuture<Void> radio(boolean open) {
+        return wish(context.radio(), open, Request.radio(open));
+    }
+
+    /**
+     * Has the listener told of each packet that the board hears on the air, whoever it is for, or of none, now and
+     * whenever the board comes online again. The board needs no key for it, and its radio may be blocked.
+     */
+    public CompletableFuture<Void> overhear(boolean on) {
+        return wish(context.overhear(), on, Request.overhear(on));
+    }
+
+    private CompletableFuture<Void> wish(AtomicReference<Boolean> wish, boolean value, Request request) {
         // At once, so that of two threads' wishes the last to be remembered is also the last to be performed.
-        synchronized (context.radio()) {
-            context.radio().set(open);
-            return ask(Request.radio(open), Board::nothing);
+        synchronized (wish) {
+            wish.set(value);
+            return ask(request, Board::nothing);
         }
     }
 

@@ -2,6 +2,7 @@ package javino.board;
 
 import java.util.List;
 import javino.protocol.BoardInfo;
+import javino.protocol.PollReply;
 
 /**
  * Callbacks for events of a board.
@@ -38,6 +39,12 @@ public interface BoardListener {
      * sender learns that it was delivered.
      */
     default void message(ReceivedMessage message) {
+    }
+
+    /**
+     * The board has heard a packet on the air, whoever it is for; only if {@link Board#overhear} asks for it.
+     */
+    default void overheard(PollReply.Overheard packet) {
     }
 
     /**

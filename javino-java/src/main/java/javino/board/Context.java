@@ -10,16 +10,18 @@ import java.util.concurrent.atomic.AtomicReference;
  * @param queue      the requests that wait, and the sign that the session was closed.
  * @param perception what the board perceives, and what of it is wanted.
  * @param radio      whether the radio is to be open; null where nobody said so yet.
+ * @param overhear   whether the board is to overhear; null where nobody said so yet.
  * @param counters   the session's.
  * @param listener   told what happens.
  */
 record Context(String name, BoardConfig config, RequestQueue queue, Perception perception,
-        AtomicReference<Boolean> radio, SessionCounters counters, ListenerGuard listener) {
+        AtomicReference<Boolean> radio, AtomicReference<Boolean> overhear, SessionCounters counters,
+        ListenerGuard listener) {
 
     static Context of(String name, BoardConfig config, BoardListener listener) {
         SessionCounters counters = new SessionCounters();
         ListenerGuard guard = new ListenerGuard(listener, counters);
         return new Context(name, config, new RequestQueue(config.queueCapacity()), new Perception(guard, counters),
-                new AtomicReference<>(), counters, guard);
+                new AtomicReference<>(), new AtomicReference<>(), counters, guard);
     }
 }

@@ -143,6 +143,9 @@ final class Polling {
                 takeMessage(message);
             } else if (item instanceof PollReply.Transmission transmission) {
                 end(transmission);
+            } else if (item instanceof PollReply.Overheard packet && !isLast) {
+                context.counters().count(SessionCounter.OVERHEARD);
+                context.listener().tell(listener -> listener.overheard(packet));
             }
         }
         if (reply.reading()) {

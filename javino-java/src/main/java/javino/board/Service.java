@@ -3,6 +3,7 @@ package javino.board;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import javino.link.LinkException;
 import javino.protocol.ActionNames;
@@ -38,13 +39,17 @@ final class Service {
         exchange.setLateReplies(this::takeLate);
     }
 
-    /** Opens or blocks the radio as it was wished, since boards start with it blocked. */
-    void restoreRadio() throws LinkException, LostException {
-        Boolean wanted = context.radio().get();
-        if (wanted == null) {
+    /** Has the radio open and overhears as it was wished: a board that has booted does neither. */
+    void restoreWishes() throws LinkException, LostException {
+        restore(context.radio().get(), Request::radio);
+        restore(context.overhear().get(), Request::overhear);
+    }
+
+    private void restore(Boolean wish, Function<Boolean, Request> wished) throws LinkException, LostException {
+        if (wish == null) {
             return;
         }
-        Request request = Request.radio(wanted);
+        Request request = wished.apply(wish);
         try {
             Status status = ask(request).status();
             if (status != Status.OK) {

@@ -122,7 +122,7 @@ final class Session implements Runnable {
         } else {
             Service service = new Service(context, greeting.exchange(), polling);
             info = info.withActions(service.actions());
-            service.restoreRadio();
+            service.restoreWishes();
             nowOnline();
             service.run(() -> info);
         }

@@ -26,6 +26,8 @@ public enum SessionCounter {
     MESSAGES,
     /** Messages that came again after the board was reset, and were not handed on a second time. */
     REPEATED_MESSAGES,
+    /** Packets that the board overheard. */
+    OVERHEARD,
     /** Transmissions reported undelivered because the board was reset or lost, or the session was closed. */
     ABANDONED_TRANSMISSIONS,
     /** Outcomes that were not reported: of transmissions by an earlier session, or already abandoned. */

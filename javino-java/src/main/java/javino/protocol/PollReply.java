@@ -10,7 +10,7 @@ import java.util.List;
  * @param leftOut whether some percepts did not fit.
  * @param reading whether the percepts of this reply are all that the board perceives now; otherwise there are none, and
  *                the last ones told still hold.
- * @param records in the order of the reply: transmissions and messages, or percepts.
+ * @param records in the order of the reply: transmissions, messages and packets that were overheard, or percepts.
  */
 public record PollReply(boolean more, boolean leftOut, boolean reading, List<Item> records) {
 
@@ -19,6 +19,7 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
     private static final int MORE = 1;
     private static final int LEFT_OUT = 2;
     private static final int READING = 4;
+    private static final int TIME_LENGTH = 4;
     private static final int RECORD_HEADER_LENGTH = 3;
     private static final int ID_OFFSET = 1 + 2 * Address.LENGTH;
     private static final int MESSAGE_HEADER_LENGTH = ID_OFFSET + 3;
@@ -58,6 +59,26 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
     public record Transmission(int number, Outcome outcome) implements Item {
     }
 
+    /** How a packet came that was overheard, in the order of their numbers on the line. */
+    public enum Came {
+        /** As it was sent. */
+        INTACT,
+        /** Damaged, and it could be mended. */
+        MENDED,
+        /** Damaged beyond mending: what is told of it may be wrong anywhere, and longer or shorter. */
+        DAMAGED
+    }
+
+    /**
+     * A packet that the board heard on the air, whoever it is for.
+     *
+     * @param millis  when it was here, in ms since the board booted, 0…4 294 967 295.
+     * @param how     it came.
+     * @param payload 0…77 bytes: a {@link Frame} as it was sent, as a rule.
+     */
+    public record Overheard(long millis, Came how, Bytes payload) implements Item {
+    }
+
     /** Whether a packet that begins so seems to be a reply of this sequence byte that carries a reading. */
     public static boolean isReading(int sequence, Bytes begun) {
         return begun.length() >= FLAGS_END && begun.at(0) == sequence
@@ -85,6 +106,7 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
             case 'P' -> new Percept(value);
             case 'M' -> decodeMessage(value);
             case 'T' -> decodeTransmission(value);
+            case 'O' -> decodeOverheard(value);
             default -> throw new ProtocolException(ProtocolError.BAD_REPLY, "unknown type of record " + type);
         };
     }
@@ -99,5 +121,12 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
         Reply.expect(value.length() == 2, "a transmission has number and outcome", value);
         return new Transmission(value.at(0), Outcome.of(value.at(1))
                 .orElseThrow(() -> new ProtocolException(ProtocolError.BAD_REPLY, "unknown outcome " + value.at(1))));
+    }
+
+    private static Overheard decodeOverheard(Bytes value) throws ProtocolException {
+        Reply.expect(value.length() > TIME_LENGTH, "a packet that was overheard has a time", value);
+        int how = value.at(TIME_LENGTH);
+        Reply.expect(how < Came.values().length, "how a packet came is 0…2", value);
+        return new Overheard(value.number(0, TIME_LENGTH), Came.values()[how], value.from(TIME_LENGTH + 1));
     }
 }

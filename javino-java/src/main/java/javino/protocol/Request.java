@@ -38,6 +38,10 @@ public record Request(Command command, Frame frame, String description) {
         SET_RF_ID('I'),
         /** Says whether the board is to receive radio messages. */
         RADIO('R'),
+        /** Says whether the board is to tell all packets that it hears. */
+        OVERHEAR('O'),
+        /** Sends a frame of another device as it is. */
+        RELAY('Y'),
         /** Raises the board's boot epoch if it is lower. */
         RAISE_EPOCH('E'),
         /** Stores a key and replaces all keys of the address. */
@@ -67,7 +71,8 @@ public record Request(Command command, Frame frame, String description) {
         public boolean writesEeprom() {
             return switch (this) {
                 case SET_RF_ID, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
-                case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, LIST_KEYS, STATISTICS, TRANSMIT -> false;
+                case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, OVERHEAR, RELAY, LIST_KEYS, STATISTICS, TRANSMIT ->
+                    false;
             };
         }
 
@@ -183,6 +188,23 @@ public record Request(Command command, Frame frame, String description) {
     /** {@link Command#RADIO}. */
     public static Request radio(boolean open) {
         return Command.RADIO.with(Bytes.of(open ? 1 : 0), open ? "open radio" : "block radio");
+    }
+
+    /** {@link Command#OVERHEAR}. */
+    public static Request overhear(boolean on) {
+        return Command.OVERHEAR.with(Bytes.of(on ? 1 : 0), on ? "overhear" : "overhear no more");
+    }
+
+    /**
+     * {@link Command#RELAY}.
+     *
+     * @param frame of another device, as it was on the air: of 10…77 bytes if the radio is the usual one.
+     * @throws IllegalArgumentException if the frame is too long for any packet of a radio.
+     */
+    public static Request relay(Frame frame) {
+        check(frame.length() < Frame.MAX_MESSAGE_LENGTH, "a frame that is relayed has at most 510 bytes",
+                frame.length());
+        return Command.RELAY.with(frame.encode(), "relay from " + frame.origin() + " to " + frame.destination());
     }
 
     /**

@@ -231,6 +231,8 @@ public final class FakeBoard {
                 yield record("id " + rfId, ACCEPTED);
             }
             case 'R' -> record("radio " + message.at(1), ACCEPTED);
+            case 'O' -> record("overhear " + message.at(1), ACCEPTED);
+            case 'Y' -> relay(message.from(1));
             case 'E' -> raiseEpoch((int) message.number(1, 4));
             case 'K' -> store(message);
             case 'S' -> record("statistics", statistics());
@@ -244,13 +246,21 @@ public final class FakeBoard {
     }
 
     private Bytes transmit(Frame frame) {
+        return takeUp("transmit " + frame.header());
+    }
+
+    private Bytes relay(Bytes frame) {
+        return takeUp("relay " + frame.hex());
+    }
+
+    private Bytes takeUp(String what) {
         if (refusal != null) {
             return status(refusal);
         }
         if (ends != null) {
             mail.end(transmissions & 0xFF, ends);
         }
-        return record("transmit " + frame.header(), Bytes.of(0, transmissions++));
+        return record(what, Bytes.of(0, transmissions++));
     }
 
     private Bytes act(Bytes message) {
@@ -464,6 +474,11 @@ public final class FakeBoard {
     /** Queues a message; of a broadcast the id is 0. */
     public synchronized void receive(String destination, String origin, int id, String content) {
         mail.receive(destination, origin, id, content);
+    }
+
+    /** Has the board hear a packet. */
+    synchronized void overhear(long millis, int how, Bytes payload) {
+        mail.overhear(millis, how, payload);
     }
 
     /** Has the sketch name these actions. */

@@ -11,7 +11,8 @@ final class FakeMail {
     /** What follows status and flags. */
     private static final int ROOM = 509;
 
-    private final List<Bytes> outcomes = new ArrayList<>();
+    /** Records that are told once: outcomes, and what was overheard. */
+    private final List<Bytes> news = new ArrayList<>();
     private int told;
     private final List<Bytes> messages = new ArrayList<>();
     private int firstNumber;
@@ -26,7 +27,11 @@ final class FakeMail {
     }
 
     void end(int number, Outcome outcome) {
-        outcomes.add(Bytes.of(number, outcome.ordinal()));
+        news.add(record('T', Bytes.of(number, outcome.ordinal())));
+    }
+
+    void overhear(long millis, int how, Bytes payload) {
+        news.add(record('O', Bytes.join(Bytes.ofNumber(millis, 4), Bytes.of(how), payload)));
     }
 
     /** Forgets the message of this number and all before it. */
@@ -41,7 +46,7 @@ final class FakeMail {
 
     /** The host has had the last reply. */
     void replyArrived() {
-        outcomes.subList(0, told).clear();
+        news.subList(0, told).clear();
         told = 0;
     }
 
@@ -53,7 +58,7 @@ final class FakeMail {
 
     /** Loses outcomes, and numbers messages anew: their senders repeat those that were not taken. */
     void boot() {
-        outcomes.clear();
+        news.clear();
         told = 0;
         firstNumber = 0;
         offered = 0;
@@ -83,7 +88,7 @@ final class FakeMail {
         if (!poll.percepts()) {
             reading = null;
         }
-        if (told < outcomes.size() || !messages.isEmpty()) {
+        if (told < news.size() || !messages.isEmpty()) {
             return tellWhatWaits();
         }
         boolean due = reading == null || poll.now()
@@ -99,10 +104,10 @@ final class FakeMail {
     private Bytes tellWhatWaits() {
         int flags = 0;
         Bytes records = Bytes.EMPTY;
-        for (Bytes outcome : outcomes.subList(told, outcomes.size())) {
-            records = Bytes.join(records, record('T', outcome));
+        for (Bytes untold : news.subList(told, news.size())) {
+            records = Bytes.join(records, untold);
         }
-        told = outcomes.size();
+        told = news.size();
         for (int i = 0; i < messages.size(); i++) {
             Bytes longer = Bytes.join(records, record('M', Bytes.join(Bytes.of(firstNumber + i), messages.get(i))));
             if (longer.length() > ROOM) {

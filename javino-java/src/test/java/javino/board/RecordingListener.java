@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import javino.protocol.BoardInfo;
+import javino.protocol.PollReply;
 
 /** Keeps all that it is told, as lines such as {@code message ROMA tell;help}. */
 final class RecordingListener implements BoardListener {
@@ -29,6 +30,11 @@ final class RecordingListener implements BoardListener {
     @Override
     public void message(ReceivedMessage message) {
         lines.add("message " + message.from() + " " + message.content());
+    }
+
+    @Override
+    public void overheard(PollReply.Overheard packet) {
+        lines.add("overheard " + packet.millis() + " " + packet.how() + " " + packet.payload().hex());
     }
 
     @Override

@@ -2,6 +2,7 @@ package javino.board;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -17,6 +18,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Force;
+import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -196,5 +198,48 @@ class TransmissionTest extends BoardFixture {
         board.transmit(Address.BROADCAST, longest).taken().get();
         assertEquals(longest.encode(), Bytes.ofHex(fake.requests().stream()
                 .filter(request -> request.startsWith("74656c6c3b")).findFirst().orElseThrow()));
+    }
+
+    @Test
+    void relay_frameOfAnother_goesToTheBoardAsItIsAndEnds() throws Exception {
+        open(listener);
+        Frame frame = new Frame(SUPO, Address.parse("ROMA"), Bytes.ofText("x"));
+        fake.setEnds(Outcome.SENT);
+        Transmission transmission = board.relay(frame);
+        assertEquals(Outcome.SENT, transmission.end().get());
+        assertEquals(List.of("relay " + frame.encode().hex()), fake.performed());
+    }
+
+    @Test
+    void relay_refused_failsBothWithTheReason() throws Exception {
+        open(listener);
+        fake.setRefusal(Status.QUEUE_FULL);
+        Transmission transmission = board.relay(new Frame(SUPO, Address.parse("ROMA"), Bytes.ofText("x")));
+        assertEquals("relay from ROMA to SUPO failed: QUEUE_FULL, the board's transmit queue is full; try again later",
+                failure(RequestFailedException.class, transmission.taken()).getMessage());
+        assertEquals(Status.QUEUE_FULL, failure(RequestFailedException.class, transmission.end()).status());
+    }
+
+    @Test
+    void relay_frameThatNoRadioCarries_isRefusedAtOnce() {
+        open(listener);
+        Frame frame = new Frame(SUPO, Address.parse("ROMA"), Bytes.copyOf(new byte[501]));
+        assertThrows(IllegalArgumentException.class, () -> board.relay(frame));
+    }
+
+    @Test
+    void overhear_on_tellsEachPacketOnceAndAgainAfterAReset() throws Exception {
+        openAndAwaitOnline();
+        board.overhear(true).get();
+        fake.overhear(5, 0, Bytes.ofText("a"));
+        fake.overhear(0xFFFF_FFFFL, 2, Bytes.EMPTY);
+        assertEquals(List.of("overheard 5 INTACT 61", "overheard 4294967295 DAMAGED "),
+                listener.until("overheard 4").stream().filter(line -> line.startsWith("overheard")).toList());
+        fake.reset();
+        listener.until("online");
+        assertEquals(List.of("id ROMA", "overhear 1", "overhear 1"), fake.performed());
+        fake.overhear(7, 1, Bytes.ofText("b"));
+        listener.until("overheard 7 MENDED 62");
+        assertEquals(3, board.counters().get(SessionCounter.OVERHEARD));
     }
 }

@@ -49,6 +49,8 @@ class CommandTest {
             case "listActions" -> Request.listActions(vector.get("offset").getAsInt());
             case "setRfId" -> Request.setRfId(VectorFile.address(vector, "address"));
             case "radio" -> Request.radio(vector.get("open").getAsBoolean());
+            case "overhear" -> Request.overhear(vector.get("on").getAsBoolean());
+            case "relay" -> Request.relay(Frame.decode(VectorFile.bytes(vector, "frame")));
             case "setKey" -> Request.setKey(VectorFile.address(vector, "address"),
                     Key.ofHex(VectorFile.text(vector, "key")));
             case "renewKey" -> Request.renewKey(VectorFile.address(vector, "address"),
@@ -119,7 +121,7 @@ class CommandTest {
                 reply.statistics().forEach((counter, value) -> counters.addProperty(counter.toString(), value));
                 fields.add("counters", counters);
             }
-            case "transmit" -> fields.addProperty("number", reply.transmissionNumber());
+            case "transmit", "relay" -> fields.addProperty("number", reply.transmissionNumber());
             default -> reply.nothing();
         }
         return fields;
@@ -141,6 +143,11 @@ class CommandTest {
             described.addProperty("origin", message.origin().toString());
             described.addProperty("id", message.id());
             described.addProperty("content", Content.decode(message.content()).toString());
+        } else if (item instanceof PollReply.Overheard packet) {
+            described.addProperty("type", "overheard");
+            described.addProperty("millis", packet.millis());
+            described.addProperty("how", packet.how().ordinal());
+            described.addProperty("payload", packet.payload().hex());
         }
         return described;
     }

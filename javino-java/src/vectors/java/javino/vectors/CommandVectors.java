@@ -18,7 +18,10 @@ final class CommandVectors {
             "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed", "radioReplayFull",
             "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
-            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne");
+            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne",
+            "radioOverheardDropped");
+
+    private static final byte[] FRAME = text("+KAAROMABA12345678");
 
     private CommandVectors() {
     }
@@ -46,6 +49,9 @@ final class CommandVectors {
                 vector("name", "setRfId", "address", "ROMA", "message", Wire.hex(text("IROMA"))),
                 vector("name", "radio", "open", true, "message", "5201"),
                 vector("name", "radio", "open", false, "message", "5200"),
+                vector("name", "overhear", "on", true, "message", "4f01"),
+                vector("name", "overhear", "on", false, "message", "4f00"),
+                vector("name", "relay", "frame", Wire.hex(FRAME), "message", Wire.hex(join(text("Y"), FRAME))),
                 vector("name", "raiseEpoch", "epoch", 0, "message", "45000000"),
                 vector("name", "raiseEpoch", "epoch", 470_012, "message", "45072bfc"),
                 vector("name", "setKey", "address", "SUPO", "key", Wire.hex(key),
@@ -96,6 +102,12 @@ final class CommandVectors {
                 badRequest(bytes('P', 16, 0, 0, 0, 0, 0), "BAD_ARGUMENT"),
                 badRequest(bytes('R'), "BAD_ARGUMENT"),
                 badRequest(bytes('R', 2), "BAD_ARGUMENT"),
+                badRequest(bytes('O'), "BAD_ARGUMENT"),
+                badRequest(bytes('O', 2), "BAD_ARGUMENT"),
+                badRequest(bytes('Y'), "BAD_ARGUMENT"),
+                badRequest(text("Y////ROMAAI"), "BAD_ARGUMENT"),
+                badRequest(text("Y////++++AIx"), "BAD_ARGUMENT"),
+                badRequest(text("Y+AAAROMAAIx"), "BAD_DESTINATION"),
                 badRequest(bytes('C'), "BAD_ARGUMENT"),
                 badRequest(bytes('C', 0, 0, 0), "BAD_ARGUMENT"),
                 badRequest(bytes('C', 0), "BAD_ARGUMENT"),
@@ -157,6 +169,11 @@ final class CommandVectors {
                         text("tell;" + "x".repeat(489))))),
                         vector("more", true, "leftOut", false, "reading", false, "records",
                                 List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
+                ok("poll", join(bytes(0), record('O', join(bytes(0, 1, 2, 3, 0), text("////ROMAAIx"))),
+                        record('O', bytes(0xFF, 0xFF, 0xFF, 0xFF, 1, 0x78)), record('O', bytes(0, 0, 0, 0, 2))),
+                        vector("more", false, "leftOut", false, "reading", false, "records",
+                                List.of(overheard(66_051, 0, "2f2f2f2f524f4d41414978"),
+                                        overheard(0xFFFF_FFFFL, 1, "78"), overheard(0, 2, "")))),
                 ok("act", new byte[0], vector()),
                 ok("listActions", bytes(0), actions(0, "", true)),
                 ok("listActions", join(bytes(2), text("lampOn"), bytes(0), text("lampOff"), bytes(0)),
@@ -178,6 +195,8 @@ final class CommandVectors {
                         vector("counters", vector("serialRequests", 258, "perceptsLeftOut", 4294967295L))),
                 ok("statistics", allCounters(), vector("counters", countersByName())),
                 ok("transmit", bytes(255), vector("number", 255)),
+                ok("overhear", new byte[0], vector()),
+                ok("relay", bytes(7), vector("number", 7)),
                 refused(1, "NOT_GREETED"), refused(2, "UNKNOWN_COMMAND"), refused(3, "BAD_ARGUMENT"),
                 refused(4, "UNKNOWN_ACTION"), refused(5, "ACTION_FAILED"), refused(6, "NO_RF_ID"),
                 refused(7, "WRONG_ORIGIN"), refused(8, "BAD_DESTINATION"), refused(9, "NO_KEY"),
@@ -202,6 +221,10 @@ final class CommandVectors {
 
     private static Map<String, Object> transmission(int number, int outcome) {
         return vector("type", "transmission", "number", number, "outcome", outcome);
+    }
+
+    private static Map<String, Object> overheard(long millis, int how, String payload) {
+        return vector("type", "overheard", "millis", millis, "how", how, "payload", payload);
     }
 
     private static Map<String, Object> key(String address, int role, String check) {
@@ -255,6 +278,9 @@ final class CommandVectors {
                 badReply("poll", join(bytes(0, 0, 'M', 0, 11, 1), text("////ROMA"), bytes(0, 0)), "half an id"),
                 badReply("poll", join(bytes(0, 0, 'M', 0, 12, 1), text("////RO=A"), bytes(0, 0, 0)),
                         "message without an origin"),
+                badReply("poll", bytes(0, 0, 'O', 0, 4, 0, 0, 0, 0), "overheard, but not how"),
+                badReply("poll", bytes(0, 0, 'O', 0, 5, 0, 0, 0, 0, 3), "unknown way to come"),
+                badReply("relay", bytes(0), "no number"),
                 badReply("listActions", bytes(0), "no number"),
                 badReply("listActions", bytes(0, 1, 'a', 0, 'b', 0), "more names than actions"),
                 badReply("listActions", bytes(0, 1, 'a', 0, 'b'), "something after the last name"),

@@ -95,18 +95,19 @@ final class Bytes {
         Payload payload = Payload.of(event);
         Desk desk = desk(event);
         Fields.check(event, payload);
+        boolean isOwn = desk.ids.contains(payload.origin());
         if (payload.isAcknowledgement()) {
             answer(desk, payload, event.number("start"));
         } else if (!payload.isData()) {
             return;
-        } else if (!desk.isNamed()) {
+        } else if (!isOwn) {
             remember(payload, event.number("start"));
         } else if (payload.index() != 0) {
             later(desk, payload);
         } else {
             first(desk, new Frame(payload, event.number("start")), payload);
         }
-        Frame cut = payload.isPiece() ? desk.cut.get(payload.pieceId()) : null;
+        Frame cut = isOwn && payload.isPiece() ? desk.cut.get(payload.pieceId()) : null;
         if (cut != null) {
             order(desk, cut, payload);
         }
@@ -241,7 +242,7 @@ final class Bytes {
         List<Frame> meant = Stream.of(frames, strange).flatMap(known -> known.values().stream())
                 .filter(frame -> Answers.mayMean(payload, frame)).toList();
         List<Frame> proved = !opener.hasKeys() ? meant : proved(payload, meant);
-        if (desk.isNamed()) {
+        if (desk.ids.contains(payload.origin())) {
             proofs += !opener.hasKeys() ? 0 : 1;
             Answers.check(desk, payload, start, meant, proved);
             checkParity(desk, payload, proved);

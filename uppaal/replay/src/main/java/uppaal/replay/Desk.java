@@ -55,10 +55,6 @@ final class Desk {
         this.name = name;
     }
 
-    boolean isNamed() {
-        return !ids.isEmpty();
-    }
-
     /** It begins anew, with another epoch. */
     void reset(double seconds) {
         leastEpoch = epoch < 0 || epoch == NONE_LEFT ? leastEpoch : epoch + 1;

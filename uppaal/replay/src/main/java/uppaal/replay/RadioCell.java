@@ -161,6 +161,14 @@ final class RadioCell {
         crowd(event.number("asked"), board);
     }
 
+    /** A host has given its board a packet of another device to send. */
+    void relay(Event event) throws RefusedException {
+        Transmission relayed =
+                new Transmission((int) event.number("number"), Payload.ALL, event.number("asked"));
+        relayed.relayed = event.text("payload");
+        board(event.board()).transmit(relayed);
+    }
+
     /** Tells what its board sends whether that has other messages to send. */
     private static void crowd(double seconds, Station board) throws RefusedException {
         List<Transmission> open = board.open().toList();
@@ -180,7 +188,9 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " begins to send; expected that its last packet ends first");
         }
-        if (board.isNamed() && !board.hasBeen(payload.origin())) {
+        boolean relayed = !board.hasBeen(payload.origin()) && board.relays(payload.hex()).isPresent();
+        boolean own = board.isNamed() && !relayed;
+        if (own && !board.hasBeen(payload.origin())) {
             throw new RefusedException(
                     board.name() + " sends as '" + payload.origin() + "'; expected its own id");
         }
@@ -191,17 +201,17 @@ final class RadioCell {
         String answer = "";
         End owner = null;
         if (payload.isData()) {
-            message = board.isNamed() ? own(start, board, payload) : strange(payload);
-            owner = board.isNamed() ? message.sender() : null;
+            message = own ? own(start, board, payload) : strange(payload);
+            owner = own ? message.sender() : null;
             if (message != null) {
                 message.send(payload);
             }
         } else if (payload.isAcknowledgement()) {
             answer = ANSWERS.getOrDefault(payload.message().length, "");
-            answered = board.isNamed() ? acknowledge(start, board, payload, answer)
+            answered = own ? acknowledge(start, board, payload, answer)
                     : answers.getOrDefault(payload.hex(), List.of());
-            owner = board.isNamed() && answered.size() == 1 ? answered.get(0).receiver(board) : null;
-        } else if (board.isNamed()) {
+            owner = own && answered.size() == 1 ? answered.get(0).receiver(board) : null;
+        } else if (own) {
             throw new RefusedException(
                     board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
         }
@@ -692,6 +702,13 @@ final class RadioCell {
                     + "; expected what has become of message " + oldest.number + ", which was before it");
         }
         transmission.outcome = outcome;
+        if (transmission.wasRelayed) {
+            if (!outcome.equals("sent")) {
+                throw new RefusedException(
+                        board.name() + " reports " + outcome + " for what it has relayed; expected: sent");
+            }
+            return;
+        }
         if (outcome.equals("undelivered")) {
             checkUndelivered(board, transmission.message);
         }

@@ -180,7 +180,7 @@ public final class Replay {
                 enter(event.number("start"), event, Part.BEGIN);
                 enter(event.number("end"), event, Part.END);
             }
-            case "host-transmit" -> enter(event.number("asked"), event, Part.EVENT);
+            case "host-transmit", "host-relay" -> enter(event.number("asked"), event, Part.EVENT);
             case "rf-rx" -> {
                 enter(event.number("start"), event, Part.CARRIER);
                 enter(event.seconds(), event, Part.EVENT);
@@ -332,6 +332,7 @@ public final class Replay {
                 bytes.transmit(event);
                 moves.says(event);
             }
+            case "host-relay" -> cell.relay(event);
             case "crash" -> throw new RefusedException(event.board() + "'s program crashes");
             case "percepts", "host-nothing" -> cell.tell(event);
             case "host-handed" -> {

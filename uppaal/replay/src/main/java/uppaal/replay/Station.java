@@ -307,12 +307,24 @@ final class Station {
         List<Transmission> like =
                 waiting.stream().filter(each -> partner(each.destination).equals(partner(destination))).toList();
         Optional<Transmission> next =
-                like.stream().filter(transmission -> transmission.destination.equals(destination)).findFirst();
+                like.stream().filter(each -> each.relayed.isEmpty() && each.destination.equals(destination))
+                        .findFirst();
         next.ifPresent(transmission -> {
             waiting.removeAll(like.subList(0, like.indexOf(transmission) + 1));
             current.put(partner(destination), transmission);
         });
         return next;
+    }
+
+    /** It sends a packet of another device, whether its host has asked for that or not. */
+    Optional<Transmission> relays(String payload) {
+        Optional<Transmission> asked =
+                waiting.stream().filter(transmission -> transmission.relayed.equals(payload)).findFirst();
+        asked.ifPresent(transmission -> {
+            waiting.remove(transmission);
+            transmission.wasRelayed = true;
+        });
+        return asked;
     }
 
     /** It will not send this. */

@@ -6,6 +6,10 @@ final class Transmission {
     final String destination;
     /** When its host has asked for it, in seconds. */
     final double asked;
+    /** The packet of another device that is to be sent as it is, in hexadecimal digits; empty if it is none. */
+    String relayed = "";
+    /** Whether that was sent. */
+    boolean wasRelayed;
     /** What was sent of it; null as long as nothing was. */
     Message message;
     /** What was sent of it before it was sealed anew; null where it was not. */

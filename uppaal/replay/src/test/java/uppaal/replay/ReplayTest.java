@@ -820,6 +820,43 @@ class ReplayTest {
         assertRefused(lines, lines.all.size(), "support hands it to its host (SUPO to SUPP, ");
     }
 
+    /** A third board, which has an id of its own, is to send what police has sent. */
+    @Test
+    void replay_packetOfAnother_isSentOnlyIfTheHostAsksForIt() {
+        String payload = UNICAST + "00".repeat(10);
+        for (boolean asked : List.of(true, false)) {
+            Lines lines = twoBoards().add(1.1, "police", "host-transmit",
+                    Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
+            lines.add(1.2, "relay", "host-id", Map.of("id", "CAFE", "epoch", "000001"));
+            send(lines, 2, "police", payload, "unicast");
+            if (asked) {
+                lines.add(2.6, "relay", "host-relay", Map.of("number", 0, "asked", 2.5, "payload", payload));
+            }
+            reach(lines, 3, "relay", payload, "unicast");
+            if (!asked) {
+                assertTrue(lines.replay().refusal().get().contains("relay sends as 'SUPO'; expected its own id"),
+                        lines.replay().verdict());
+                continue;
+            }
+            hand(lines, 4, 0, "010000");
+            lines.add(4.1, "relay", "host-outcome", Map.of("number", 0, "outcome", "sent"));
+            assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+            lines.get(lines.all.size()).addProperty("outcome", "delivered");
+            assertRefused(lines, lines.all.size(), "relay reports delivered for what it has relayed; expected: sent");
+            send(lines, 5, "relay", payload, "unicast");
+            lines.get(lines.all.size() - 1).addProperty("outcome", "sent");
+            assertRefused(lines, lines.all.size(), "relay sends as 'SUPO'");
+        }
+    }
+
+    @Test
+    void replay_relayedThatWasNeverOnTheAir_isNotSent() {
+        Lines lines = twoBoards().add(2, "police", "host-relay",
+                Map.of("number", 0, "asked", 1.9, "payload", "43414645" + "43414650" + "4141"));
+        lines.add(3, "police", "host-outcome", Map.of("number", 0, "outcome", "sent"));
+        assertRefused(lines, lines.all.size(), "reports sent for a message that was never on the air");
+    }
+
     @Test
     void replay_strangerWithAnIdOfItsOwn_isHeard() {
         Lines lines = twoBoards();

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../Config.h"
+#include "../radio/RadioPacket.h"
+#include "../support/Counters.h"
+#include "../support/Inlining.h"
+#include "ByteQueue.h"
+#include "../support/Zeroed.h"
+
+namespace javino {
+
+#if JAVINO_OVERHEARD_BYTES
+
+/// What the board has heard on the air, whoever it is for, until the host has had it (SPEC 4.3, overhear). No key is needed
+/// for it, and none is used. It is off at first.
+class Overheard {
+ public:
+  /// How a packet came.
+  enum How : uint8_t { INTACT = 0, MENDED = 1, DAMAGED = 2 };
+
+  explicit Overheard(Counters &counters) : counters_(counters), records_(block_, sizeof block_) {}
+
+  /// Begins to keep what is heard, or forgets all of it.
+  void listen(bool on);
+
+  /// A packet has come.
+  /// @param payload of 1…77 bytes
+  void add(How how, const uint8_t *payload, uint8_t length);
+
+  /// A packet has come that is damaged beyond mending.
+  void add(const RadioPacket &lost);
+
+  /// Whether packets are to be told.
+  bool areUntold() const { return told_ != records_.count(); }
+
+  /// Goes through those that are to be told: no bytes stand for the end. Each record is a value as SPEC 4.3 has it.
+  ByteQueue::Record firstUntold() const;
+  ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
+
+  /// One more is told now.
+  void tell() { told_++; }
+
+  /// The host has had all that was told.
+  JAVINO_NOINLINE void forgetTold();
+
+  /// The host may not have had it.
+  void keepTold() { told_ = 0; }
+
+ private:
+  static const uint8_t HEAD_LENGTH = 4 + 1;  // time, how
+
+  JAVINO_NOINLINE uint8_t *append(How how, uint8_t length);
+
+  Counters &counters_;
+  bool listens_ JAVINO_ZEROED;
+  uint8_t told_ JAVINO_ZEROED;
+  ByteQueue records_;
+  uint8_t block_[config::OVERHEARD_BYTES];
+};
+
+#else
+
+/// What stands in for it on a board that overhears nothing (Config.h).
+class Overheard {
+ public:
+  enum How : uint8_t { INTACT, MENDED };
+
+  explicit Overheard(Counters &) {}
+
+  void listen(bool) {}
+  void add(How, const uint8_t *, uint8_t) {}
+  void add(const RadioPacket &) {}
+  bool areUntold() const { return false; }
+  ByteQueue::Record firstUntold() const { return {nullptr, 0}; }
+  ByteQueue::Record after(const ByteQueue::Record &record) const { return record; }
+  void tell() {}
+  void forgetTold() {}
+  void keepTold() {}
+};
+
+#endif
+
+}  // namespace javino

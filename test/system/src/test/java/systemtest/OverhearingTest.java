@@ -1,0 +1,120 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.link.SerialLink;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Counter;
+import javino.protocol.Frame;
+import javino.protocol.Outcome;
+import javino.protocol.PollReply;
+import javino.protocol.ProtocolException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Two cells out of each other's range. In each is a board without address and keys, which overhears: what one hears the
+ * other relays.
+ */
+class OverhearingTest {
+
+    private static final List<Double> WEST = List.of(0.0, 0.0);
+    private static final List<Double> EAST = List.of(100_000.0, 0.0);
+
+    private Emulator emulator;
+    private Host police;
+    private Host bus;
+    private Board west;
+    private Board east;
+    private final List<PollReply.Overheard> overheard = new CopyOnWriteArrayList<>();
+
+    @BeforeEach
+    void switchOn(@TempDir Path folder) throws Exception {
+        emulator = new Emulator.Scenario()
+                .board("police", "Station", Map.of("position", WEST)).board("west", "Station", Map.of("position", WEST))
+                .board("bus", "Station", Map.of("position", EAST)).board("east", "Station", Map.of("position", EAST))
+                .start(folder);
+        police = Host.of(emulator, "police").as("SUPO", Map.of("ROMA", TestKeys.PAIR));
+        bus = Host.of(emulator, "bus").as("ROMA", Map.of("SUPO", TestKeys.PAIR));
+        west = ear("west", packet -> relay(packet, east));
+        east = ear("east", packet -> relay(packet, west));
+        Host.get(west.overhear(true));
+        Host.get(east.overhear(true));
+    }
+
+    private Board ear(String name, Consumer<PollReply.Overheard> hearer) {
+        return Board.open(SerialLink.opener(emulator.port(name)), BoardConfig.create(), new BoardListener() {
+            @Override
+            public void overheard(PollReply.Overheard packet) {
+                overheard.add(packet);
+                hearer.accept(packet);
+            }
+        });
+    }
+
+    private static void relay(PollReply.Overheard packet, Board into) {
+        try {
+            into.relay(Frame.decode(packet.payload()));
+        } catch (ProtocolException damaged) {
+            assertEquals(PollReply.Came.DAMAGED, packet.how());
+        }
+    }
+
+    @AfterEach
+    void switchOff() {
+        west.close();
+        east.close();
+        police.close();
+        bus.close();
+        emulator.close();
+    }
+
+    @Test
+    void unicast_betweenCells_isDeliveredThoughNobodyBetweenHasAKey() throws Exception {
+        Outcome outcome = Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse("tell;help")).end());
+        assertEquals(Outcome.DELIVERED, outcome);
+        assertEquals("tell;help", bus.message().content().toString());
+        assertTrue(bus.messages().isEmpty());
+        String plain = HexFormat.of().formatHex("help".getBytes(StandardCharsets.UTF_8));
+        assertFalse(overheard.stream().anyMatch(packet -> packet.payload().hex().contains(plain)));
+    }
+
+    @Test
+    void unicast_inPieces_isDelivered() throws Exception {
+        String content = "tell;" + "x".repeat(150);
+        assertEquals(Outcome.DELIVERED,
+                Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse(content)).end()));
+        assertEquals(content, bus.message().content().toString());
+    }
+
+    @Test
+    void broadcast_isOverheardAsItIsOnTheAir() throws Exception {
+        bus.send("////", "tell;roadClosed");
+        assertEquals("tell;roadClosed", police.message().content().toString());
+        TraceEvent sent = emulator.sentBy("bus").get(0);
+        assertEquals(sent.text("payload"), overheard.get(0).payload().hex());
+        assertEquals(PollReply.Came.INTACT, overheard.get(0).how());
+        // The board's clock began when the board did, with the emulator's.
+        assertEquals(1000 * sent.number("end"), overheard.get(0).millis(), 1000);
+        assertEquals(0, Host.get(east.statistics()).getOrDefault(Counter.RADIO_OVERHEARD_DROPPED, 0L));
+    }
+}
