@@ -364,6 +364,22 @@ class MovesTest {
     }
 
     @Test
+    void go_againWhileItIsToLeave_doesNotWakeIt() {
+        move();
+        world.runUntil(30_000);
+        int number = Folder.records(folder.resolve("SUBB")).get(0).key().number();
+        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
+        until(() -> isIn(bus, Move.State.OFFERED));
+        world.contact = false;
+        bus.kill();
+        bus.start();
+        say(number, new Mail.Go());
+        say(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
+                new Move.Identity(World.STATION, AGENT)));
+        assertEquals(0, world.awake(AGENT));
+    }
+
+    @Test
     void ended_whatCameOrIsToLeave_doesNotLiveHereAgain() {
         move();
         world.runUntil(30_000);
