@@ -268,11 +268,21 @@ class MovesTest {
 
     @Test
     void depart_withoutKey_saysSoAtOnce() {
-        station.key = false;
+        station.takesNone = Optional.of("no_key");
         move();
         world.runUntil(1_000);
         assertEquals(List.of("stayed no_key"), station.told);
         assertOnlyAt(station, bus);
+    }
+
+    @Test
+    void depart_boardHasTooMuchToSend_goesSoonAfterwards() {
+        station.takesNone = Optional.of("queue_full");
+        CompletableFuture<String> end = move();
+        world.runUntil(31_000);
+        station.takesNone = Optional.empty();
+        world.runUntil(45_000);
+        assertEquals(AGENT, end.join());
     }
 
     @ParameterizedTest

@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Random;
 import java.util.Set;
@@ -144,8 +145,8 @@ final class World {
         private Runnable last = () -> {};
         boolean on;
         boolean admits = true;
-        /** Its board has the other's key. */
-        boolean key = true;
+        /** Why its board takes no message now. */
+        Optional<String> takesNone = Optional.empty();
         /** What its disk does not do now: write, delete. */
         final Set<String> broken = new HashSet<>();
         /** Its MAS cannot make an agent now. */
@@ -288,8 +289,8 @@ final class World {
             String type = String.valueOf((char) bytes.at(0));
             maybeKilled("before the message " + type);
             CompletableFuture<Outcome> end = new CompletableFuture<>();
-            if (!key) {
-                end.completeExceptionally(new Failure("no_key", "the board has no key for " + to).toException());
+            if (takesNone.isPresent()) {
+                end.completeExceptionally(new Failure(takesNone.get(), "the board takes nothing").toException());
                 return end;
             }
             int mine = life;
