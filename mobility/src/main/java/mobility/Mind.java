@@ -21,6 +21,7 @@ import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.ArithFunctionTerm;
+import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.ObjectTermImpl;
@@ -310,6 +311,7 @@ final class Mind {
 
     private static void fail(TransitionSystem ts, Intention intention, Failure why) {
         String key = "moveOut/javino/" + intention.getId();
+        Frames.standAt(intention.peek(), new InternalActionLiteral(".moveOut"));
         ts.getC().removeRunningIntention(intention);
         ts.getC().addPendingIntention(key, ASSyntax.createAtom("board"), intention, false);
         Intentions.fail(ts, key, why);

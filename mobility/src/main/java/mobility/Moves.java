@@ -366,7 +366,8 @@ final class Moves {
                     again(ANSWER_MILLIS);
                 } else {
                     again(pause);
-                    pause = Math.min(MOST_PAUSE_MILLIS, 2 * pause);
+                    // Where the board has too much to send, the other side may well be there.
+                    pause = thrown == null ? Math.min(MOST_PAUSE_MILLIS, 2 * pause) : LEAST_PAUSE_MILLIS;
                 }
                 if (thrown != null) {
                     failed.accept(Failure.of(thrown));

@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 import jason.JasonException;
+import jason.asSemantics.Agent;
 import jason.asSemantics.Event;
 import jason.asSemantics.Intention;
 import jason.asSemantics.Option;
@@ -15,9 +17,12 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Trigger;
 
+import diffuser.Failure;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** An agent is the same after its texts have been written and read. */
 class ImageTest {
@@ -52,6 +57,19 @@ class ImageTest {
                 """).moved();
         there.run(20);
         assertEquals(List.of("say failed 1 internal_action", "say after rescued"), there.done);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "; say(never)", "; !never"})
+    void agent_thatStays_failsWithTheReason(String then) throws Exception {
+        Image image = Stage.of("""
+                !go.
+                +!go <- !tour(7); say(end).
+                +!tour(N) <- mobility.leave%s.
+                -!tour(N)[error(E)] <- say(N,E).
+                """.formatted(then)).leave();
+        Stage here = Stage.of(Mind.read(image), new Agent(), Optional.of(new Failure("undelivered", "nobody there")));
+        assertEquals(List.of("say 7 undelivered", "say end"), here.run(20).done);
     }
 
     @Test

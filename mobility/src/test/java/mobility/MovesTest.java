@@ -289,6 +289,16 @@ class MovesTest {
         assertOnlyAt(station, bus);
     }
 
+    @Test
+    void depart_boardHasTooMuchToSend_goesSoonAfterwards() {
+        station.unsent = Optional.of(new Failure("queue_full", "the board takes nothing"));
+        CompletableFuture<String> end = move();
+        world.runUntil(31_000);
+        station.unsent = Optional.empty();
+        world.runUntil(45_000);
+        assertEquals(AGENT, end.join());
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"anna", "self", "percept", "Bob", "a-b", "df", "true", "not"})
     void depart_nameThatCouldBeMistaken_saysSoBeforeAnythingIsSent(String name) {
@@ -375,6 +385,22 @@ class MovesTest {
         move();
         world.runUntil(60_000);
         assertOnlyAt(bus, station);
+    }
+
+    @Test
+    void go_againWhileItIsToLeave_doesNotWakeIt() {
+        move();
+        world.runUntil(30_000);
+        int number = Folder.records(folder.resolve("SUBB")).get(0).key().number();
+        bus.depart(AGENT, Protocol.MUTUALISM, World.STATION);
+        until(() -> isIn(bus, Move.State.OFFERED));
+        world.contact = false;
+        bus.kill();
+        bus.start();
+        say(number, new Mail.Go());
+        say(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
+                new Move.Identity(World.STATION, AGENT)));
+        assertEquals(0, world.awake(AGENT));
     }
 
     @Test

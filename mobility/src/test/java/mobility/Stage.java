@@ -3,6 +3,7 @@ package mobility;
 import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.logging.Level;
@@ -17,6 +18,8 @@ import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 import jason.runtime.Settings;
 import jason.util.Config;
+
+import diffuser.Failure;
 
 /** An agent whose cycles the test runs, and which tells the test by its actions. */
 final class Stage extends AgArch {
@@ -69,10 +72,15 @@ final class Stage extends AgArch {
     }
 
     static Stage of(Mind mind, Agent agent) {
+        return of(mind, agent, Optional.empty());
+    }
+
+    /** @param why it was to leave and has stayed. */
+    static Stage of(Mind mind, Agent agent, Optional<Failure> why) {
         try {
             Stage stage = new Stage(agent);
             agent.loadInitialAS(null);
-            mind.enter(stage.ts);
+            mind.enter(stage.ts, why);
             return stage;
         } catch (Exception e) {
             throw new IllegalStateException(e);

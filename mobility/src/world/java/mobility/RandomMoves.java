@@ -10,13 +10,14 @@ import java.util.Set;
 
 import javino.protocol.Bytes;
 
-/** Moves of one agent to and fro in a {@link World}, with whatever goes wrong, and what came of them. */
+/** Moves of some agents to and fro in a {@link World}, with whatever goes wrong, and what came of them. */
 public final class RandomMoves {
 
-    /** So many moves are tried in one run. */
+    /** So many times agents are told to move in one run. */
     public static final int MOVES = 40;
 
-    private static final String AGENT = "inspector";
+    /** Of each run, the first or more of them. */
+    private static final List<String> AGENTS = List.of("inspector", "porter", "guide", "clerk");
 
     /**
      * What came of a run.
@@ -28,14 +29,16 @@ public final class RandomMoves {
      * @param lost      messages that did not arrive.
      * @param kills     how often a program was killed, by what it was about to do or had just done.
      * @param both      times at which two were awake, with what was known.
-     * @param atTheEnd  agents awake when contact had been back for ten minutes; one is right.
+     * @param agents    how many agents there were.
+     * @param lostAgents   of which none was awake when contact had been back for long.
+     * @param doubled   of which two or more were awake then.
      * @param changed   agents awake then that were not as they had been.
      * @param unasked   arrivals that no plan had admitted.
      * @param unended   records of moves then that had not ended.
      * @param told      what both programs said.
      */
     public record Tally(long begun, long arrived, long refusing, long messages, long lost,
-            Map<String, Integer> kills, List<String> both, int atTheEnd, long changed, long unasked, int unended,
+            Map<String, Integer> kills, List<String> both, int agents, long lostAgents, long doubled, long changed, long unasked, int unended,
             List<String> told) {
     }
 
@@ -45,9 +48,8 @@ public final class RandomMoves {
     /** @param folder for the records of both; empty. */
     public static Tally run(long seed, Path folder) throws IOException {
         World world = new World(seed, folder);
-        List<Bytes> texts = List.of(Bytes.ofText("+!p(" + seed + ") <- a(X); b(X).\n".repeat(5)),
-                Bytes.ofText("x".repeat(world.random.nextInt(2000)) + seed));
-        Set<List<Bytes>> known = new HashSet<>(Set.of(texts));
+        List<String> agents = AGENTS.subList(0, 1 + (int) (seed % AGENTS.size()));
+        Set<List<Bytes>> known = new HashSet<>();
         world.lived = old -> {
             // Its state is another at each move, so that something of it travels each time.
             byte[] state = new byte[100 + world.random.nextInt(1500)];
@@ -57,37 +59,43 @@ public final class RandomMoves {
             return now;
         };
         List<World.Side> sides = List.of(world.side(World.STATION), world.side(World.BUS));
-        sides.get(0).program.put(AGENT, texts);
-        world.watched = AGENT;
+        for (String agent : agents) {
+            List<Bytes> texts = List.of(Bytes.ofText(("+!" + agent + "(" + seed + ") <- a(X); b(X).\n").repeat(5)),
+                    Bytes.ofText("x".repeat(world.random.nextInt(2000)) + seed));
+            known.add(texts);
+            sides.get(world.random.nextInt(2)).program.put(agent, texts);
+        }
+        world.watched.addAll(agents);
         sides.forEach(World.Side::start);
         long begun = 0;
         long refusing = 0;
         for (int i = 0; i < MOVES; i++) {
             disturb(world);
             sides.forEach(side -> side.admits = world.random.nextInt(8) > 0);
-            World.Side other = sides.get(1);
             for (World.Side side : sides) {
-                if (side.on && side.awake.containsKey(AGENT)) {
-                    begun++;
-                    refusing += other.admits ? 0 : 1;
-                    side.depart(AGENT, world.random.nextBoolean() ? Protocol.MUTUALISM : Protocol.INQUILINISM,
-                            other.address);
-                    break;
+                World.Side other = sides.get(1 - sides.indexOf(side));
+                for (String agent : agents) {
+                    if (side.on && side.awake.containsKey(agent)) {
+                        begun++;
+                        refusing += other.admits ? 0 : 1;
+                        side.depart(agent, world.random.nextBoolean() ? Protocol.MUTUALISM : Protocol.INQUILINISM,
+                                other.address);
+                    }
                 }
-                other = side;
             }
             world.runUntil(world.millis() + world.random.nextInt(20_000));
             world.contact = world.random.nextInt(4) > 0;
             world.runUntil(world.millis() + world.random.nextInt(100_000));
         }
         calm(world);
-        world.runUntil(world.millis() + 600_000);
+        world.runUntil(world.millis() + agents.size() * 600_000L);
         List<String> told = new ArrayList<>();
         sides.forEach(side -> told.addAll(side.told));
         return new Tally(begun, world.arrivals, refusing, world.messages, world.lostMessages, world.kills, world.both,
-                world.awake(AGENT),
-                sides.stream().filter(side -> side.awake.containsKey(AGENT))
-                        .filter(side -> !known.contains(side.awake.get(AGENT))).count(),
+                agents.size(), agents.stream().filter(agent -> world.awake(agent) == 0).count(),
+                agents.stream().filter(agent -> world.awake(agent) > 1).count(),
+                sides.stream().flatMap(side -> side.awake.values().stream()).filter(texts -> !known.contains(texts))
+                        .count(),
                 world.unasked, sides.stream().mapToInt(side -> side.open().size()).sum(), told);
     }
 

@@ -58,15 +58,15 @@ final class World {
     /** Killed after so many steps of whoever is next; negative for never. */
     int killAfter = -1;
     Address victim = STATION;
-    /** Never are two awake of an agent of this name, or of one that was made of it. */
-    String watched = "";
+    /** Never are two awake of an agent of these names, or of one that was made of it. */
+    final Set<String> watched = new HashSet<>();
     /** What an agent has become since it came, when it leaves. */
     UnaryOperator<List<Bytes>> lived = UnaryOperator.identity();
     /** Told where two were awake at once. */
     final List<String> both = new ArrayList<>();
     /** Agents that came although no plan admitted their last move. */
     long unasked;
-    private boolean asked;
+    private final Set<String> asked = new HashSet<>();
     long arrivals;
     /** How often a program was killed, by what it was about to do or had just done. */
     final Map<String, Integer> kills = new TreeMap<>();
@@ -114,7 +114,7 @@ final class World {
     }
 
     private void expectOne() {
-        if (!watched.isEmpty() && awake(watched) > 1) {
+        if (watched.stream().anyMatch(agent -> awake(agent) > 1)) {
             both.add("at " + now + ": " + sides.values().stream()
                     .map(side -> side.address + " " + side.awake.keySet() + side.told).toList());
         }
@@ -325,7 +325,9 @@ final class World {
         @Override
         public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
             maybeKilled("before a plan was asked");
-            asked |= admits;
+            if (admits) {
+                asked.add(agent);
+            }
             return admits ? CompletableFuture.completedFuture(null)
                     : CompletableFuture.failedFuture(new RefusedException("refused", "no plan admits it"));
         }
@@ -345,7 +347,7 @@ final class World {
             }
             if (!anew) {
                 arrivals++;
-                unasked += asked ? 0 : 1;
+                unasked += asked.contains(move.name()) ? 0 : 1;
             }
             String name = move.name();
             for (int i = 1; awake.containsKey(name); i++) {
@@ -386,7 +388,7 @@ final class World {
 
         /** Moves an agent; until it has gone it sleeps, and where it stays it wakes. */
         CompletableFuture<String> depart(String agent, Protocol protocol, Address to) {
-            asked = false;
+            asked.remove(agent);
             List<Bytes> texts = lived.apply(protocol == Protocol.CLONING ? awake.get(agent) : awake.remove(agent));
             CompletableFuture<String> end = moves.depart(agent, protocol, address, to, texts);
             int mine = life;

@@ -3,8 +3,10 @@ package jason.asSemantics;
 import java.util.Map;
 
 import jason.asSyntax.ASSyntax;
+import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.PlanBodyImpl;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
@@ -36,6 +38,13 @@ public final class Frames {
         frame.renamedVars = renamed == null ? null : unifier(renamed);
         frame.triggerUnif = unifier(atFirst);
         return frame;
+    }
+
+    /** Puts a step before those that are still to be done: Jason tells why a plan has failed only where it has one. */
+    public static void standAt(IntendedMeans frame, InternalActionLiteral step) {
+        PlanBody body = new PlanBodyImpl(PlanBody.BodyType.internalAction, step);
+        body.setBodyNext(frame.planBody);
+        frame.planBody = body;
     }
 
     /** With these values, as Jason may change them. */

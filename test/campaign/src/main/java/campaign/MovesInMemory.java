@@ -51,7 +51,7 @@ final class MovesInMemory {
     private static void describe(List<Tally> all, Report report) {
         report.text("""
             **In memory.** Two MAS with the program that moves agents (SPEC 9) and real folders, and an air and a time
-            of their own. An agent moves to and fro. Up to 30 % of the messages are lost, up to 20 % arrive but are told
+            of their own. One to four agents move to and fro, also at the same time and towards each other. Up to 30 % of the messages are lost, up to 20 % arrive but are told
             undelivered, contact is lost for a while after every fourth move, one MAS in eight admits nobody, and
             programs are killed before and after whatever they write, say or do, and start again up to 20 s later.
             """);
@@ -64,8 +64,8 @@ final class MovesInMemory {
         kills.forEach(table::row);
         report.table(table);
         report.never("in memory: two awake at once",
-                sum(all, tally -> tally.both().size() + Math.max(0, tally.atTheEnd() - 1)));
-        report.never("in memory: lost", all.stream().filter(tally -> tally.atTheEnd() == 0).count());
+                sum(all, tally -> tally.both().size() + tally.doubled()));
+        report.never("in memory: lost", sum(all, Tally::lostAgents));
         report.never("in memory: changed", sum(all, Tally::changed));
         report.never("in memory: admitted without a plan", sum(all, Tally::unasked));
         report.never("in memory: a move without an end", sum(all, Tally::unended));
