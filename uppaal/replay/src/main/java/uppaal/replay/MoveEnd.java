@@ -293,9 +293,9 @@ final class MoveEnd {
     private List<State> receiverIsOffered(State state, List<Integer> kept) {
         List<State> after = new ArrayList<>();
         scene.where(state.possible, NONE).ifPresent(none -> {
-            Possible known = none;
-            for (int piece = 0; piece <= pieces(total(kept)); piece++) {
-                known = known.or(none.after("kept " + piece).orElse(none));
+            Possible known = none.after("kept 0").orElseThrow();
+            for (int piece = 1; piece <= pieces(total(kept)); piece++) {
+                known = known.or(none.after("kept " + piece).orElseThrow());
             }
             handover.after(scene, scene.where(known, NONE).orElse(known), "comes O")
                     .ifPresent(possible -> after.add(state.heard(possible, kept)));

@@ -16,8 +16,8 @@ import java.util.TreeSet;
 
 /**
  * Replays a trace of emulated boards in the automata of {@code delivery.xml} and {@code handover.xml}: what was on the
- * air and what passed between boards and hosts must be what the models allow. Takes the lines as they come; what it remembers does not
- * grow with the trace.
+ * air and what passed between boards and hosts must be what the models allow. Takes the lines as they come; what it
+ * remembers does not grow with the trace.
  */
 public final class Replay {
     /**

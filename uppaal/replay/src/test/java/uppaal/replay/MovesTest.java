@@ -14,9 +14,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What hosts must not say of a move. {@code moves/walker.jsonl} is what two boards did of which {@code home} sent an agent to
- * {@code away}, from where it came back ({@code test/system}'s {@code MovesTest}), without the events that the model
- * does not speak of. Moves are changed by hand here; the first one is 1, the way back 2.
+ * What hosts must not say of a move. {@code moves/walker.jsonl} is what two boards did of which {@code home} sent an
+ * agent to {@code away}, from where it came back ({@code test/system}'s {@code MovesTest}), without the events that the
+ * model does not speak of. Moves are changed by hand here; the first one is 1, the way back 2.
  */
 class MovesTest {
     private static final List<String> NUMBERS = List.of("e9aa02fa", "e3c2e280");
@@ -338,6 +338,13 @@ class MovesTest {
     }
 
     @Test
+    void data_ofAnEarlierPart_isRefused() {
+        int first = line("home says D 1");
+        say(lines.get(first), hex(lines, line("home says D 1", 2)));
+        after("home says D 1").then("home says D 1", "00000000ff").assertRefused("[303, 120]");
+    }
+
+    @Test
     void data_wantedAgain_isAccepted() {
         after("home says D 1", 2).then("home hears W 1", NOTHING_YET).then("home says D 1", body("home says D 1"))
                 .assertAccepted();
@@ -512,6 +519,13 @@ class MovesTest {
         String offer = body("home says O 1");
         after("away says W 1").thenIsRefused(offer);
         after("away hears D 1", 2).then("away hears O " + OTHER, offer).then("away says R " + OTHER).assertAccepted();
+    }
+
+    @Test
+    void ready_ofPartsThatNothingHasBrought_isRefused() {
+        String offer = body("home says O 1");
+        after("away says W 1").thenIsRefused(offer).then("away hears O " + OTHER, offer).then("away says R " + OTHER)
+                .assertRefused("says 'ready' of move " + OTHER);
     }
 
     @Test
