@@ -38,7 +38,8 @@ public final class RandomMoves {
      * @param told      what both programs said.
      */
     public record Tally(long begun, long arrived, long refusing, long messages, long lost,
-            Map<String, Integer> kills, List<String> both, int agents, long lostAgents, long doubled, long changed, long unasked, int unended,
+            Map<String, Integer> kills, List<String> both, int agents, long lostAgents, long doubled, long changed,
+            long unasked, int unended,
             List<String> told) {
     }
 
@@ -94,9 +95,15 @@ public final class RandomMoves {
         return new Tally(begun, world.arrivals, refusing, world.messages, world.lostMessages, world.kills, world.both,
                 agents.size(), agents.stream().filter(agent -> world.awake(agent) == 0).count(),
                 agents.stream().filter(agent -> world.awake(agent) > 1).count(),
-                sides.stream().flatMap(side -> side.awake.values().stream()).filter(texts -> !known.contains(texts))
+                sides.stream().flatMap(side -> side.awake.entrySet().stream())
+                        .filter(agent -> !known.contains(agent.getValue()) || !isOf(agent.getKey(), agent.getValue()))
                         .count(),
                 world.unasked, sides.stream().mapToInt(side -> side.open().size()).sum(), told);
+    }
+
+    /** An agent that finds its name taken has digits behind it. */
+    private static boolean isOf(String name, List<Bytes> texts) {
+        return texts.get(0).hex().startsWith(Bytes.ofText("+!" + name.replaceAll("\\d+$", "") + "(").hex());
     }
 
     private static void disturb(World world) {
