@@ -51,9 +51,10 @@ final class MovesInMemory {
     private static void describe(List<Tally> all, Report report) {
         report.text("""
             **In memory.** Two MAS with the program that moves agents (SPEC 9) and real folders, and an air and a time
-            of their own. One to four agents move to and fro, also at the same time and towards each other. Up to 30 % of the messages are lost, up to 20 % arrive but are told
-            undelivered, contact is lost for a while after every fourth move, one MAS in eight admits nobody, and
-            programs are killed before and after whatever they write, say or do, and start again up to 20 s later.
+            of their own. One to four agents move to and fro, also at the same time and towards each other. Up to 30 %
+            of the messages are lost, up to 20 % arrive but are told undelivered, contact is lost for a while after
+            every fourth move, one MAS in eight admits nobody, and programs are killed before and after whatever they
+            write, say or do, and start again up to 20 s later.
             """);
         Map<String, Integer> kills = new TreeMap<>();
         all.forEach(tally -> tally.kills().forEach((where, count) -> kills.merge(where, count, Integer::sum)));
