@@ -350,7 +350,8 @@ class BytesTest {
 
     /** Two notices within the tenth by which a board's clock may be wrong. */
     @ParameterizedTest
-    @CsvSource({"00d2, 00dc, ''", "00dc, 00dc, ''", "00dc, 00db, says that it has been up for 21.9 s; expected no less"})
+    @CsvSource({"00d2, 00dc, ''", "00dc, 00dc, ''",
+            "00dc, 00db, says that it has been up for 21.9 s; expected no less"})
     void stale_withAnUptimeBelowThatOfTheNoticeBefore_isRefused(String first, String second, String words) {
         Talk talk = lost().unheard("support", acknowledgement(FIRST, "00000100001f" + first))
                 .sends("police", sealed("SUPP", FIRST, HELP))
