@@ -32,11 +32,21 @@ final class Ear {
     private long sounds;
     /** Bits a second. */
     private double rate = RATE;
+    /** Whether its board writes down what its host has taken, so that it may look late at what has come. */
+    private boolean busy;
     /** Whether it has sent, so that its rate is known. */
     private boolean known;
 
     Ear(Disturbances disturbances) {
         this.disturbances = disturbances;
+    }
+
+    void busy(boolean now) {
+        busy = now;
+    }
+
+    boolean isBusy() {
+        return busy;
     }
 
     /** Seconds a slot. */

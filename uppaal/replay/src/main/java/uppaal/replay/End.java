@@ -46,7 +46,7 @@ final class End {
     private boolean fresh = true;
     /** Whether the host has said that it has taken it, and the board has not confirmed that. */
     private boolean taking;
-    /** What has come since then: its board may be busy with that, and look at it later. */
+    /** What has come while its board was busy with that, or with another message: it may look at it later. */
     private String late;
     /** Since when its board has something to tell of it. */
     private double ended = Double.POSITIVE_INFINITY;
@@ -98,7 +98,8 @@ final class End {
         if (!may(seconds, TAKING)) {
             see(seconds, TAKING);
         }
-        perhaps(seconds, TAKING);
+        reach(seconds);
+        doubt(TAKING);
         taking = true;
         late = null;
     }
@@ -107,7 +108,7 @@ final class End {
     void perhaps(double seconds, String step) throws RefusedException {
         reach(seconds);
         doubt(step);
-        late = step;
+        late = ear.isBusy() ? step : null;
     }
 
     /**
@@ -208,9 +209,10 @@ final class End {
         }
         if (taking) {
             doubt(TAKING);
-            if (late != null) {
-                doubt(late);
-            }
+        }
+        late = ear.isBusy() ? late : null;
+        if (late != null) {
+            doubt(late);
         }
         overlapping |= sound.begins() && carriers > 0;
         carriers += sound.begins() ? 1 : -1;

@@ -214,6 +214,7 @@ final class Station {
                     + "; expected one that it has handed over");
         }
         taking.add(new Taking(number, seconds));
+        ear.busy(true);
     }
 
     /** It confirms that, in the order in which its host has said so; returns false where that has not. */
@@ -224,6 +225,7 @@ final class Station {
         while (taking.remove().number != number) {
             // What its host has said before, in a request that it did not get.
         }
+        ear.busy(!taking.isEmpty());
         return true;
     }
 
@@ -345,6 +347,7 @@ final class Station {
         last = LAST_NUMBER;
         came.clear();
         taking.clear();
+        ear.busy(false);
         numbers.clear();
         waiting.clear();
         numbered.clear();

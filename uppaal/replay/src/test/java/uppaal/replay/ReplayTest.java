@@ -1030,6 +1030,37 @@ class ReplayTest {
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 
+    /** It writes down meanwhile what its host has taken, and so looks late at a repeat; another packet follows that. */
+    @ParameterizedTest
+    @CsvSource({"4.9, accepted", "4.25, support acknowledges it as delivered"})
+    void replay_answerOfABoardThatIsBusyWithAnotherMessage_mayComeOneSlotAfterALaterPacket(double taken, String words) {
+        Lines lines = keyed(severalAsked("SUPP"));
+        lines.madeUp = false;
+        String junk = piece("42", "49", "4259", "78".repeat(11));
+        String delivered = "2b4b4141535550504241" + "00".repeat(8);
+        reach(lines, 2, "police", unicast("SUPP", 0), "unicast");
+        hand(lines, 2.3, 0, "010000");
+        take(lines, 2.31, 0);
+        send(lines, 2.45, "support", delivered, "acknowledgement");
+        reach(lines, 4, "thief", "2f2f2f2f5355504f414978", "broadcast");
+        lines.add(4.2, "support", "host-handed",
+                Map.of("number", 1, "destination", "////", "origin", "SUPO", "id", "000000", "content", "x"));
+        lines.add(4.21, "support", "host-taking", Map.of("number", 1));
+        lines.add(taken, "support", "host-taken", Map.of("number", 1));
+        reach(lines, 4.3, "thief", unicast("SUPP", 0), "unicast");
+        reach(lines, 4.51, "thief", junk, "piece");
+        double end = 4.51 + (lines.get(lines.all.size()).get("bits").getAsInt() - 1) / 2000.0;
+        send(lines, end + 0.0105, "support", delivered, "acknowledgement");
+        for (JsonObject line : lines.all) {
+            if (line.has("bits")) {
+                line.addProperty("end", line.get("start").getAsDouble() + (line.get("bits").getAsInt() - 1) / 2000.0);
+                line.add("t", line.get("end"));
+            }
+        }
+        sort(lines);
+        assertTrue(lines.replay().verdict().contains(words), lines.replay().verdict());
+    }
+
     private static void handAndAcknowledge(Lines lines, double seconds, int number, String digit) {
         hand(lines, seconds, number, "01000" + number);
         take(lines, seconds + 0.05, number);
