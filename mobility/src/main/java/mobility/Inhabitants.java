@@ -180,6 +180,7 @@ final class Inhabitants {
             Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
             mind.enter(diffuser.getTS(), why);
+            Mobile.perceiveAnew(diffuser.getTS());
         });
         diffuser.getTS().getAgArch().wakeUpDeliberate();
         return own();

@@ -24,6 +24,7 @@ import jason.asSyntax.PlanBodyImpl;
 import jason.asSyntax.Pred;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
+import jason.bb.BeliefBase;
 
 import diffuser.Failure;
 
@@ -78,7 +79,10 @@ public class Mobile extends AgArch {
         });
     }
 
-    /** Takes all beliefs, plans, events and intentions away, but those that Jason gives each agent. */
+    /**
+     * Takes all beliefs, plans, events and intentions away, but those that Jason gives each agent, and what it
+     * perceives: that belongs to the place, which does not tell again what has not changed.
+     */
     static void empty(TransitionSystem ts) {
         ts.getC().clearEvents();
         ts.getC().clearRunningIntentions();
@@ -88,8 +92,30 @@ public class Mobile extends AgArch {
         Agent agent = ts.getAg();
         List<Literal> beliefs = new ArrayList<>();
         agent.getBB().forEach(beliefs::add);
-        beliefs.stream().filter(belief -> !ImageWriter.isJasons(belief)).forEach(agent.getBB()::remove);
+        beliefs.stream().filter(belief -> !ImageWriter.isJasons(belief)).map(Mobile::unperceived)
+                .forEach(agent.getBB()::remove);
         Library.of(agent).clear();
+    }
+
+    /** Of a belief, what is not from perception: all of it, or its other sources, of which there may be none. */
+    private static Literal unperceived(Literal belief) {
+        if (!belief.hasAnnot(BeliefBase.TPercept)) {
+            return belief;
+        }
+        Literal others = belief.copy();
+        others.setAnnots(belief.getAnnots("source"));
+        others.delAnnot(BeliefBase.TPercept);
+        return others;
+    }
+
+    /** What the agent perceives is an event for a mind that has come, as for each new agent. */
+    static void perceiveAnew(TransitionSystem ts) {
+        List<Literal> percepts = new ArrayList<>();
+        ts.getAg().getBB().getPercepts().forEachRemaining(percepts::add);
+        for (Literal percept : percepts) {
+            ts.updateEvents(new Event(new Trigger(Trigger.TEOperator.add, Trigger.TEType.belief, percept.copy()),
+                    Intention.EmptyInt));
+        }
     }
 
     /** Whether the agent sleeps. */

@@ -144,12 +144,15 @@ class MovesTest {
     void moveOut_agentWithTheBoard_goesAndComesBack() throws Exception {
         List<AgentProcess> both = doors("""
                 +!go <- .wait(openness(closed)); .wait(3000); X = 7; .moveOut("SUBB", mutualism);
-                    .my_name(Me); .print("I am here as ", Me, X); .moveOut("SUSS", mutualism); .print("back ", X).
+                    .my_name(Me); .print("I am here as ", Me, X); .moveOut("SUSS", mutualism);
+                    ?port(_, Port); .print("back ", X, Port).
+                +openness(S) <- .print("openness ", S).
                 -!go[error(E)] <- .print("failed ", E).
                 """, "+!go. +!moveIn(_, mutualism)[cast(unicast, From)].");
         try {
             both.get(Travels.AWAY).await("I am here as police7");
-            both.get(Travels.HOME).await("back 7");
+            both.get(Travels.HOME).await("back 7on");
+            both.get(Travels.HOME).await("openness closed", 2);
         } finally {
             both.forEach(AgentProcess::close);
         }
