@@ -1,5 +1,6 @@
 package mobility;
 
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -9,10 +10,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.StreamSupport;
 
 import jason.JasonException;
 import jason.asSemantics.Message;
 import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
 import jason.asSyntax.Trigger;
 
 import org.junit.jupiter.api.Test;
@@ -97,5 +100,20 @@ class MobileTest {
         assertEquals(List.of(), stage.done);
         mobile.awaken();
         assertEquals(List.of("say go", "say told 1"), stage.run(10).done);
+    }
+
+    @Test
+    void mindThatComes_findsWhatIsPerceivedAsNew() {
+        Stage stage =
+                Stage.of("!a. wet. light(5)[source(percept)]. dark[source(percept), source(bob)].").run(3);
+        stage.front(new Mobile());
+        Mobile.empty(stage.ts);
+        assertEquals(List.of("dark[source(percept)]", "light(5)[source(percept)]"),
+                StreamSupport.stream(stage.ts.getAg().getBB().spliterator(), false)
+                        .filter(belief -> !ImageWriter.isJasons(belief)).map(Literal::toString).sorted().toList());
+        Image image = new Image("+light(X)[source(percept)] <- say(light,X).\n+dark <- say(dark).", "");
+        assertDoesNotThrow(() -> Mind.read(image)).enter(stage.ts);
+        Mobile.perceiveAnew(stage.ts);
+        assertEquals(List.of("say dark", "say light 5"), stage.run(5).done.stream().sorted().toList());
     }
 }
