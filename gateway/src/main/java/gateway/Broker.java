@@ -110,7 +110,7 @@ final class Broker implements AutoCloseable {
                 .map(topic -> Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).build())
                 .toList();
         Mqtt5ClientBuilder builder = Mqtt5Client.builder().identifier(name)
-                .transportConfig().serverHost(config.host()).serverPort(config.port()).applyTransportConfig()
+                .serverHost(config.host()).serverPort(config.port())
                 .willPublish(will.toPublish())
                 .addConnectedListener(context -> subscribe())
                 .addDisconnectedListener(this::disconnected);
