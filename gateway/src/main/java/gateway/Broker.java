@@ -186,7 +186,8 @@ final class Broker implements AutoCloseable {
     public void close() {
         wanted = false;
         try {
-            client.disconnectWith().reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE).send().get(CLOSE_SECONDS, TimeUnit.SECONDS);
+            client.disconnectWith().reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE).send()
+                    .get(CLOSE_SECONDS, TimeUnit.SECONDS);
         } catch (ExecutionException | TimeoutException e) {
             // It was not connected, or has gone at the same time.
             return;

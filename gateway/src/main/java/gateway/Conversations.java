@@ -62,7 +62,8 @@ final class Conversations {
             to = whole(frame).orElse(to);
             message = message.length() > Frame.HEADER_LENGTH ? message.from(Frame.HEADER_LENGTH) : Bytes.EMPTY;
         }
-        if (to.kind() != Address.Kind.DEVICE && to.kind() != Address.Kind.MULTICAST || message.length() < NONCE_LENGTH) {
+        if (to.kind() != Address.Kind.DEVICE && to.kind() != Address.Kind.MULTICAST
+                || message.length() < NONCE_LENGTH) {
             return Optional.empty();
         }
         return Optional.of(to + " " + (message.number(NONCE_LENGTH - 2, NONCE_LENGTH) & 0xFFF));

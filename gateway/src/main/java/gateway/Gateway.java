@@ -306,7 +306,8 @@ final class Gateway implements AutoCloseable {
         }
         if (board != null) {
             if (board.state() == BoardState.ONLINE) {
-                board.overhear(false).completeOnTimeout(null, CLOSE_SECONDS, TimeUnit.SECONDS).exceptionally(gone -> null)
+                board.overhear(false).completeOnTimeout(null, CLOSE_SECONDS, TimeUnit.SECONDS)
+                        .exceptionally(gone -> null)
                         .join();
             }
             board.close();

@@ -78,6 +78,12 @@ final class Places {
                 && entry.getValue().cell.equals(here) && isFresh(entry.getValue(), now));
     }
 
+    /** Whether a member of that group was heard anywhere, beside that device. */
+    boolean hasMemberBeside(Address device, Address group, long now) {
+        return places.entrySet().stream().anyMatch(entry -> group.reaches(entry.getKey())
+                && !entry.getKey().equals(device) && isFresh(entry.getValue(), now));
+    }
+
     private static boolean isFresh(Place place, long now) {
         return now - place.heard < KEEP_MILLIS;
     }

@@ -159,7 +159,7 @@ final class Router {
             return Optional.of(Tally.ORPHANS);
         }
         boolean known = isHere(destination.get(), now);
-        if (!known && !isSearched(destination.get(), nth, now)) {
+        if (!known && !isSearched(destination.get(), frame.origin(), nth, now)) {
             return Optional.of(Tally.ELSEWHERE);
         }
         long airtime = (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + frame.message().length())) / BITS_A_MILLI;
@@ -176,20 +176,24 @@ final class Router {
         };
     }
 
-    /** Whether all cells are to try: where nobody has heard the device, or it does not answer where it was heard. */
-    private boolean isSearched(Address destination, int nth, long now) {
-        return destination.kind() == Address.Kind.DEVICE
-                && (nth % SEARCH_EVERY == 0 || nth <= 2 && places.of(destination, now).isEmpty());
+    /** Whether all cells are to try: where nobody has heard whom it is for, or who does not answer where it was. */
+    private boolean isSearched(Address destination, Address sender, int nth, long now) {
+        return switch (destination.kind()) {
+            case DEVICE -> nth % SEARCH_EVERY == 0 || nth <= 2 && places.of(destination, now).isEmpty();
+            case MULTICAST -> nth <= 2 && !places.hasMemberBeside(sender, destination, now);
+            case BROADCAST, SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
+        };
     }
 
     /** A frame of a device to others. */
     private static Optional<Frame> read(Bytes packet) {
         try {
             Frame frame = Frame.decode(packet);
-            boolean possible = packet.length() <= LONGEST && frame.origin().kind() == Address.Kind.DEVICE && switch (frame.destination().kind()) {
-                case SERIAL, RESERVED -> false;
-                case DEVICE, BROADCAST, MULTICAST, PIECE, ACKNOWLEDGEMENT -> true;
-            };
+            boolean possible = packet.length() <= LONGEST && frame.origin().kind() == Address.Kind.DEVICE
+                    && switch (frame.destination().kind()) {
+                        case SERIAL, RESERVED -> false;
+                        case DEVICE, BROADCAST, MULTICAST, PIECE, ACKNOWLEDGEMENT -> true;
+                    };
             return possible ? Optional.of(frame) : Optional.empty();
         } catch (ProtocolException none) {
             return Optional.empty();

@@ -92,7 +92,8 @@ public final class GatewayProcess implements AutoCloseable {
 
     /** Ends it as Ctrl-C does; tells one of its counters. */
     public long end(String counter) throws InterruptedException {
-        process.destroy();
+        // By its handle: the other way would drop what it has yet to say.
+        process.toHandle().destroy();
         ended();
         String last = lines.get(lines.size() - 1);
         String value = last.replaceAll(".*\"" + counter + "\":(\\d+).*", "$1");
