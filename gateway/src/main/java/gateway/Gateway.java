@@ -9,8 +9,9 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.JavinoException;
@@ -31,6 +32,7 @@ import javino.protocol.Status;
 /** A board and a broker, and between them the router. */
 final class Gateway implements AutoCloseable {
 
+    private static final long BOARD_NOTE_MILLIS = 200;
     private static final long CLOSE_SECONDS = 1;
     private static final int NAME_BYTES = 4;
     private static final String TIME = "time";
@@ -46,11 +48,11 @@ final class Gateway implements AutoCloseable {
     private final Outgoing outgoing = new Outgoing(tallies);
     private final Colleagues colleagues;
     private final Ages ages = new Ages();
-    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
+    private final ScheduledExecutorService clock = new ScheduledThreadPoolExecutor(1, task -> {
         Thread thread = new Thread(task, "gateway");
         thread.setDaemon(true);
         return thread;
-    });
+    }, new ThreadPoolExecutor.DiscardPolicy());
     private Board board;
     private volatile Broker broker;
     private String trouble = "";
@@ -186,15 +188,20 @@ final class Gateway implements AutoCloseable {
 
         @Override
         public void online(BoardInfo info) {
-            note("board: online, " + info.firmware());
+            noteOfBoard("board: online, " + info.firmware());
             // Later, as the board counts as online only after this.
             clock.execute(Gateway.this::sayThere);
         }
 
         @Override
         public void offline(String why) {
-            note("board: " + why);
+            noteOfBoard("board: " + why);
             sayGone();
+        }
+
+        /** Not at once: at Ctrl-C the port is closed before this program knows that it is to end. */
+        private void noteOfBoard(String what) {
+            clock.schedule(() -> note(what), BOARD_NOTE_MILLIS, TimeUnit.MILLISECONDS);
         }
 
         @Override

@@ -4,7 +4,10 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
@@ -39,10 +42,10 @@ final class Options {
     @Option(names = "--headless", description = "With live: open no browser.")
     private String headless;
 
-    @Option(names = "--cells", defaultValue = "1",
-            description = "With 2: support station and hospital are 5 km away, and two gateways join the cells; needs "
-                    + "mosquitto.")
     private int cells;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
 
     @Option(names = "--gateway", hidden = true, description = "The class path of the gateways.")
     private String gateway;
@@ -59,6 +62,16 @@ final class Options {
     /** Whether an inspector travels to the bus meanwhile. */
     boolean inspector() {
         return inspector;
+    }
+
+    @Option(names = "--cells", defaultValue = "1",
+            description = "With 2: support station and hospital are 5 km away, and two gateways join the cells; needs "
+                    + "mosquitto.")
+    private void setCells(int count) {
+        if (count != 1 && count != 2) {
+            throw new ParameterException(command.commandLine(), "--cells takes 1 or 2, not " + count);
+        }
+        cells = count;
     }
 
     /** Whether two cells are to be joined by gateways. */

@@ -95,7 +95,7 @@ public final class GatewayProcess implements AutoCloseable {
         // By its handle: the other way would drop what it has yet to say.
         process.toHandle().destroy();
         ended();
-        String last = lines.get(lines.size() - 1);
+        String last = lines.stream().filter(line -> line.contains("{\"heard\"")).findFirst().orElse("");
         String value = last.replaceAll(".*\"" + counter + "\":(\\d+).*", "$1");
         if (value.equals(last)) {
             throw new AssertionError("no " + counter + " in " + lines);
