@@ -1,6 +1,5 @@
 package gateway;
 
-import com.hivemq.client.mqtt.MqttGlobalPublishFilter;
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.lifecycle.MqttClientDisconnectedContext;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
@@ -120,7 +119,6 @@ final class Broker implements AutoCloseable {
         client = config.user().isEmpty() ? builder.buildAsync() : builder.simpleAuth().username(config.user().get())
                 .password(config.password().orElse("").getBytes(StandardCharsets.UTF_8)).applySimpleAuth()
                 .buildAsync();
-        client.publishes(MqttGlobalPublishFilter.ALL, publish -> listener.arrived(Message.of(publish)));
     }
 
     /**
@@ -148,7 +146,9 @@ final class Broker implements AutoCloseable {
     }
 
     private void subscribe() {
-        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(subscriptions).build())
+        // Anew with each connection: what was subscribed before has ended with its session.
+        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(subscriptions).build(),
+                publish -> listener.arrived(Message.of(publish)))
                 .whenComplete((granted, failure) -> {
                     if (failure == null) {
                         wanted = true;
