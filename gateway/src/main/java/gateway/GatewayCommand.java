@@ -46,7 +46,7 @@ public final class GatewayCommand implements FurtherCommand {
     private Path passwordFile;
 
     @Option(names = "--ca", paramLabel = "FILE",
-            description = "The certificate of the CA that vouches for the broker, as PEM; default: all that Java trusts.")
+            description = "The certificate of the CA that vouches for the broker, as PEM; default: those of Java.")
     private Path ca;
 
     @Option(names = "--topic", paramLabel = "PREFIX", defaultValue = "javino",

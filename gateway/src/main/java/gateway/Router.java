@@ -7,8 +7,8 @@ import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 
 /**
- * Decides what a gateway publishes of what its board hears, and what it relays of what others publish (docs/mqtt.md). It
- * opens nothing, has no key, and knows neither MQTT nor boards. Times are in ms.
+ * Decides what a gateway publishes of what its board hears, and what it relays of what others publish (docs/mqtt.md).
+ * It opens nothing, has no key, and knows neither MQTT nor boards. Times are in ms.
  */
 final class Router {
 

@@ -6,8 +6,8 @@ import javino.protocol.Bytes;
 
 /**
  * The frames of the last seconds: how often each was on the air here, and how often it came from where. A sender repeats
- * a frame byte by byte until it hears an acknowledgement. So the same bytes may have to pass again, and only the numbers
- * tell a repeat from a copy by another way.
+ * the same bytes until it hears an acknowledgement. So they may have to pass again, and only the numbers tell a repeat
+ * from a copy by another way.
  */
 final class Sightings {
 

@@ -74,7 +74,7 @@ class ErrorsPageTest {
                         Repository.text(file)));
         Stream<String> gateway = Repository.files("gateway/src/main/java/gateway", ".java").stream()
                 .flatMap(file -> texts(
-                        "new \\w+Exception\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);|(?:return|\\?|:) (\"[^;]*);",
+                        "new \\w+Exception\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);|(?m)(?:return|^ +[?:]) (\"[^;]*);",
                         Repository.text(file)));
         Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
                 Repository.text("javino-java/src/main/java/javino/board/Session.java"));
