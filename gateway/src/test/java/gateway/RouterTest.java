@@ -160,6 +160,22 @@ class RouterTest {
     }
 
     @Test
+    void copy_thatComesLateFromAThirdCell_movesNoDevice() {
+        Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
+        heard(frame);
+        relays("north", "n1", frame);
+        assertTrue(relays(Frames.sealed("SUPO", "ROMA", 2)));
+    }
+
+    @Test
+    void attempts_afterSilence_areCountedAnew() {
+        Bytes frame = Frames.sealed("NONE", "ROMA", 1);
+        assertTrue(relays(frame) && relays(frame));
+        now += 5000;
+        assertTrue(relays(frame));
+    }
+
+    @Test
     void sameWords_ofADeviceThatHasComeHere_arePublishedWhenTheOtherCellIsSilent() {
         Bytes words = Frames.of("////", "ROMA", Bytes.ofText("tell;here"));
         relays(words);
