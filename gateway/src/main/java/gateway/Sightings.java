@@ -5,9 +5,10 @@ import java.util.Map;
 import javino.protocol.Bytes;
 
 /**
- * The frames of the last seconds: how often each was on the air here, and how often it came from where. The same bytes
- * may have to pass again, as a sender repeats them until it hears an acknowledgement. Only the numbers tell a repeat from
- * a copy by another way.
+ * The frames of the last seconds: how often each was on the air here, and how often it came from where.
+ *
+ * <p>A sender repeats the same bytes until it hears an acknowledgement. So they may have to pass again, and only the
+ * numbers tell a repeat from a copy by another way.
  */
 final class Sightings {
 

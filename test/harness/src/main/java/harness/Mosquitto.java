@@ -81,6 +81,8 @@ public final class Mosquitto implements AutoCloseable {
         process = new ProcessBuilder("/usr/sbin/mosquitto", "-c", path("mosquitto.conf"))
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.appendTo(folder.resolve("mosquitto.log").toFile())).start();
+        // For a run that is broken off: nothing stays behind.
+        Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!answers()) {
             if (!process.isAlive() || System.nanoTime() > end) {
