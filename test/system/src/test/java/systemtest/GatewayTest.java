@@ -12,6 +12,7 @@ import harness.SlowNetwork;
 import harness.TestKeys;
 import harness.TraceEvent;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HexFormat;
 import java.util.List;
@@ -170,6 +171,27 @@ class GatewayTest {
         List<String> seen = watch.inputReader().lines().toList();
         assertEquals("javino/west/air " + emulator.sentBy("police").get(0).text("payload"), seen.get(0));
         assertFalse(seen.get(0).contains(HexFormat.of().formatHex("go(0)".getBytes(StandardCharsets.UTF_8))));
+    }
+
+    @Test
+    void gateway_thatCannotWork_saysWhyInOneLine(@TempDir Path folder) throws Exception {
+        Path wrong = Files.writeString(folder.resolve("wrong"), "apart\n");
+        String port = emulator.port("spare");
+        String url = "mqtts://localhost:" + broker.port();
+        String ca = broker.ca().toString();
+        assertEnds("the broker refuses this user or password", "--port", port, "--broker", url, "--ca", ca, "--user",
+                Mosquitto.USER, "--password-file", wrong.toString());
+        assertEnds("name its CA by --ca FILE", "--port", port, "--broker", url, "--user", Mosquitto.USER);
+        assertEnds("nobody answers there", "--port", port, "--broker", "mqtts://localhost:1", "--ca", ca);
+        assertEnds("there is no such port", "--port", port + "x", "--broker", url, "--ca", ca);
+    }
+
+    private static void assertEnds(String why, String... options) throws Exception {
+        List<String> said = GatewayProcess.start(Stream.concat(Stream.of("--cell", "x"), Stream.of(options)).toList())
+                .ended().stream().filter(line -> !line.startsWith("gateway: board: online")).toList();
+        assertEquals(2, said.size(), said.toString());
+        assertTrue(said.get(0).startsWith("javino: ") && said.get(0).contains(why), said.toString());
+        assertEquals("1", said.get(1));
     }
 
     @Test
