@@ -25,6 +25,9 @@ libclang-rt-dev          its fuzzer and sanitizers
 git                      a test asks it which files it ignores
 procps                   ends what Gradle has started, at Ctrl-C
 clang-format             holds the style of C and C++
+mosquitto                the MQTT broker of the gateways' tests
+mosquitto-clients        what such a broker tells
+openssl                  certificates for it
 python3                  the second checker of the models
 chromium                 the tests of the live page
 chromium-driver          drives it

@@ -87,6 +87,7 @@ public final class Highway implements Callable<Integer> {
                     "the boards run; start the agents (README, \"Agents that you start by hand\"); end with Ctrl-C");
             scenario.stay();
         } else {
+            scenario.joinCells();
             scenario.startAgents();
             scenario.follow();
             scenario.draw();

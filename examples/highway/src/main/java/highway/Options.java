@@ -4,15 +4,18 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
 
     /** The emulator's control socket. */
     private static final String CONTROL = "build/control";
-    /** A way there and back by radio takes half of it. */
-    private static final int INSPECTORS_SECONDS = 90;
+    /** A way there and back by radio takes half of it; so does a rescue by way of gateways. */
+    private static final int LONG_SECONDS = 90;
 
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
     private Path emulator;
@@ -39,6 +42,14 @@ final class Options {
     @Option(names = "--headless", description = "With live: open no browser.")
     private String headless;
 
+    private int cells;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(names = "--gateway", hidden = true, description = "The class path of the gateways.")
+    private String gateway;
+
     @Option(names = "--plain", hidden = true, description = "No colours.")
     private boolean plain;
 
@@ -53,9 +64,24 @@ final class Options {
         return inspector;
     }
 
+    @Option(names = "--cells", defaultValue = "1",
+            description = "With 2: support station and hospital are 5 km away, and two gateways join the cells; needs "
+                    + "mosquitto.")
+    private void setCells(int count) {
+        if (count != 1 && count != 2) {
+            throw new ParameterException(command.commandLine(), "--cells takes 1 or 2, not " + count);
+        }
+        cells = count;
+    }
+
+    /** Whether two cells are to be joined by gateways. */
+    boolean twoCells() {
+        return cells == 2;
+    }
+
     /** Seconds. */
     int timeout() {
-        return inspector ? Math.max(timeout, INSPECTORS_SECONDS) : timeout;
+        return inspector || twoCells() ? Math.max(timeout, LONG_SECONDS) : timeout;
     }
 
     boolean boardsOnly() {
@@ -76,7 +102,8 @@ final class Options {
 
     List<String> emulatorCommand() {
         List<String> command =
-                new ArrayList<>(List.of(emulator.toString(), "highway.json", "--trace", "-", "--seed", "" + seed));
+                new ArrayList<>(List.of(emulator.toString(), twoCells() ? "two-cells.json" : "highway.json", "--trace",
+                        "-", "--seed", "" + seed));
         if (radioBitErrorRate != null) {
             command.addAll(List.of("--set", "radio.bitErrorRate=" + radioBitErrorRate));
         }
@@ -95,6 +122,20 @@ final class Options {
         if (headless != null) {
             command.add("--no-browser");
         }
+        return command;
+    }
+
+    /** The broker between the cells, as {@link Scenario} configures it. */
+    static List<String> brokerCommand(Path configuration) {
+        return List.of("/usr/sbin/mosquitto", "-c", configuration.toString());
+    }
+
+    /** {@code javino gateway}: joins a cell, by the board of that name. */
+    List<String> gatewayCommand(String cell, int brokerPort) {
+        List<String> command = java("javino.cli.Main", "gateway", "--port", "ports/" + cell, "--cell", cell, "--broker",
+                "mqtt://127.0.0.1:" + brokerPort);
+        command.replaceAll(word -> word.equals(System.getProperty("java.class.path"))
+                ? word + File.pathSeparator + gateway : word);
         return command;
     }
 

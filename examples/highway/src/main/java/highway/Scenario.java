@@ -2,6 +2,8 @@ package highway;
 
 import com.google.gson.JsonParseException;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -46,6 +48,11 @@ final class Scenario implements AutoCloseable {
 
     private static final Path KEYRING = Path.of("build", "keyring");
 
+    private static final Path BROKER = Path.of("build", "mosquitto.conf");
+
+    /** Each cell has the name of its gateway's board. */
+    private static final List<String> CELLS = List.of("west", "east");
+
     private static final Path PICTURE = Path.of("build", "highway.svg");
 
     private final Options options;
@@ -56,6 +63,7 @@ final class Scenario implements AutoCloseable {
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours;
     private final List<Device> ready = new ArrayList<>();
+    private int joined;
     private final List<Child> children = new ArrayList<>();
     private FileChannel lock;
     private EventLog log;
@@ -116,6 +124,28 @@ final class Scenario implements AutoCloseable {
         start("emulator", options.emulatorCommand(), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
                 .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
+    }
+
+    /** Joins the cells, if there are two, by a broker on this computer and a gateway in each. */
+    void joinCells() throws IOException, InterruptedException, BrokenOffException {
+        if (!options.twoCells()) {
+            return;
+        }
+        note("two cells, 5 km from each other; a broker, and a gateway without any key in each");
+        int port;
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            port = free.getLocalPort();
+        }
+        Files.writeString(BROKER, "listener " + port + " 127.0.0.1\nallow_anonymous true\n");
+        start("the broker", Options.brokerCommand(BROKER), line -> joined += line.contains(" running") ? 1 : 0);
+        waitFor("the broker", () -> joined == 1);
+        for (String cell : CELLS) {
+            start("the gateway of " + cell, options.gatewayCommand(cell, port), line -> {
+                note(cell + ": " + line);
+                joined += line.endsWith("is joined") ? 1 : 0;
+            });
+        }
+        waitFor("the gateways", () -> joined == 1 + CELLS.size());
     }
 
     private static void deleteAll(Path folder) throws IOException {

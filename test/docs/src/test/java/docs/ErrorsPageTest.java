@@ -8,11 +8,13 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javino.protocol.ProtocolError;
 import javino.protocol.Status;
@@ -70,6 +72,10 @@ class ErrorsPageTest {
         Stream<String> page = Repository.files("live/src/main/java/live", ".java").stream()
                 .flatMap(file -> texts("new (?:\\w+Exception|Refusal)\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);",
                         Repository.text(file)));
+        Stream<String> gateway = Repository.files("gateway/src/main/java/gateway", ".java").stream()
+                .flatMap(file -> texts(
+                        "new \\w+Exception\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);|(?m)(?:return|^ +[?:]) (\"[^;]*);",
+                        Repository.text(file)));
         Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
                 Repository.text("javino-java/src/main/java/javino/board/Session.java"));
         Stream<String> port = texts("(" + LITERAL + ")",
@@ -79,7 +85,7 @@ class ErrorsPageTest {
         Stream<String> project = texts("new GradleException\\((.*)\\)",
                 Repository.text("javino-java/src/main/resources/javino/cli/project/common/javino.gradle"));
         assertTexts("On the command line",
-                Stream.of(commands, page, session, port, highway, project).flatMap(texts -> texts));
+                Stream.of(commands, page, gateway, session, port, highway, project).flatMap(texts -> texts));
     }
 
     @Test
@@ -101,7 +107,8 @@ class ErrorsPageTest {
     }
 
     private static String group(MatchResult match) {
-        return match.group(1) != null ? match.group(1) : match.group(2);
+        return IntStream.rangeClosed(1, match.groupCount()).mapToObj(match::group).filter(Objects::nonNull).findFirst()
+                .orElse(null);
     }
 
     /** Of each error's expression the longest part that is always the same; none where that is less than two words. */

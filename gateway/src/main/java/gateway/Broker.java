@@ -1,0 +1,198 @@
+package gateway;
+
+import com.hivemq.client.mqtt.datatypes.MqttQos;
+import com.hivemq.client.mqtt.lifecycle.MqttClientDisconnectedContext;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5Client;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
+import com.hivemq.client.mqtt.mqtt5.datatypes.Mqtt5UserProperties;
+import com.hivemq.client.mqtt.mqtt5.datatypes.Mqtt5UserProperty;
+import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
+import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscribe;
+import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscription;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
+import javino.JavinoException;
+
+/** The connection to an MQTT broker, which comes again by itself. */
+final class Broker implements AutoCloseable {
+
+    private static final int KEEP_ALIVE_SECONDS = 10;
+    private static final long CONNECT_SECONDS = 20;
+    private static final long CLOSE_SECONDS = 2;
+    /** Longer, from one attempt to the next, after each that fails. */
+    private static final long[] PAUSES_MILLIS = {250, 500, 1000, 2000, 4000};
+    /** Messages that the network has not taken yet. */
+    private static final int MOST_UNDER_WAY = 64;
+
+    private final BrokerConfig config;
+    private final List<Mqtt5Subscription> subscriptions;
+    private final Listener listener;
+    private final Mqtt5AsyncClient client;
+    private final AtomicInteger underWay = new AtomicInteger();
+    /** For the first time. */
+    private final CompletableFuture<Void> subscribed = new CompletableFuture<>();
+    private volatile boolean wanted;
+    private volatile boolean connected;
+
+    /** Told what happens, on a thread of the client. */
+    interface Listener {
+
+        /** The broker is there and will tell what was subscribed. */
+        void connected();
+
+        /** The broker has gone; it is looked for. */
+        void disconnected(BrokerException why);
+
+        /** A message has come. */
+        void arrived(Message message);
+    }
+
+    /**
+     * A message.
+     *
+     * @param retained   whether the broker had kept it.
+     * @param expiry     after so many seconds the broker drops it.
+     * @param properties of MQTT 5.
+     */
+    record Message(String topic, byte[] payload, boolean retained, OptionalLong expiry,
+            Map<String, String> properties) {
+
+        /** One that nobody keeps. */
+        static Message passing(String topic, byte[] payload, long expiry, Map<String, String> properties) {
+            return new Message(topic, payload, false, OptionalLong.of(expiry), properties);
+        }
+
+        /** One that the broker keeps, until another comes or the time is over. */
+        static Message kept(String topic, String payload, long expiry) {
+            return new Message(topic, payload.getBytes(StandardCharsets.UTF_8), true, OptionalLong.of(expiry),
+                    Map.of());
+        }
+
+        /** Has the broker keep nothing more. */
+        static Message none(String topic) {
+            return new Message(topic, new byte[0], true, OptionalLong.empty(), Map.of());
+        }
+
+        private static Message of(Mqtt5Publish publish) {
+            Map<String, String> properties = new HashMap<>();
+            for (Mqtt5UserProperty property : publish.getUserProperties().asList()) {
+                properties.put(property.getName().toString(), property.getValue().toString());
+            }
+            return new Message(publish.getTopic().toString(), publish.getPayloadAsBytes(), publish.isRetain(),
+                    publish.getMessageExpiryInterval(), properties);
+        }
+
+        private Mqtt5Publish toPublish() {
+            var builder = Mqtt5Publish.builder().topic(topic).payload(payload)
+                    .qos(retained ? MqttQos.AT_LEAST_ONCE : MqttQos.AT_MOST_ONCE).retain(retained);
+            expiry.ifPresent(builder::messageExpiryInterval);
+            var list = Mqtt5UserProperties.builder();
+            properties.forEach(list::add);
+            return builder.userProperties(list.build()).build();
+        }
+    }
+
+    private Broker(BrokerConfig config, String name, List<String> topics, Message will, Listener listener) {
+        this.config = config;
+        this.listener = listener;
+        subscriptions = topics.stream()
+                .map(topic -> Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).build())
+                .toList();
+        Mqtt5ClientBuilder builder = Mqtt5Client.builder().identifier(name)
+                .serverHost(config.host()).serverPort(config.port())
+                .willPublish(will.toPublish())
+                .addConnectedListener(context -> subscribe())
+                .addDisconnectedListener(this::disconnected);
+        if (config.tls()) {
+            builder = builder.sslConfig().trustManagerFactory(config.trusted().orElse(null)).applySslConfig();
+        }
+        client = config.user().isEmpty() ? builder.buildAsync() : builder.simpleAuth().username(config.user().get())
+                .password(config.password().orElse("").getBytes(StandardCharsets.UTF_8)).applySimpleAuth()
+                .buildAsync();
+    }
+
+    /**
+     * Connects to a broker.
+     *
+     * @param name   of this client, which no other may have.
+     * @param topics that it wants to be told of.
+     * @param will   what the broker publishes when this client has gone.
+     * @throws BrokerException if the broker is not there, or refuses.
+     */
+    static Broker connect(BrokerConfig config, String name, List<String> topics, Message will, Listener listener)
+            throws JavinoException, InterruptedException {
+        Broker broker = new Broker(config, name, topics, will, listener);
+        try {
+            broker.client.connectWith().keepAlive(KEEP_ALIVE_SECONDS).send().thenCompose(entered -> broker.subscribed)
+                    .get(CONNECT_SECONDS, TimeUnit.SECONDS);
+            return broker;
+        } catch (ExecutionException e) {
+            broker.close();
+            throw BrokerException.of(config, e.getCause());
+        } catch (TimeoutException e) {
+            broker.close();
+            throw BrokerException.of(config, e);
+        }
+    }
+
+    private void subscribe() {
+        // Anew with each connection: what was subscribed before has ended with its session.
+        client.subscribe(Mqtt5Subscribe.builder().addSubscriptions(subscriptions).build(),
+                publish -> listener.arrived(Message.of(publish)))
+                .whenComplete((granted, failure) -> {
+                    if (failure == null) {
+                        wanted = true;
+                        connected = true;
+                        listener.connected();
+                        subscribed.complete(null);
+                    } else if (!subscribed.completeExceptionally(failure)) {
+                        listener.disconnected(BrokerException.of(config, failure));
+                    }
+                });
+    }
+
+    private void disconnected(MqttClientDisconnectedContext context) {
+        connected = false;
+        int failed = Math.min(context.getReconnector().getAttempts(), PAUSES_MILLIS.length - 1);
+        context.getReconnector().reconnect(wanted).delay(PAUSES_MILLIS[failed], TimeUnit.MILLISECONDS)
+                .resubscribeIfSessionExpired(false).republishIfSessionExpired(false);
+        if (wanted) {
+            listener.disconnected(BrokerException.of(config, context.getCause()));
+        }
+    }
+
+    /** Publishes, unless the broker is not there, or the network does not take any more; nothing waits for them. */
+    boolean publish(Message message) {
+        if (!connected || underWay.get() >= MOST_UNDER_WAY) {
+            return false;
+        }
+        underWay.incrementAndGet();
+        client.publish(message.toPublish()).whenComplete((result, failure) -> underWay.decrementAndGet());
+        return true;
+    }
+
+    /** Leaves the broker, which publishes the will. */
+    @Override
+    public void close() {
+        wanted = false;
+        try {
+            client.disconnectWith().reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE).send()
+                    .get(CLOSE_SECONDS, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException e) {
+            // It was not connected, or has gone at the same time.
+            return;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

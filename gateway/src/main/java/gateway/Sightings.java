@@ -1,0 +1,79 @@
+package gateway;
+
+import java.util.HashMap;
+import java.util.Map;
+import javino.protocol.Bytes;
+
+/**
+ * The frames of the last seconds: how often each was on the air here, and how often it came from where.
+ *
+ * <p>A sender repeats the same bytes until it hears an acknowledgement. So they may have to pass again, and only the
+ * numbers tell a repeat from a copy by another way.
+ */
+final class Sightings {
+
+    private static final int MOST = 2048;
+    private static final int MOST_GATEWAYS = 8;
+
+    private final Bounded<Bytes, Sighting> frames = new Bounded<>(MOST);
+
+    /** One frame. */
+    static final class Sighting {
+
+        /** After so much silence the same bytes are a new message: copies by other ways are not that late. */
+        private static final long ROUND_MILLIS = 3000;
+        /** What came from another cell is on the air here within so long: a gateway keeps nothing for longer. */
+        private static final long ECHO_MILLIS = Router.LIFE_MILLIS + 3000;
+
+        private final Map<String, Integer> arrivals = new HashMap<>();
+        private int onAir;
+        private long last;
+        private long lastArrival = Long.MIN_VALUE / 2;
+
+        private void seen(long now) {
+            if (now - last > ROUND_MILLIS) {
+                arrivals.clear();
+                onAir = 0;
+            }
+            last = now;
+        }
+
+        /** Whether it has just come from another cell, so that what is heard here is a gateway. */
+        boolean isEcho(long now) {
+            return now - lastArrival < ECHO_MILLIS;
+        }
+
+        /** It is on the air here once more. */
+        void onAir(long now) {
+            seen(now);
+            onAir++;
+        }
+
+        /** It has come from that gateway of another cell: for the n-th time, which is told. */
+        int arrived(String gateway, long now) {
+            seen(now);
+            lastArrival = now;
+            return arrivals.size() < MOST_GATEWAYS || arrivals.containsKey(gateway)
+                    ? arrivals.merge(gateway, 1, Integer::sum) : 0;
+        }
+
+        /** Whether nobody has told of it yet but one gateway, once. */
+        boolean isNew() {
+            return onAir == 0 && arrivals.values().stream().mapToInt(Integer::intValue).sum() == 1;
+        }
+
+        /** Whether the n-th copy from a gateway stands for one that has not been on the air here. */
+        boolean lacks(int nth) {
+            return nth > onAir;
+        }
+    }
+
+    Sighting of(Bytes frame) {
+        Sighting sighting = frames.get(frame);
+        if (sighting == null) {
+            sighting = new Sighting();
+        }
+        frames.renew(frame, sighting);
+        return sighting;
+    }
+}

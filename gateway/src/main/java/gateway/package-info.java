@@ -1,0 +1,2 @@
+/** Joins radio cells over MQTT. */
+package gateway;

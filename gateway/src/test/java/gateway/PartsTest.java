@@ -1,0 +1,144 @@
+package gateway;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Optional;
+import javino.protocol.Address;
+import javino.protocol.Frame;
+import javino.protocol.ProtocolException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The small parts of a gateway. */
+class PartsTest {
+
+    private final Tallies tallies = new Tallies();
+
+    private static Frame frame(int nonce) throws ProtocolException {
+        return Frame.decode(Frames.sealed("SUPO", "ROMA", nonce));
+    }
+
+    private static Frame answer(int nonce) throws ProtocolException {
+        return Frame.decode(Frames.acknowledgement("SUPO", nonce));
+    }
+
+    @Test
+    void outgoing_givesOneAtATimeAcknowledgementsFirst() throws Exception {
+        Outgoing outgoing = new Outgoing(tallies);
+        outgoing.add(frame(1), 100);
+        outgoing.add(frame(2), 100);
+        outgoing.add(answer(3), 100);
+        assertEquals(Optional.of(answer(3)), outgoing.next(0));
+        assertEquals(Optional.empty(), outgoing.next(0));
+        outgoing.ended(true);
+        assertEquals(Optional.of(frame(1)), outgoing.next(0));
+        outgoing.ended(false);
+        assertEquals(1, tallies.of(Tally.RELAYED));
+        assertEquals(1, tallies.of(Tally.FAILED));
+    }
+
+    @Test
+    void outgoing_dropsWhatIsLateTooMuchOrThereAlready() throws Exception {
+        Outgoing outgoing = new Outgoing(tallies);
+        for (int i = 0; i < 20; i++) {
+            outgoing.add(frame(i), 100);
+        }
+        assertEquals(4, tallies.of(Tally.OVERFLOWED));
+        outgoing.add(frame(3), 100);
+        assertEquals(1, tallies.of(Tally.DUPLICATES));
+        assertTrue(outgoing.next(100).isPresent());
+        outgoing.add(frame(0), 500);
+        assertEquals(2, tallies.of(Tally.DUPLICATES), "it is under way");
+        outgoing.ended(true);
+        assertEquals(Optional.empty(), outgoing.next(101));
+        assertEquals(15, tallies.of(Tally.EXPIRED));
+    }
+
+    @Test
+    void colleagues_theFirstByNameThatIsThereRelays() {
+        Colleagues colleagues = new Colleagues("m");
+        assertFalse(colleagues.isOwnTurn(0), "the broker has not told yet who is there");
+        colleagues.said("m", true, 0);
+        assertTrue(colleagues.isOwnTurn(0));
+        colleagues.said("z", true, 0);
+        assertTrue(colleagues.isOwnTurn(0));
+        colleagues.said("a", true, 0);
+        assertFalse(colleagues.isOwnTurn(0));
+        colleagues.said("a", false, 0);
+        assertTrue(colleagues.isOwnTurn(0));
+        colleagues.said("a", true, 0);
+        assertTrue(colleagues.isOwnTurn(Colleagues.GONE_MILLIS), "it has said nothing for too long");
+        colleagues.clear();
+        assertFalse(colleagues.isOwnTurn(0));
+    }
+
+    @Test
+    void ages_areThoseBeyondTheFastestMessage_whateverTheClocksSay() {
+        Ages ages = new Ages();
+        long wrong = 7_000_000;
+        assertEquals(0, ages.of("e", wrong, 1000));
+        assertEquals(900, ages.of("e", wrong + 100, 2000), 1);
+        assertEquals(0, ages.of("e", wrong + 3000, 3500));
+        assertEquals(0, ages.of("e", wrong - 3_600_000, 4000), "its clock was set");
+        long now = 0;
+        for (int i = 0; i < 200_000; i++) {
+            now += 500;
+            assertTrue(ages.of("slow", now - now / 10_000, now) < 5, "its clock is slow");
+        }
+    }
+
+    @Test
+    void budget_isAShareOfTheTime() {
+        Budget budget = new Budget(1000, 50, 0);
+        assertTrue(budget.take(1000, 0));
+        assertFalse(budget.take(300, 500));
+        assertTrue(budget.take(300, 600));
+        assertTrue(budget.take(1000, 1_000_000));
+        assertFalse(budget.take(1, 1_000_000));
+    }
+
+    @Test
+    void topics_areReadAsWritten() {
+        Topics topics = new Topics("javino/lisbon");
+        Address device = Address.parse("A+/b");
+        assertEquals("javino/lisbon/west/heard/A-_b", topics.heard("west", device));
+        assertEquals(Optional.of(device), topics.read(topics.heard("west", device)).orElseThrow().device());
+        assertEquals(new Topics.Topic("west", Topics.About.AIR, ""), topics.read(topics.air("west")).orElseThrow());
+        assertEquals(new Topics.Topic("w", Topics.About.GATEWAY, "x"),
+                topics.read(topics.gateway("w", "x")).orElseThrow());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "javino", "javino/a", "javino/a/air/b", "javino/a/heard", "other/a/air", "javino//air",
+            "javino/a b/air", "javino/a/heard/b/c"})
+    void topic_ofAnotherForm_isNone(String topic) {
+        assertEquals(Optional.empty(), new Topics("javino").read(topic));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ABC", "----", "__AA", "self"})
+    void topic_ofNoDevice_tellsNone(String name) {
+        Topics topics = new Topics("javino");
+        assertEquals(Optional.empty(), topics.read(topics.heard("a", name)).orElseThrow().device());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"mqtts://b.example, mqtts://b.example:8883", "mqtt://[::1]/, mqtt://[::1]:1883",
+            "mqtts://b:1, mqtts://b:1"})
+    void url_ofABroker_isRead(String url, String read) {
+        assertEquals(read, BrokerConfig.parse(url).toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "b:8883", "https://b", "mqtts://", "mqtts://b/topic", "mqtts://me:secret@b",
+            "mqtts://b:0", "mqtts://b:65536", "mqtts://b c"})
+    void url_ofNoBroker_isRefusedWithoutAPassword(String url) {
+        String message = assertThrows(IllegalArgumentException.class, () -> BrokerConfig.parse(url)).getMessage();
+        assertFalse(message.contains("secret"));
+    }
+}

@@ -1,0 +1,128 @@
+package harness;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** An MQTT broker on this computer, with TLS by a CA of its own and one user. */
+public final class Mosquitto implements AutoCloseable {
+
+    public static final String USER = "cells";
+    public static final String PASSWORD = "together";
+    private static final long PATIENCE_SECONDS = 60;
+    private static final long PAUSE_MILLIS = 20;
+
+    private final Path folder;
+    private final int port;
+    private Process process;
+
+    private Mosquitto(Path folder, int port) {
+        this.folder = folder;
+        this.port = port;
+    }
+
+    /** Starts one whose files are in that folder. */
+    public static Mosquitto start(Path folder) throws IOException, InterruptedException {
+        Files.createDirectories(folder);
+        Mosquitto broker = new Mosquitto(folder, freePort());
+        broker.certify();
+        broker.run("mosquitto_passwd", "-b", "-c", broker.path("passwords"), USER, PASSWORD);
+        Files.writeString(folder.resolve("mosquitto.conf"), """
+                user %s
+                listener %d 127.0.0.1
+                allow_anonymous false
+                password_file %s
+                certfile %s
+                keyfile %s
+                persistence true
+                persistence_location %s/
+                """.formatted(System.getProperty("user.name"), broker.port, broker.path("passwords"),
+                broker.path("broker.pem"), broker.path("broker.key"), folder));
+        broker.start();
+        return broker;
+    }
+
+    /** A port of this computer that nobody uses. */
+    static int freePort() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+
+    private void certify() throws IOException, InterruptedException {
+        run("openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=CA of a test",
+                "-keyout", path("ca.key"), "-out", path("ca.pem"));
+        run("openssl", "req", "-newkey", "rsa:2048", "-nodes", "-subj", "/CN=localhost", "-keyout",
+                path("broker.key"), "-out", path("broker.csr"));
+        Files.writeString(folder.resolve("names"), "subjectAltName=DNS:localhost,IP:127.0.0.1\n");
+        run("openssl", "x509", "-req", "-in", path("broker.csr"), "-CA", path("ca.pem"), "-CAkey", path("ca.key"),
+                "-CAcreateserial", "-days", "2", "-extfile", path("names"), "-out", path("broker.pem"));
+    }
+
+    private String path(String file) {
+        return folder.resolve(file).toString();
+    }
+
+    private void run(String... command) throws IOException, InterruptedException {
+        Process run = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+                .redirectOutput(folder.resolve("setup.log").toFile()).start();
+        if (run.waitFor() != 0) {
+            throw new AssertionError(List.of(command) + ": " + Files.readString(folder.resolve("setup.log")));
+        }
+    }
+
+    /** Starts it, again after {@link #stop}. */
+    public void start() throws IOException, InterruptedException {
+        process = new ProcessBuilder("/usr/sbin/mosquitto", "-c", path("mosquitto.conf"))
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.appendTo(folder.resolve("mosquitto.log").toFile())).start();
+        // For a run that is broken off: nothing stays behind.
+        Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!answers()) {
+            if (!process.isAlive() || System.nanoTime() > end) {
+                throw new AssertionError(Files.readString(folder.resolve("mosquitto.log")));
+            }
+            TimeUnit.MILLISECONDS.sleep(PAUSE_MILLIS);
+        }
+    }
+
+    private boolean answers() {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+            return socket.isConnected();
+        } catch (IOException nobody) {
+            return false;
+        }
+    }
+
+    /** Stops it; what it has kept stays in its folder. */
+    public void stop() throws InterruptedException {
+        process.destroy();
+        process.waitFor();
+    }
+
+    public int port() {
+        return port;
+    }
+
+    /** The certificate of its CA. */
+    public Path ca() {
+        return folder.resolve("ca.pem");
+    }
+
+    /** What any client has to say of it, for {@code mosquitto_sub} and {@code mosquitto_pub}. */
+    public List<String> client(String program) {
+        return List.of(program, "-h", "localhost", "-p", "" + port, "-V", "5", "--cafile", ca().toString(), "-u", USER,
+                "-P", PASSWORD);
+    }
+
+    @Override
+    public void close() {
+        process.destroyForcibly();
+    }
+}
