@@ -17,8 +17,10 @@ Status statusOf(const std::string &name) {
   const struct {
     const char *name;
     Status status;
-  } all[] = {
-      {"UNKNOWN_COMMAND", Status::UNKNOWN_COMMAND}, {"BAD_ARGUMENT", Status::BAD_ARGUMENT}, {"NO_KEY", Status::NO_KEY}};
+  } all[] = {{"UNKNOWN_COMMAND", Status::UNKNOWN_COMMAND},
+             {"BAD_ARGUMENT", Status::BAD_ARGUMENT},
+             {"BAD_DESTINATION", Status::BAD_DESTINATION},
+             {"NO_KEY", Status::NO_KEY}};
   for (const auto &entry : all) {
     if (name == entry.name) return entry.status;
   }

@@ -21,7 +21,7 @@ final class CommandVectors {
             "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne",
             "radioOverheardDropped");
 
-    private static final byte[] FRAME = text("+KAAROMABA12345678");
+    private static final byte[] FRAME = text("+KAACAFEBA12345678");
 
     private CommandVectors() {
     }
@@ -105,9 +105,9 @@ final class CommandVectors {
                 badRequest(bytes('O'), "BAD_ARGUMENT"),
                 badRequest(bytes('O', 2), "BAD_ARGUMENT"),
                 badRequest(bytes('Y'), "BAD_ARGUMENT"),
-                badRequest(text("Y////ROMAAI"), "BAD_ARGUMENT"),
+                badRequest(text("Y////CAFEAI"), "BAD_ARGUMENT"),
                 badRequest(text("Y////++++AIx"), "BAD_ARGUMENT"),
-                badRequest(text("Y+AAAROMAAIx"), "BAD_DESTINATION"),
+                badRequest(text("Y+AAACAFEAIx"), "BAD_DESTINATION"),
                 badRequest(bytes('C'), "BAD_ARGUMENT"),
                 badRequest(bytes('C', 0, 0, 0), "BAD_ARGUMENT"),
                 badRequest(bytes('C', 0), "BAD_ARGUMENT"),

@@ -185,7 +185,7 @@ class HighwayTest {
 
         assertEquals(List.of(
                 "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout, "
-                        + "-Plive, -Pheadless"),
+                        + "-Plive, -Pheadless, -Pcells"),
                 run.lines);
         assertEquals(2, run.status);
     }
