@@ -7,8 +7,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -20,6 +18,7 @@ import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.BoardState;
 import javino.board.RequestFailedException;
+import javino.cli.Await;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -101,9 +100,9 @@ final class Gateway implements AutoCloseable {
 
     private void openBoard(LinkOpener link) throws JavinoException, InterruptedException {
         board = Board.open(link, BoardConfig.create(), new Ear());
-        result(board.greeted());
+        Await.result(board.greeted());
         try {
-            result(board.overhear(true));
+            Await.result(board.overhear(true));
         } catch (RequestFailedException e) {
             throw e.status() == Status.UNKNOWN_COMMAND ? new JavinoException(
                     link.name() + ": this board cannot overhear: flash a current sketch on a Mega", e) : e;
@@ -118,17 +117,6 @@ final class Gateway implements AutoCloseable {
             broker = opened;
         }
         sayThere();
-    }
-
-    private static <T> T result(CompletableFuture<T> future) throws JavinoException, InterruptedException {
-        try {
-            return future.get();
-        } catch (ExecutionException e) {
-            if (e.getCause() instanceof JavinoException cause) {
-                throw cause;
-            }
-            throw new IllegalStateException(e.getCause());
-        }
     }
 
     /** Ms of a clock that nobody sets. */

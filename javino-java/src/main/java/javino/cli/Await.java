@@ -5,7 +5,7 @@ import java.util.concurrent.ExecutionException;
 import javino.JavinoException;
 
 /** Waits for a board. */
-final class Await {
+public final class Await {
 
     private Await() {
     }
@@ -15,7 +15,7 @@ final class Await {
      *
      * @throws JavinoException why there is none.
      */
-    static <T> T result(CompletableFuture<T> future) throws JavinoException, InterruptedException {
+    public static <T> T result(CompletableFuture<T> future) throws JavinoException, InterruptedException {
         try {
             return future.get();
         } catch (ExecutionException e) {

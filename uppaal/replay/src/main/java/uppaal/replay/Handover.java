@@ -1,7 +1,5 @@
 package uppaal.replay;
 
-import java.io.IOException;
-import java.io.InputStream;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -10,9 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import uppaal.ModelException;
 import uppaal.document.Document;
-import uppaal.document.DocumentReader;
 import uppaal.document.Edge;
 import uppaal.language.Expressions;
 import uppaal.language.Term;
@@ -37,7 +33,7 @@ final class Handover {
             + "World = Others(BUS, 0); system Bus, End, World;";
     /** An end knows nothing of its agent's next move. */
     private static final String NEVER = "Move Receiver: Here -> Left, 1";
-    private static final Document MODEL = model();
+    private static final Document MODEL = Scenes.model(FILE);
 
     private final Map<String, Scene> known = new HashMap<>();
     private final Set<Possible.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -109,7 +105,7 @@ final class Handover {
         boolean others = move.parts().get(0).automaton().name().equals("World");
         String channel = move.channel().map(used -> used.name().replaceFirst("\\[.*", "")).orElse("");
         if (others && channel.isEmpty()) {
-            return Optional.of("kept " + move.target()[slot(network, "has[0]")]);
+            return Optional.of("kept " + move.target()[Scenes.slot(network, "has[0]")]);
         }
         return switch (channel) {
             case "says", "comes" -> Optional.of(channel + " "
@@ -119,23 +115,6 @@ final class Handover {
             case "returns" -> Optional.of(channel).filter(any -> others);
             default -> Optional.empty();
         };
-    }
-
-    private static int slot(Network network, String name) {
-        for (int i = 0; i < network.slots().size(); i++) {
-            if (network.slots().get(i).name().equals(name)) {
-                return i;
-            }
-        }
-        throw new ModelException(FILE, "there is no '" + name + "'");
-    }
-
-    private static Document model() {
-        try (InputStream model = Handover.class.getResourceAsStream("/" + FILE)) {
-            return DocumentReader.read(FILE, model);
-        } catch (IOException problem) {
-            throw new ModelException(FILE, problem.getMessage());
-        }
     }
 
     /** What is known once a move was seen, of which the edges are kept; nothing where it cannot have been. */

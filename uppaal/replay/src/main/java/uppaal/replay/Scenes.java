@@ -45,7 +45,7 @@ final class Scenes {
     private static final String NEVER = "Sender: New -> Over, 1";
     /** So many states are kept with what may follow; several hundred bytes each. */
     private static final int MOST = 500_000;
-    private static final Document MODEL = model();
+    private static final Document MODEL = model(FILE);
 
     private final Map<String, Scene> known = new HashMap<>();
     private final Set<Possible.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -111,20 +111,22 @@ final class Scenes {
         return Optional.of(channel.equals("end") ? "end" : BEGUN.get(move.target()[slot(network, "kind")]));
     }
 
-    private static int slot(Network network, String name) {
+    /** The place of a variable among all. */
+    static int slot(Network network, String name) {
         for (int i = 0; i < network.slots().size(); i++) {
             if (network.slots().get(i).name().equals(name)) {
                 return i;
             }
         }
-        throw new ModelException(FILE, "there is no '" + name + "'");
+        throw new IllegalArgumentException("there is no '" + name + "' in " + network);
     }
 
-    private static Document model() {
-        try (InputStream model = Scenes.class.getResourceAsStream("/" + FILE)) {
-            return DocumentReader.read(FILE, model);
+    /** A model that was checked. */
+    static Document model(String file) {
+        try (InputStream model = Scenes.class.getResourceAsStream("/" + file)) {
+            return DocumentReader.read(file, model);
         } catch (IOException problem) {
-            throw new ModelException(FILE, problem.getMessage());
+            throw new ModelException(file, problem.getMessage());
         }
     }
 
