@@ -24,7 +24,7 @@ final class Firmware implements Part {
     private static final double GOAL = 0.85;
     private static final int USUAL = 60;
     /** Of the air. A mistake that the first does not show has other chances. */
-    private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L);
+    private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L);
     /**
      * The others decide how well a board hears, which no trace tells, or how its EEPROM keeps what it holds. Carrier
      * sense knows a carrier in several ways, of which in air without noise one is enough.

@@ -117,9 +117,9 @@ final class Bytes {
     }
 
     private static void order(Desk desk, Frame frame, Payload piece) throws RefusedException {
-        if (!frame.isNext(piece)) {
-            throw new RefusedException(desk.name + " sends piece " + piece.index() + " of " + frame + " after piece "
-                    + frame.last.index() + "; expected a later one");
+        String wrong = frame.wrongNow(piece);
+        if (!wrong.isEmpty()) {
+            throw new RefusedException(desk.name + " sends piece " + piece.index() + " of " + frame + " " + wrong);
         }
         frame.last = piece;
     }
@@ -249,6 +249,9 @@ final class Bytes {
             if (payload.message().length == Answers.STALE) {
                 Answers.checkFloor(desk, payload, proved, frames.values());
             }
+        }
+        if (payload.message().length == Answers.PIECES) {
+            proved.forEach(frame -> frame.isAnswered = true);
         }
         if (payload.message().length == Answers.STALE) {
             for (Frame frame : proved) {

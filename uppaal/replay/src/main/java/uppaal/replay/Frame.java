@@ -34,6 +34,8 @@ final class Frame {
     boolean isForged;
     /** Whether somebody has answered that it is stale. */
     boolean isStale;
+    /** Whether somebody has answered which of its pieces have come. */
+    boolean isAnswered;
     private final Map<Integer, byte[]> later = new HashMap<>();
     /** The piece that was sent last; null where none was. */
     Payload last;
@@ -97,10 +99,18 @@ final class Frame {
                 && Arrays.equals(later.computeIfAbsent(index, k -> piece), piece);
     }
 
-    /** Whether a piece may be sent now: each time a later one, up to one that asks, or to many up to the last. */
-    boolean isNext(Payload piece) {
+    /**
+     * What is wrong with a piece that is sent now; nothing where that may be. Each is a later one, up to one that asks,
+     * or to many up to the last; and as long as nobody has answered only the first one asks again.
+     */
+    String wrongNow(Payload piece) {
         boolean over = last == null || last.asks() || !isUnicast() && last.index() == pieces() - 1;
-        return over || piece.index() > last.index();
+        if (!over && piece.index() <= last.index()) {
+            return "after piece " + last.index() + "; expected a later one";
+        }
+        return last != null && last.asks() && !isAnswered && !(piece.index() == 0 && piece.asks())
+                ? "though nobody has answered; expected that its first piece asks"
+                : "";
     }
 
     @Override

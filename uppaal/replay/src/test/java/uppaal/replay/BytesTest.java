@@ -30,6 +30,8 @@ class BytesTest {
     /** A first piece of it, and its second, which wants an answer. */
     private static final byte[] BEGIN = piece("AA", LONG_FRAME, 0);
     private static final byte[] END = piece("AJ", LONG_FRAME, 1);
+    /** Its first piece, when that asks. */
+    private static final byte[] AGAIN = piece("AI", LONG_FRAME, 0);
 
     private static void assertRefused(Talk talk, String words) {
         String verdict = talk.verdict();
@@ -70,8 +72,20 @@ class BytesTest {
         assertAccepted(asked("//SU", HELP).sends("police", sealed("//SU", FIRST, HELP))
                 .sends("police", sealed("//SU", FIRST, HELP)), "1 messages opened, 0 proofs");
         assertAccepted(asked("////", HELP).sends("police", broadcast(HELP)), "0 messages opened, 0 proofs");
-        assertAccepted(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).sends("police", END)
-                .hands(0, FIRST, LONG).sends("support", acknowledgement(FIRST, "")), "1 messages opened, 1 proofs");
+        assertAccepted(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).sends("police", AGAIN)
+                .unheard("support", acknowledgement(FIRST, "01")).sends("police", AGAIN)
+                .sends("support", acknowledgement(FIRST, "01")).sends("police", END).hands(0, FIRST, LONG)
+                .sends("support", acknowledgement(FIRST, "")), "1 messages opened, 3 proofs");
+    }
+
+    @Test
+    void piece_thatAsksThoughNobodyHasAnswered_isTheFirst() {
+        Talk talk = asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).unheard("police", END);
+        assertRefusedEvenWithoutKeys(talk, "police sends piece 1 of SUPO to SUPP, nonce 000001000000 though nobody has "
+                + "answered; expected that its first piece asks");
+        assertRefusedEvenWithoutKeys(
+                asked("SUPP", LONG).sends("police", BEGIN).unheard("police", END).unheard("police", BEGIN),
+                "expected that its first piece asks");
     }
 
     @Test

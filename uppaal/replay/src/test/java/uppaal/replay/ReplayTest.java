@@ -902,7 +902,7 @@ class ReplayTest {
         for (boolean stale : List.of(true, false)) {
             Lines lines = twoBoards().add(1.1, "police", "host-transmit",
                     Map.of("number", 0, "destination", "SUPP", "asked", 1.0));
-            reach(lines, 2, "police", first, "piece");
+            reach(lines, 2, "police", first.replaceFirst("2b464149", "2b464141"), "piece");
             reach(lines, 3, "police", rest, "piece");
             hand(lines, 4, 0, "010000");
             if (stale) {
