@@ -151,10 +151,14 @@ TEST(Relays, that_lie_have_nothing_delivered_twice_or_wrongly) {
       if (heard.empty()) continue;
       Bytes packet = heard[random.number(static_cast<uint32_t>(heard.size()))];
       switch (random.number(3)) {
-        case 0: packet[random.number(static_cast<uint32_t>(packet.size()))] ^= static_cast<uint8_t>(1 + random.number(255)); break;
+        case 0:
+          packet[random.number(static_cast<uint32_t>(packet.size()))] ^= static_cast<uint8_t>(1 + random.number(255));
+          break;
         case 1:
           if (packet.size() > 26)
-            packet = bytesOf("+K" + std::string{static_cast<char>('A' + random.number(4)), static_cast<char>('A' + random.number(26))} +
+            packet = bytesOf("+K" +
+                             std::string{static_cast<char>('A' + random.number(4)),
+                                         static_cast<char>('A' + random.number(26))} +
                              line.last().id + "BA") +
                      random.bytes(8);
           break;

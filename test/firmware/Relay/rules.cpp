@@ -108,7 +108,7 @@ TEST_F(RelayTest, copies_nothing_but_unicasts) {
     hear(unicast(1, to));
     EXPECT_FALSE(sends(3000)) << to;
   }
-  hear(bytesOf("SUPOROMABIx"));  // no frame
+  hear(bytesOf("SUPOROMABIx"));   // no frame
   hear(bytesOf("SUPOROMAAQab"));  // no nonce
   hear(answer(9));
   EXPECT_FALSE(sends(3000));

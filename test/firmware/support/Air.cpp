@@ -82,9 +82,8 @@ void Air::finish(const Packet &packet) {
   if (packet.from != nullptr) packet.from->board.radio.finishSending();
   for (Station *station : stations_) {
     const bool apart = away_.count(station) != 0 || away_.count(packet.from) != 0;
-    const bool broken = std::any_of(packet.others.begin(), packet.others.end(), [&](const Station *other) {
-      return other == station || reaches(other, *station);
-    });
+    const bool broken = std::any_of(packet.others.begin(), packet.others.end(),
+                                    [&](const Station *other) { return other == station || reaches(other, *station); });
     if (station == packet.from || apart || broken || !reaches(packet.from, *station)) continue;
     if (random.number(1000) < lostInThousand) continue;
     station->board.radio.arrive(packet.payload, {}, javino::Trailer::NONE, packet.hops);
@@ -93,8 +92,8 @@ void Air::finish(const Packet &packet) {
 }
 
 void Air::listen(Station &station) {
-  station.board.radio.heard = hearsCarriers && std::any_of(onAir_.begin(), onAir_.end(), [&](const Packet &packet) {
-                                return packet.from != &station && reaches(packet.from, station) &&
-                                       now_ - packet.begin >= MILLIS_TO_CARRIER;
-                              });
+  station.board.radio.heard =
+      hearsCarriers && std::any_of(onAir_.begin(), onAir_.end(), [&](const Packet &packet) {
+        return packet.from != &station && reaches(packet.from, station) && now_ - packet.begin >= MILLIS_TO_CARRIER;
+      });
 }
