@@ -96,6 +96,34 @@ TEST(Relays, are_relays_after_a_reset_and_after_a_loss_of_power) {
   }
 }
 
+// Neither has an RF id, and both have booted as often: all that differs is when they were made relays.
+TEST(Relays, without_an_address_do_not_send_at_the_same_time) {
+  TestBoard one;
+  TestBoard two;
+  for (TestBoard *board : {&one, &two}) {
+    board->use();
+    board->radio.mends = true;
+    board->start();
+    if (board == &two) board->pass(3);
+    ASSERT_EQ(Bytes{1}, board->request('W', {1}).body);
+  }
+  int together = 0;
+  for (int i = 0; i < 20; i++) {
+    const Bytes packet = sealed(KEY, "SUPO", "ROMA", {0, 0, 1, 0, 0, static_cast<uint8_t>(i)}, "tell;help");
+    int waited[2] = {0, 0};
+    for (TestBoard *board : {&one, &two}) {
+      board->use();
+      board->pass(2000);
+      board->receive(packet);
+      const size_t before = board->radio.sent.size();
+      while (board->radio.sent.size() == before && waited[board == &two]++ < 300) board->pass(1);
+      if (board->radio.sending()) board->finishSending();
+    }
+    if (std::abs(waited[0] - waited[1]) < 8) together++;
+  }
+  EXPECT_LT(together, 10);
+}
+
 TEST(Relays, write_nothing_where_nothing_changes) {
   Line line(2);
   line.stations[1]->board.use();
