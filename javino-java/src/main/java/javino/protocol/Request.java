@@ -74,7 +74,8 @@ public record Request(Command command, Frame frame, String description) {
             return switch (this) {
                 case SET_RF_ID, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
                 case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, OVERHEAR, RELAY, SET_SESSION_KEY, LIST_KEYS, STATISTICS,
-                    TRANSMIT -> false;
+                        TRANSMIT ->
+                    false;
             };
         }
 
