@@ -81,10 +81,10 @@
 #define JAVINO_OVERHEARD_BYTES JAVINO_BY_CHIP(256, 0)
 #endif
 
-/// Whether a host can make the board a relay, 0 or 1 (SPEC 7.5): 510 bytes of RAM. With 0 the command W is UNKNOWN_COMMAND; a
-/// sketch's own javino::Relay does not depend on it.
+/// Whether a host can make the board a relay, 0 or 1 (SPEC 7.5): 24 bytes of RAM, as a relay's memory is the place of one of
+/// JAVINO_REASSEMBLIES. With 0 the command W is UNKNOWN_COMMAND; a sketch's own javino::Relay does not depend on it.
 #ifndef JAVINO_RELAY
-#define JAVINO_RELAY JAVINO_BY_CHIP(1, 0)
+#define JAVINO_RELAY (JAVINO_REASSEMBLIES > 0 && JAVINO_BY_CHIP(1, 0))
 #endif
 
 /// Radio packets that wait or are being received, 2…8. 150 bytes of RAM each, 124 without parity.
@@ -211,6 +211,7 @@ static_assert(JAVINO_OVERHEARD_BYTES == 0 || (JAVINO_OVERHEARD_BYTES >= 84 && JA
 static_assert(JAVINO_OVERHEARD_BYTES == 0 || JAVINO_MAX_MESSAGE >= 87,
               "JAVINO_OVERHEARD_BYTES: a reply of JAVINO_MAX_MESSAGE bytes tells the longest packet, 87 at least");
 static_assert(JAVINO_RELAY == 0 || JAVINO_RELAY == 1, "JAVINO_RELAY must be 0 or 1");
+static_assert(JAVINO_RELAY == 0 || JAVINO_REASSEMBLIES > 0, "JAVINO_RELAY takes the place of one of JAVINO_REASSEMBLIES");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
 static_assert(JAVINO_MENDING == 0 || JAVINO_MENDING == 1, "JAVINO_MENDING must be 0 or 1");
 static_assert(JAVINO_MENDING == 1 || (JAVINO_PARITY == 0 && JAVINO_DAMAGED_COPIES == 0),

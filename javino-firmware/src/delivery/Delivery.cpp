@@ -20,7 +20,7 @@ bool Delivery::relay(bool on) {
   if (on == relays()) return true;
   if (!on) {
     if (!relaying().erase(0)) return false;
-    receiver_.forwarding().relay(false);
+    receiver_.relay(false);
     return true;
   }
   const uint16_t now = static_cast<uint16_t>(clock::millis());
@@ -35,7 +35,7 @@ void Delivery::beginToRelay(const uint8_t *number) {
   if (!state_.id.isSet()) {
     state_.random.seed(static_cast<uint16_t>(number[0] << 8 | number[1]), state_.epoch.value());
   }
-  receiver_.forwarding().relay(true);
+  receiver_.relay(true);
 }
 
 // What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.

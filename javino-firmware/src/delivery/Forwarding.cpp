@@ -71,13 +71,8 @@ void Doubts::set(uint16_t pair, uint8_t doubt) {
   entries_[0] = {pair, doubt};
 }
 
-void Forwarding::relay(bool on) {
-  on_ = on;
-  for (Entry &entry : entries_) entry.length = 0;
-}
-
 void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
-  if (!on_) return;
+  if (!isOn()) return;
   passSlots();
   if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
     answerHeard(frame, packet, length, hops);
@@ -92,7 +87,7 @@ Forwarding::Place Forwarding::placeOf(uint8_t hops, uint8_t own) {
 }
 
 Forwarding::Entry *Forwarding::find(const uint8_t *packet, uint8_t length, uint16_t crc) {
-  for (Entry &entry : entries_) {
+  for (Entry &entry : memory_->entries) {
     const uint8_t kept = entry.answered ? HEAD_LENGTH : length;
     if (entry.length == length && entry.crc == crc && memcmp(entry.bytes, packet, kept) == 0) return &entry;
   }
@@ -103,7 +98,7 @@ Forwarding::Entry *Forwarding::find(const uint8_t *packet, uint8_t length, uint1
 Forwarding::Entry *Forwarding::place() {
   Entry *oldest = nullptr;
   const uint32_t now = clock::millis();
-  for (Entry &entry : entries_) {
+  for (Entry &entry : memory_->entries) {
     if (entry.length == 0) return &entry;
     if (entry.due != NOTHING || entry.sending) continue;
     if (!oldest || now - entry.at > now - oldest->at) oldest = &entry;
@@ -121,7 +116,7 @@ void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t 
   if (entry) entry->length = 0;
   refill();
   const uint16_t pair = Doubts::pairOf(frame.destination, frame.origin);
-  const bool trusted = doubts_.of(pair) == Doubts::NONE;
+  const bool trusted = memory_->doubts.of(pair) == Doubts::NONE;
   const uint16_t least = trusted ? medium_.airtimeMillis(length) : static_cast<uint16_t>(MOST_CREDIT / 2);
   entry = credit_ < least ? nullptr : place();
   if (!entry) {
@@ -138,7 +133,7 @@ void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t 
 }
 
 void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
-  const uint8_t doubt = doubts_.of(entry.pair);
+  const uint8_t doubt = memory_->doubts.of(entry.pair);
   entry.hops = oneMore(hops);
   entry.trusted = doubt == Doubts::NONE;
   entry.fromReserve = fromReserve;
@@ -194,7 +189,7 @@ void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
 
 void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
   if (frame.length != PROOF_LENGTH && length != MAX_ANSWER) return;
-  for (Entry &entry : entries_) {
+  for (Entry &entry : memory_->entries) {
     if (entry.length == 0) continue;
     Frame kept;
     Frame::parseHeader(entry.bytes, kept);
@@ -213,7 +208,7 @@ void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t 
 }
 
 void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops) {
-  const uint8_t doubt = doubts_.of(entry.pair);
+  const uint8_t doubt = memory_->doubts.of(entry.pair);
   const bool direct = hops == 0;
   entry.due = NOTHING;
   entry.reserve = false;
@@ -225,13 +220,13 @@ void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length
   entry.spent = 0;
   if (direct && entry.copied && entry.quiet < SOON) entry.prompt = true;
   if (!entry.copied) {
-    doubts_.set(entry.pair, static_cast<uint8_t>(doubt == Doubts::MOST ? doubt : doubt + 1));
+    memory_->doubts.set(entry.pair, static_cast<uint8_t>(doubt == Doubts::MOST ? doubt : doubt + 1));
     return;
   }
   if (entry.prompt) {
-    doubts_.set(entry.pair, entry.fromReserve ? Doubts::AFTER_RESERVE : Doubts::NONE);
+    memory_->doubts.set(entry.pair, entry.fromReserve ? Doubts::AFTER_RESERVE : Doubts::NONE);
   } else if (direct) {
-    doubts_.set(entry.pair, Doubts::MOST);
+    memory_->doubts.set(entry.pair, Doubts::MOST);
   }
   if (entry.handedOn || entry.prompt || (!direct && (doubt == Doubts::NONE || entry.late))) {
     wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_.next(ANSWER_SPREAD_MASK)));
@@ -255,7 +250,7 @@ void Forwarding::passSlots() {
   const uint8_t now = medium_.quietSlots();
   if (now < slots_) slots_ = 0;
   for (; slots_ < now; slots_++) {
-    for (Entry &entry : entries_) {
+    for (Entry &entry : memory_->entries) {
       if (entry.quiet != UINT8_MAX) entry.quiet++;
       if (slots_ >= entry.first && entry.left != 0) entry.left--;
     }
@@ -270,9 +265,9 @@ void Forwarding::refill() {
 }
 
 void Forwarding::run() {
-  if (!on_) return;
+  if (!isOn()) return;
   passSlots();
-  for (Entry &entry : entries_) {
+  for (Entry &entry : memory_->entries) {
     if (entry.length == 0) continue;
     const uint8_t slots = medium_.quietSlots();
     if (entry.sending && !medium_.isSending()) sent(entry);

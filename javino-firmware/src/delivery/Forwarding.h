@@ -15,7 +15,7 @@
 namespace javino {
 
 /// How far a relay's copies are needed between two addresses, whichever of them sends (SPEC 7.5): 0 where they have brought
-/// a message on, 3 where they have not. The pairs that were longest unchanged are forgotten.
+/// a message on, 3 where they have not. The pairs that were longest unchanged are forgotten. Zeros are no pairs.
 class Doubts {
  public:
   static const uint8_t NONE = 0;
@@ -39,7 +39,7 @@ class Doubts {
 
   uint8_t find(uint16_t pair) const;
 
-  uint8_t count_ JAVINO_ZEROED;
+  uint8_t count_;
   Entry entries_[CAPACITY];  // the one that was changed last is the first
 };
 
@@ -47,13 +47,16 @@ class Doubts {
 /// has no key, and looks at addresses and nonces only.
 class Forwarding {
  public:
+  struct Memory;
+
   Forwarding(MediumAccess &medium, Random &random, Counters &counters)
       : medium_(medium), random_(random), counters_(counters), credit_(MOST_CREDIT) {}
 
-  /// Begins to relay, or forgets all.
-  void relay(bool on);
+  /// Begins to relay, or ends that.
+  /// @param memory for all that a relay knows, cleared; null where it ends
+  void relay(Memory *memory) { memory_ = memory; }
 
-  bool isOn() const { return on_; }
+  bool isOn() const { return memory_ != nullptr; }
 
   /// Looks at a packet from the air that is neither from nor for this board.
   /// @param packet all of the frame
@@ -121,12 +124,15 @@ class Forwarding {
   MediumAccess &medium_;
   Random &random_;
   Counters &counters_;
-  bool on_ JAVINO_ZEROED;
+  Memory *memory_ JAVINO_ZEROED;
   uint8_t slots_ JAVINO_ZEROED;  // quiet slots that were counted
   uint16_t credit_;              // milliseconds on the air that may still be spent
   uint32_t filledAt_ JAVINO_ZEROED;
-  Doubts doubts_;
-  Entry entries_[CAPACITY] JAVINO_ZEROED;
+};
+
+struct Forwarding::Memory {
+  Doubts doubts;
+  Entry entries[CAPACITY];
 };
 
 /// What stands in for it on a board that cannot be told to relay (Config.h).
@@ -134,7 +140,9 @@ class NoForwarding {
  public:
   NoForwarding(MediumAccess &, Random &, Counters &) {}
 
-  void relay(bool) {}
+  struct Memory {};
+
+  void relay(Memory *) {}
   bool isOn() const { return false; }
   void heard(const Frame &, const uint8_t *, uint8_t, uint8_t) {}
   void run() {}

@@ -28,6 +28,10 @@ class PieceReceiver {
   /// Forgets all that is half received.
   void clear() { reassembly_.clear(); }
 
+  /// Puts together one message less at a time, as a relay needs its place (Reassembly).
+  void *lend() { return reassembly_.lend(); }
+  void takeBack() { reassembly_.takeBack(); }
+
  private:
   static bool startsFrame(const Frame &piece, uint8_t longest, Frame &whole);
   bool isWanted(const Frame &piece, uint8_t id, const Frame &whole, bool wantsAnswer, uint16_t now);
@@ -49,6 +53,8 @@ class NoPieceReceiver {
   bool accept(const Frame &, uint8_t, uint32_t, bool) { return admission_.drop(Counter::RADIO_PIECES_DROPPED); }
   void run() {}
   void clear() {}
+  void *lend() { return nullptr; }
+  void takeBack() {}
 
  private:
   Admission &admission_;

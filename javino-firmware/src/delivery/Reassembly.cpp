@@ -102,17 +102,17 @@ void PartialFrame::refuse() {
 }
 
 PartialFrame *Reassembly::find(const Address &origin, uint8_t id) {
-  for (PartialFrame &frame : frames_) {
-    if (!frame.isFree() && frame.id == id && frame.origin == origin) return &frame;
+  for (PartialFrame *frame = frames_; frame != end(); frame++) {
+    if (!frame->isFree() && frame->id == id && frame->origin == origin) return frame;
   }
   return nullptr;
 }
 
 PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, uint8_t longest, bool hasFirst, bool &expired) {
   PartialFrame *place = nullptr;
-  for (PartialFrame &frame : frames_) {
-    if (frame.isFree() || (hasFirst && !frame.hasFirst() && place == nullptr)) place = &frame;
-    if (frame.isFree()) break;
+  for (PartialFrame *frame = frames_; frame != end(); frame++) {
+    if (frame->isFree() || (hasFirst && !frame->hasFirst() && place == nullptr)) place = frame;
+    if (frame->isFree()) break;
   }
   if (place == nullptr) return nullptr;
   expired = !place->isFree();
@@ -122,16 +122,33 @@ PartialFrame *Reassembly::begin(const Address &origin, uint8_t id, uint8_t longe
 
 uint8_t Reassembly::expire(uint16_t now) {
   uint8_t expired = 0;
-  for (PartialFrame &frame : frames_) {
-    if (frame.isFree() || static_cast<uint16_t>(now - frame.lastNew) < EXPIRY_MILLIS) continue;
-    frame.clear();
+  for (PartialFrame *frame = frames_; frame != end(); frame++) {
+    if (frame->isFree() || static_cast<uint16_t>(now - frame->lastNew) < EXPIRY_MILLIS) continue;
+    frame->clear();
     expired++;
   }
   return expired;
 }
 
 void Reassembly::clear() {
-  for (PartialFrame &frame : frames_) frame.clear();
+  for (PartialFrame *frame = frames_; frame != end(); frame++) frame->clear();
+}
+
+void *Reassembly::lend() {
+  lent_ = true;
+  return &lastCleared();
+}
+
+void Reassembly::takeBack() {
+  lastCleared();
+  lent_ = false;
+}
+
+// As bytes, which are of any type: so the compiler mixes up nothing of what was there and what will be.
+PartialFrame &Reassembly::lastCleared() {
+  PartialFrame &last = frames_[config::REASSEMBLIES - 1];
+  memset(static_cast<void *>(&last), 0, sizeof last);
+  return last;
 }
 
 }  // namespace javino

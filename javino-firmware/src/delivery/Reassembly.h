@@ -113,7 +113,17 @@ class Reassembly {
   /// Forgets all.
   void clear();
 
+  /// Has one place less until takeBack(), and forgets what is in it.
+  /// @return its memory, cleared, PLACE_LENGTH bytes
+  void *lend();
+  void takeBack();
+  static const uint16_t PLACE_LENGTH = sizeof(PartialFrame);
+
  private:
+  PartialFrame *end() { return frames_ + config::REASSEMBLIES - (lent_ ? 1 : 0); }
+  PartialFrame &lastCleared();
+
+  bool lent_ JAVINO_ZEROED;
   PartialFrame frames_[config::REASSEMBLIES];
 };
 

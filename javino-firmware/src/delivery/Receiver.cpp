@@ -46,6 +46,14 @@ void Receiver::forget() {
 #endif
 }
 
+static_assert(!config::RELAY || sizeof(BoardsForwarding::Memory) <= Reassembly::PLACE_LENGTH,
+              "JAVINO_RELAY: a relay's memory is that of one message in pieces: JAVINO_MAX_MESSAGE is too small for it");
+
+void Receiver::relay(bool on) {
+  forwarding_.relay(on ? static_cast<BoardsForwarding::Memory *>(pieces_.lend()) : nullptr);
+  if (!on) pieces_.takeBack();
+}
+
 void Receiver::open(bool open) {
   open_ = open;
   if (!open) pieces_.clear();

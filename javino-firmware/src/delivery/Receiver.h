@@ -34,6 +34,9 @@ class Receiver {
   /// What the board does as a relay.
   BoardsForwarding &forwarding() { return forwarding_; }
 
+  /// Begins to relay, or ends that. Meanwhile the relay's memory is that of one message in pieces.
+  void relay(bool on);
+
   /// Whether the host wants messages; at first it does not.
   void open(bool open);
 

@@ -6,7 +6,7 @@ namespace javino {
 
 bool Relay::begin(uint16_t number) {
   random_.seed(number, 0);
-  forwarding_.relay(true);
+  forwarding_.relay(&memory_);
   return medium_.begin() && medium_.canRelay();
 }
 

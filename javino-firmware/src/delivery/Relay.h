@@ -39,6 +39,7 @@ class Relay {
   MediumAccess medium_;
   Random random_;
   Counters counters_;
+  Forwarding::Memory memory_ JAVINO_ZEROED;
   Forwarding forwarding_;
 };
 

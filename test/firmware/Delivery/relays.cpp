@@ -6,6 +6,9 @@
 
 #include "support/Air.h"
 #include "support/Keys.h"
+#include "support/Pieces.h"
+#include "support/Reference.h"
+#include "support/TestBoard.h"
 
 using javino::Counter;
 using javino::Status;
@@ -206,5 +209,28 @@ TEST(Relays, that_lie_have_nothing_delivered_twice_or_wrongly) {
     }
     for (const std::string &content : received) EXPECT_EQ(1u, line.first().ended.count(content));
     EXPECT_TRUE(line.first().received.empty());
+  }
+}
+
+// A relay's memory is the place of one of two messages in pieces.
+TEST(Relays, take_one_message_in_pieces_at_a_time_and_two_when_they_are_none) {
+  TestBoard board;
+  board.radio.mends = true;
+  board.start("SUHO");
+  board.setKey("SUPP", KEY);
+  board.setKey("SUPO", KEY);
+  const std::string content(100, 'x');
+  uint8_t counter = 0;
+  for (bool relays : {true, false, true}) {
+    ASSERT_EQ(Bytes{relays}, board.request('W', {relays}).body);
+    const Bytes nonce = {0, 0, 1, 0, 0, ++counter};
+    const std::vector<Bytes> one = cut(sealed(KEY, "SUHO", "SUPP", nonce, content), counter);
+    const std::vector<Bytes> two = cut(sealed(KEY, "SUHO", "SUPO", nonce, content), counter);
+    for (size_t i = 0; i < one.size(); i++) {
+      board.receive(one[i]);
+      board.receive(two[i]);
+    }
+    EXPECT_EQ(relays ? 1u : 2u, board.messages().size());
+    board.pollTaking(static_cast<uint8_t>(counter == 1 ? 0 : counter == 2 ? 2 : 3));
   }
 }
