@@ -40,6 +40,10 @@ class List {
     return result;
   }
 
+  uint8_t number(size_t index, const char *key) const {
+    return static_cast<uint8_t>(json_integer_value(valueOf(index, key)));
+  }
+
   Bytes numbers(size_t index, const char *key) const {
     Bytes result;
     size_t i;
@@ -85,7 +89,7 @@ std::vector<CopyVector> copyVectors() {
   const List list("radio.json", "copies");
   std::vector<CopyVector> vectors;
   for (size_t i = 0; i < list.size(); i++) {
-    vectors.push_back({list.bytes(i, "payload"), static_cast<uint8_t>(list.number(i, "hops")), list.bits(i)});
+    vectors.push_back({list.bytes(i, "payload"), list.number(i, "hops"), list.bits(i)});
   }
   return vectors;
 }
