@@ -201,6 +201,22 @@ public final class Board implements AutoCloseable {
         return ask(Request.finishRenewal(address), Board::nothing);
     }
 
+    /**
+     * Gives the board the key of a pair that lives in its RAM only, as a device's session key; the one before is
+     * deleted. The key is gone when the board boots, which {@link BoardListener#online} tells by another boot epoch;
+     * and when the board needs its place for another session key and has used this one least recently: then messages
+     * for the device fail with NO_KEY. The board writes no EEPROM. Fails with HAS_KEY if the board has a stored key for
+     * the device, with BAD_ARGUMENT if it had this session key before, and with UNKNOWN_COMMAND if its firmware has no
+     * place for session keys.
+     *
+     * @param key fresh: agreed on with the device just now, and never set before.
+     * @return the check value that the board computed, 3 bytes, to be compared with {@link Key#check()}.
+     * @throws IllegalArgumentException if the address is no device's.
+     */
+    public CompletableFuture<Bytes> setSessionKey(Address device, Key key) {
+        return ask(Request.setSessionKey(device, key), Reply::checkValue);
+    }
+
     /** Makes the board delete all keys of an address. */
     public CompletableFuture<Void> deleteKey(Address address) {
         return ask(Request.deleteKey(address), Board::nothing);

@@ -42,6 +42,14 @@ public interface BoardListener {
     }
 
     /**
+     * A sealed frame came for the board or its group, and the board has no key for it; only while the radio is open.
+     * Its sender tries again, so it may be told several times. The board could not check it: anybody may have sent it,
+     * in anybody's name.
+     */
+    default void noKey(PollReply.NoKey frame) {
+    }
+
+    /**
      * The board has heard a packet on the air, whoever it is for; only if {@link Board#overhear} asks for it.
      */
     default void overheard(PollReply.Overheard packet) {

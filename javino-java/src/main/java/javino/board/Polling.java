@@ -143,6 +143,8 @@ final class Polling {
                 takeMessage(message);
             } else if (item instanceof PollReply.Transmission transmission) {
                 end(transmission);
+            } else if (item instanceof PollReply.NoKey frame && !isLast) {
+                context.listener().tell(listener -> listener.noKey(frame));
             } else if (item instanceof PollReply.Overheard packet && !isLast) {
                 context.counters().count(SessionCounter.OVERHEARD);
                 context.listener().tell(listener -> listener.overheard(packet));

@@ -21,10 +21,10 @@ record HeldKeys(Bytes current, Bytes next, Bytes previous) {
 
     static final HeldKeys NONE = new HeldKeys(null, null, null);
 
-    /** A board's list of keys, by address. */
+    /** A board's list of keys, by address, but for session keys, which no keyring has. */
     static Map<Address, HeldKeys> of(List<StoredKey> list) {
         Map<Address, HeldKeys> held = new LinkedHashMap<>();
-        list.forEach(key -> held.merge(key.address(), NONE.with(key.role(), key.check()),
+        list.stream().filter(key -> key.role() != Role.SESSION).forEach(key -> held.merge(key.address(), NONE.with(key.role(), key.check()),
                 (before, added) -> before.with(key.role(), key.check())));
         return held;
     }
@@ -34,6 +34,7 @@ record HeldKeys(Bytes current, Bytes next, Bytes previous) {
             case CURRENT -> new HeldKeys(check, next, previous);
             case NEXT -> new HeldKeys(current, check, previous);
             case PREVIOUS -> new HeldKeys(current, next, check);
+            case SESSION -> this;
         };
     }
 

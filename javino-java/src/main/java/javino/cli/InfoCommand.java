@@ -90,6 +90,7 @@ final class InfoCommand implements Callable<Integer> {
             case CURRENT -> "key";
             case NEXT -> "next key";
             case PREVIOUS -> "previous key";
+            case SESSION -> "session key";
         };
     }
 

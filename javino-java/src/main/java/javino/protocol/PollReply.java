@@ -10,7 +10,8 @@ import java.util.List;
  * @param leftOut whether some percepts did not fit.
  * @param reading whether the percepts of this reply are all that the board perceives now; otherwise there are none, and
  *                the last ones told still hold.
- * @param records in the order of the reply: transmissions, messages and packets that were overheard, or percepts.
+ * @param records in the order of the reply: transmissions, messages, frames without a key and packets that were
+ *                overheard, or percepts.
  */
 public record PollReply(boolean more, boolean leftOut, boolean reading, List<Item> records) {
 
@@ -57,6 +58,16 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
      * @param outcome how it ended.
      */
     public record Transmission(int number, Outcome outcome) implements Item {
+    }
+
+    /**
+     * A sealed frame came for which the board has no key, so that it could neither open nor check it: anybody may have
+     * sent it, in anybody's name.
+     *
+     * @param destination the board's device or group.
+     * @param origin      the device that says that it sent it.
+     */
+    public record NoKey(Address destination, Address origin) implements Item {
     }
 
     /** How a packet came that was overheard, in the order of their numbers on the line. */
@@ -106,6 +117,7 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
             case 'P' -> new Percept(value);
             case 'M' -> decodeMessage(value);
             case 'T' -> decodeTransmission(value);
+            case 'N' -> decodeNoKey(value);
             case 'O' -> decodeOverheard(value);
             default -> throw new ProtocolException(ProtocolError.BAD_REPLY, "unknown type of record " + type);
         };
@@ -121,6 +133,11 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
         Reply.expect(value.length() == 2, "a transmission has number and outcome", value);
         return new Transmission(value.at(0), Outcome.of(value.at(1))
                 .orElseThrow(() -> new ProtocolException(ProtocolError.BAD_REPLY, "unknown outcome " + value.at(1))));
+    }
+
+    private static NoKey decodeNoKey(Bytes value) throws ProtocolException {
+        Reply.expect(value.length() == 2 * Address.LENGTH, "a frame without a key has destination and origin", value);
+        return new NoKey(Address.decode(value, 0), Address.decode(value, Address.LENGTH));
     }
 
     private static Overheard decodeOverheard(Bytes value) throws ProtocolException {

@@ -22,7 +22,7 @@ public record Reply(Status status, Bytes body) {
      * A key that a board has.
      *
      * @param address the device or group that it is shared with.
-     * @param role    whether it is the current, the previous or the next key.
+     * @param role    whether it is the current, the previous, the next or a session key.
      * @param check   its check value (SPEC 5.2), 3 bytes.
      */
     public record StoredKey(Address address, Role role, Bytes check) {
@@ -35,7 +35,9 @@ public record Reply(Status status, Bytes body) {
         /** The key before a renewal that is not finished: frames sealed with it are still accepted. */
         PREVIOUS,
         /** The key that is to seal next: frames sealed with it are accepted. */
-        NEXT
+        NEXT,
+        /** It seals, and lives in RAM until the board boots. */
+        SESSION
     }
 
     /** @throws ProtocolException BAD_REPLY if the frame is not from board to host, or has no known status. */
@@ -63,7 +65,7 @@ public record Reply(Status status, Bytes body) {
         return ActionNames.decode(body);
     }
 
-    /** The answer to set key and renew key: the key's check value, 3 bytes. */
+    /** The answer to set key, renew key and set session key: the key's check value, 3 bytes. */
     public Bytes checkValue() throws ProtocolException {
         expect(body.length() == CHECK_LENGTH, "a check value has 3 bytes", body);
         return body;
@@ -81,7 +83,7 @@ public record Reply(Status status, Bytes body) {
 
     private static StoredKey storedKey(Bytes entry) throws ProtocolException {
         int role = entry.at(Address.LENGTH);
-        expect(role < Role.values().length, "a key's role is 0, 1 or 2", entry);
+        expect(role < Role.values().length, "a key's role is 0…3", entry);
         return new StoredKey(Address.decode(entry, 0), Role.values()[role], entry.from(Address.LENGTH + 1));
     }
 

@@ -54,6 +54,8 @@ public record Request(Command command, Frame frame, String description) {
         FINISH_RENEWAL('F'),
         /** Deletes all keys of an address. */
         DELETE_KEY('D'),
+        /** Sets the key of a pair that lives in the board's RAM only. */
+        SET_SESSION_KEY('V'),
         /** Asks which keys are stored. */
         LIST_KEYS('L'),
         /** Asks for the board's counters. */
@@ -71,8 +73,8 @@ public record Request(Command command, Frame frame, String description) {
         public boolean writesEeprom() {
             return switch (this) {
                 case SET_RF_ID, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
-                case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, OVERHEAR, RELAY, LIST_KEYS, STATISTICS, TRANSMIT ->
-                    false;
+                case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, OVERHEAR, RELAY, SET_SESSION_KEY, LIST_KEYS, STATISTICS,
+                    TRANSMIT -> false;
             };
         }
 
@@ -236,6 +238,18 @@ public record Request(Command command, Frame frame, String description) {
      */
     public static Request renewKey(Address address, Key key) {
         return Command.RENEW_KEY.with(keyFor(address, key), "renew key for " + address);
+    }
+
+    /**
+     * {@link Command#SET_SESSION_KEY}.
+     *
+     * @param device that the key is shared with.
+     * @param key    fresh: agreed on with the device just now, and never set before.
+     * @throws IllegalArgumentException if the address is no device's.
+     */
+    public static Request setSessionKey(Address device, Key key) {
+        check(device.kind() == Address.Kind.DEVICE, "a session key is for a device such as ROMA", device);
+        return Command.SET_SESSION_KEY.with(keyFor(device, key), "set session key for " + device);
     }
 
     private static Bytes keyFor(Address address, Key key) {

@@ -36,7 +36,9 @@ public enum Status {
     NONCE_EXHAUSTED(
             "the board has used all its nonces; reset it; if that does not help, use another board and new keys"),
     /** What is under way is sealed with the key that is to be replaced. */
-    BUSY("a message sealed with the old key is under way; try again when it has ended");
+    BUSY("a message sealed with the old key is under way; try again when it has ended"),
+    /** A key is stored for this address: it gets no session key. */
+    HAS_KEY("the board has a stored key for this address, and sets no session key beside it");
 
     private static final Status[] VALUES = values();
 

@@ -241,6 +241,35 @@ class BoardTest extends BoardFixture {
     }
 
     @Test
+    void setSessionKey_freshKey_isTheDevicesUntilTheBoardBoots() throws Exception {
+        openAndAwaitOnline();
+        Address roma = Address.parse("ROMA");
+        Key first = Key.ofHex("00".repeat(16));
+        Key second = Key.ofHex("11".repeat(16));
+        assertEquals(first.check(), board.setSessionKey(roma, first).get());
+        assertEquals(second.check(), board.setSessionKey(roma, second).get());
+        assertEquals(new Reply.StoredKey(roma, Reply.Role.SESSION, second.check()), board.keys().get().get(1));
+        assertEquals(Status.BAD_ARGUMENT,
+                failure(RequestFailedException.class, board.setSessionKey(roma, first)).status());
+        assertEquals(Status.HAS_KEY,
+                failure(RequestFailedException.class, board.setSessionKey(SUPO, first)).status());
+        fake.reset();
+        listener.until("online");
+        assertEquals(List.of(SUPO), board.keys().get().stream().map(Reply.StoredKey::address).toList());
+    }
+
+    @Test
+    void noKey_sealedFrameWithoutAKey_isToldOnceEach() throws Exception {
+        openAndAwaitOnline();
+        fake.receiveWithoutKey("SUPO", "ROMA");
+        fake.receiveWithoutKey("//SU", "CAFE");
+        assertEquals(List.of("no key SUPO ROMA", "no key //SU CAFE"),
+                listener.until("no key //SU").stream().filter(line -> line.startsWith("no key")).toList());
+        fake.receive("tell;help");
+        assertEquals(List.of("message ROMA tell;help"), listener.until("message"));
+    }
+
+    @Test
     void transmit_withoutAndWithRfId_failsThenUsesIt() throws Exception {
         openAndAwaitOnline();
         assertEquals(Status.NO_RF_ID, failure(RequestFailedException.class,

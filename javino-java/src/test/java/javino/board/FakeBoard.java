@@ -4,9 +4,11 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Predicate;
 import javino.link.InMemoryLink;
 import javino.link.LinkException;
@@ -66,6 +68,8 @@ public final class FakeBoard {
     private boolean badPolls;
     private int busy;
     private final Map<String, StoredKeys> keys = new LinkedHashMap<>(Map.of("SUPO", new StoredKeys(Bytes.of(1, 2, 3))));
+    /** The check values of all session keys since the boot. */
+    private final Set<Bytes> sessionKeys = new HashSet<>();
     private int hellos;
     private int polls;
     private Fault fault = reply -> reply;
@@ -241,6 +245,7 @@ public final class FakeBoard {
             case 'F' -> finishRenewal(addressIn(message));
             case 'L' -> record("list", list());
             case 'D' -> forget(addressIn(message));
+            case 'V' -> storeSession(message);
             default -> status(Status.UNKNOWN_COMMAND);
         };
     }
@@ -282,6 +287,7 @@ public final class FakeBoard {
         private Bytes current;
         private Bytes other;
         private boolean isNext;
+        private boolean isSession;
 
         StoredKeys(Bytes current) {
             this.current = current;
@@ -303,14 +309,33 @@ public final class FakeBoard {
         return record("key", Bytes.join(ACCEPTED, corruptsKeys ? Bytes.of(1, 2, 3) : check));
     }
 
+    private Bytes storeSession(Bytes message) {
+        String address = addressIn(message);
+        StoredKeys before = keys.get(address);
+        if (before != null && !before.isSession) {
+            return status(Status.HAS_KEY);
+        }
+        Bytes check = Key.of(message.from(1 + Address.LENGTH)).check();
+        if (before == null || !before.current.equals(check)) {
+            if (sessionKeys.contains(check)) {
+                return status(Status.BAD_ARGUMENT);
+            }
+            sessionKeys.add(check);
+            StoredKeys session = new StoredKeys(check);
+            session.isSession = true;
+            keys.put(address, session);
+        }
+        return record("session key " + address, Bytes.join(ACCEPTED, check));
+    }
+
     private Bytes forget(String address) {
         return keys.remove(address) == null ? status(Status.NO_KEY) : record("forget " + address, ACCEPTED);
     }
 
     private Bytes renew(Bytes message) {
         StoredKeys stored = keys.get(addressIn(message));
-        if (stored == null || stored.other != null) {
-            return status(stored == null ? Status.NO_KEY : Status.BAD_ARGUMENT);
+        if (stored == null || stored.isSession || stored.other != null) {
+            return status(stored == null || stored.isSession ? Status.NO_KEY : Status.BAD_ARGUMENT);
         }
         stored.other = Key.of(message.from(1 + Address.LENGTH)).check();
         stored.isNext = true;
@@ -347,7 +372,7 @@ public final class FakeBoard {
         for (Map.Entry<String, StoredKeys> entry : keys.entrySet()) {
             Bytes address = Bytes.ofText(entry.getKey());
             StoredKeys stored = entry.getValue();
-            list = Bytes.join(list, address, Bytes.of(0), stored.current);
+            list = Bytes.join(list, address, Bytes.of(stored.isSession ? 3 : 0), stored.current);
             if (stored.other != null) {
                 list = Bytes.join(list, address, Bytes.of(stored.isNext ? 2 : 1), stored.other);
             }
@@ -476,6 +501,11 @@ public final class FakeBoard {
         mail.receive(destination, origin, id, content);
     }
 
+    /** Has a sealed frame come for which the board has no key. */
+    public synchronized void receiveWithoutKey(String destination, String origin) {
+        mail.receiveWithoutKey(destination, origin);
+    }
+
     /** Has the board hear a packet. */
     synchronized void overhear(long millis, int how, Bytes payload) {
         mail.overhear(millis, how, payload);
@@ -535,6 +565,8 @@ public final class FakeBoard {
         greeted = false;
         bootEpoch = Math.min(bootEpoch + 1, MAX_BOOT_EPOCH);
         transmissions = 0;
+        keys.values().removeIf(stored -> stored.isSession);
+        sessionKeys.clear();
         mail.boot();
         held = null;
         booted = true;

@@ -11,7 +11,7 @@ final class FakeMail {
     /** What follows status and flags. */
     private static final int ROOM = 509;
 
-    /** Records that are told once: outcomes, and what was overheard. */
+    /** Records that are told once: outcomes, frames without a key, and what was overheard. */
     private final List<Bytes> news = new ArrayList<>();
     private int told;
     private final List<Bytes> messages = new ArrayList<>();
@@ -28,6 +28,10 @@ final class FakeMail {
 
     void end(int number, Outcome outcome) {
         news.add(record('T', Bytes.of(number, outcome.ordinal())));
+    }
+
+    void receiveWithoutKey(String destination, String origin) {
+        news.add(record('N', Bytes.join(Bytes.ofText(destination), Bytes.ofText(origin))));
     }
 
     void overhear(long millis, int how, Bytes payload) {

@@ -33,6 +33,11 @@ final class RecordingListener implements BoardListener {
     }
 
     @Override
+    public void noKey(PollReply.NoKey frame) {
+        lines.add("no key " + frame.destination() + " " + frame.origin());
+    }
+
+    @Override
     public void overheard(PollReply.Overheard packet) {
         lines.add("overheard " + packet.millis() + " " + packet.how() + " " + packet.payload().hex());
     }

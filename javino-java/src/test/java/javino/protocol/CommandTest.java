@@ -59,6 +59,8 @@ class CommandTest {
             case "useKey" -> Request.useKey(VectorFile.address(vector, "address"));
             case "finishRenewal" -> Request.finishRenewal(VectorFile.address(vector, "address"));
             case "deleteKey" -> Request.deleteKey(VectorFile.address(vector, "address"));
+            case "setSessionKey" -> Request.setSessionKey(VectorFile.address(vector, "address"),
+                    Key.ofHex(VectorFile.text(vector, "key")));
             case "listKeys" -> Request.listKeys();
             case "statistics" -> Request.statistics();
             case "transmit" -> Request.transmit(VectorFile.address(vector, "destination"),
@@ -104,7 +106,7 @@ class CommandTest {
                 actions.names().forEach(names::add);
                 fields.add("names", names);
             }
-            case "setKey", "renewKey" -> fields.addProperty("check", reply.checkValue().hex());
+            case "setKey", "renewKey", "setSessionKey" -> fields.addProperty("check", reply.checkValue().hex());
             case "listKeys" -> {
                 JsonArray keys = new JsonArray();
                 for (Reply.StoredKey key : reply.storedKeys()) {
@@ -143,6 +145,10 @@ class CommandTest {
             described.addProperty("origin", message.origin().toString());
             described.addProperty("id", message.id());
             described.addProperty("content", Content.decode(message.content()).toString());
+        } else if (item instanceof PollReply.NoKey frame) {
+            described.addProperty("type", "noKey");
+            described.addProperty("destination", frame.destination().toString());
+            described.addProperty("origin", frame.origin().toString());
         } else if (item instanceof PollReply.Overheard packet) {
             described.addProperty("type", "overheard");
             described.addProperty("millis", packet.millis());
@@ -246,6 +252,7 @@ class CommandTest {
         assertThrows(IllegalArgumentException.class, () -> Request.setRfId(Address.BROADCAST));
         assertThrows(IllegalArgumentException.class, () -> Request.setKey(Address.BROADCAST, key));
         assertThrows(IllegalArgumentException.class, () -> Request.renewKey(Address.SERIAL, key));
+        assertThrows(IllegalArgumentException.class, () -> Request.setSessionKey(Address.parse("//SU"), key));
         assertThrows(IllegalArgumentException.class,
                 () -> Request.transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
     }
@@ -280,6 +287,7 @@ class CommandTest {
         Key key = Key.ofHex("ab".repeat(16));
         assertFalse(Request.setKey(Address.parse("ROMA"), key).toString().contains("abab"));
         assertFalse(Request.renewKey(Address.parse("ROMA"), key).toString().contains("abab"));
+        assertFalse(Request.setSessionKey(Address.parse("ROMA"), key).toString().contains("abab"));
         assertFalse(key.toString().contains("abab"));
     }
 }

@@ -66,6 +66,8 @@ final class CommandVectors {
                 vector("name", "useKey", "address", "//SU", "message", Wire.hex(text("U//SU"))),
                 vector("name", "finishRenewal", "address", "SUPO", "message", Wire.hex(text("FSUPO"))),
                 vector("name", "deleteKey", "address", "//SU", "message", Wire.hex(text("D//SU"))),
+                vector("name", "setSessionKey", "address", "ROMA", "key", Wire.hex(key),
+                        "message", Wire.hex(join(text("VROMA"), key))),
                 vector("name", "listKeys", "message", "4c"),
                 vector("name", "statistics", "message", "53"),
                 transmit("////", "ROMA", "tell;help"),
@@ -137,7 +139,11 @@ final class CommandVectors {
                 badRequest(text("FROMA"), "NO_KEY"),
                 badRequest(text("FROM"), "BAD_ARGUMENT"),
                 badRequest(text("FROMAA"), "BAD_ARGUMENT"),
-                badRequest(text("DROM"), "BAD_ARGUMENT"));
+                badRequest(text("DROM"), "BAD_ARGUMENT"),
+                badRequest(text("VROMA0123456789abcde"), "BAD_ARGUMENT"),
+                badRequest(text("VROMA0123456789abcdefg"), "BAD_ARGUMENT"),
+                badRequest(text("V//SU0123456789abcdef"), "BAD_ARGUMENT"),
+                badRequest(text("V+KAA0123456789abcdef"), "BAD_ARGUMENT"));
     }
 
     private static Map<String, Object> badRequest(byte[] message, String status) {
@@ -174,6 +180,9 @@ final class CommandVectors {
                         vector("more", false, "leftOut", false, "reading", false, "records",
                                 List.of(overheard(66_051, 0, "2f2f2f2f524f4d41414978"),
                                         overheard(0xFFFF_FFFFL, 1, "78"), overheard(0, 2, "")))),
+                ok("poll", join(bytes(0), record('N', text("SUPOROMA")), record('N', text("//SUCAFE"))),
+                        vector("more", false, "leftOut", false, "reading", false, "records",
+                                List.of(noKey("SUPO", "ROMA"), noKey("//SU", "CAFE")))),
                 ok("act", new byte[0], vector()),
                 ok("listActions", bytes(0), actions(0, "", true)),
                 ok("listActions", join(bytes(2), text("lampOn"), bytes(0), text("lampOff"), bytes(0)),
@@ -183,14 +192,17 @@ final class CommandVectors {
                 ok("listActions", bytes(1), actions(1, "", false)),
                 ok("setKey", bytes(0xAB, 0, 0x12), vector("check", "ab0012")),
                 ok("renewKey", bytes(0xFF, 0, 1), vector("check", "ff0001")),
+                ok("setSessionKey", bytes(1, 0, 0xFF), vector("check", "0100ff")),
                 ok("useKey", new byte[0], vector()),
                 ok("raiseEpoch", new byte[0], vector()),
                 ok("finishRenewal", new byte[0], vector()),
                 ok("listKeys", new byte[0], vector("keys", List.of())),
                 ok("listKeys", join(text("SUPO"), bytes(0, 1, 2, 3), text("SUPO"), bytes(1, 9, 8, 7),
-                        text("//SU"), bytes(0, 0, 0, 0), text("//SU"), bytes(2, 6, 5, 4)),
+                        text("//SU"), bytes(0, 0, 0, 0), text("//SU"), bytes(2, 6, 5, 4),
+                        text("ROMA"), bytes(3, 7, 7, 7)),
                         vector("keys", List.of(key("SUPO", 0, "010203"), key("SUPO", 1, "090807"),
-                                key("//SU", 0, "000000"), key("//SU", 2, "060504")))),
+                                key("//SU", 0, "000000"), key("//SU", 2, "060504"),
+                                key("ROMA", 3, "070707")))),
                 ok("statistics", bytes(1, 0, 0, 1, 2, 18, 0xFF, 0xFF, 0xFF, 0xFF, 200, 0, 0, 0, 1),
                         vector("counters", vector("serialRequests", 258, "perceptsLeftOut", 4294967295L))),
                 ok("statistics", allCounters(), vector("counters", countersByName())),
@@ -202,7 +214,7 @@ final class CommandVectors {
                 refused(7, "WRONG_ORIGIN"), refused(8, "BAD_DESTINATION"), refused(9, "NO_KEY"),
                 refused(10, "TOO_LONG"), refused(11, "QUEUE_FULL"), refused(12, "STORE_FULL"),
                 refused(13, "STORE_FAILED"), refused(14, "NONCE_EXHAUSTED"),
-                refused(15, "BUSY"));
+                refused(15, "BUSY"), refused(16, "HAS_KEY"));
     }
 
     private static byte[] record(char type, byte[] value) {
@@ -221,6 +233,10 @@ final class CommandVectors {
 
     private static Map<String, Object> transmission(int number, int outcome) {
         return vector("type", "transmission", "number", number, "outcome", outcome);
+    }
+
+    private static Map<String, Object> noKey(String destination, String origin) {
+        return vector("type", "noKey", "destination", destination, "origin", origin);
     }
 
     private static Map<String, Object> overheard(long millis, int how, String payload) {
@@ -263,7 +279,7 @@ final class CommandVectors {
     private static List<Map<String, Object>> badReplies() {
         return List.of(
                 badReply("act", new byte[0], "no status"),
-                badReply("act", bytes(16), "unknown status"),
+                badReply("act", bytes(17), "unknown status"),
                 badReply("act", bytes(0, 1), "something where nothing is due"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0)), "a byte short"),
                 badReply("hello", join(bytes(0, 1), text("RO-A"), bytes(0, 0, 1)), "no address"),
@@ -278,6 +294,9 @@ final class CommandVectors {
                 badReply("poll", join(bytes(0, 0, 'M', 0, 11, 1), text("////ROMA"), bytes(0, 0)), "half an id"),
                 badReply("poll", join(bytes(0, 0, 'M', 0, 12, 1), text("////RO=A"), bytes(0, 0, 0)),
                         "message without an origin"),
+                badReply("poll", join(bytes(0, 0, 'N', 0, 7), text("SUPOROM")), "half an origin"),
+                badReply("poll", join(bytes(0, 0, 'N', 0, 9), text("SUPOROMAA")), "something after the origin"),
+                badReply("poll", join(bytes(0, 0, 'N', 0, 8), text("SUPORO=A")), "no address"),
                 badReply("poll", bytes(0, 0, 'O', 0, 4, 0, 0, 0, 0), "overheard, but not how"),
                 badReply("poll", bytes(0, 0, 'O', 0, 5, 0, 0, 0, 0, 3), "unknown way to come"),
                 badReply("relay", bytes(0), "no number"),
@@ -287,11 +306,12 @@ final class CommandVectors {
                 badReply("listActions", bytes(0, 1, 0xFF, 0), "name is no UTF-8"),
                 badReply("setKey", bytes(0, 1, 2), "short check value"),
                 badReply("renewKey", bytes(0, 1, 2, 3, 4), "long check value"),
+                badReply("setSessionKey", bytes(0, 1, 2), "short check value"),
                 badReply("useKey", bytes(0, 0), "something where nothing is due"),
                 badReply("raiseEpoch", bytes(0, 0, 0, 1), "something where nothing is due"),
                 badReply("finishRenewal", bytes(0, 0), "something where nothing is due"),
                 badReply("listKeys", join(bytes(0), text("SUPO"), bytes(0, 1, 2)), "half a key"),
-                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(3, 1, 2, 3)), "unknown role"),
+                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(4, 1, 2, 3)), "unknown role"),
                 badReply("listKeys", join(bytes(0), text("SU=O"), bytes(0, 1, 2, 3)), "key without an address"),
                 badReply("statistics", bytes(0, 1, 0, 0, 0), "half a counter"),
                 badReply("transmit", bytes(0), "no number"));
