@@ -97,7 +97,7 @@ void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
   const Address origin = Address::stored(record + ORIGIN_AT);
   TakenNonce *entry = find(record[0], origin);
   if (entry == nullptr) {
-    entry = findFree();
+    entry = findFree(record[0]);
     if (entry == nullptr) return;  // Config.h had room for more when it was written; it stays, and judge() says FULL
     entry->key = record[0];
     entry->origin = origin;
@@ -140,14 +140,17 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
   TakenNonce *entry = find(key, origin);
   if (entry == nullptr ? !hasRoom(key) : isCovered(*entry, nonce)) return entry != nullptr;
 
-  uint8_t record[FLOOR_LENGTH];
-  packFloor(key, origin, nonce, record);
-  const uint8_t place = store(record);
-  if (place == NO_PLACE) return false;
+  uint8_t place = NO_PLACE;
+  if (!KeyStore::isSession(key)) {
+    uint8_t record[FLOOR_LENGTH];
+    packFloor(key, origin, nonce, record);
+    place = store(record);
+    if (place == NO_PLACE) return false;
+  }
 
   uint8_t before = NO_PLACE;
   if (entry == nullptr) {
-    entry = findFree();
+    entry = findFree(key);
     entry->key = key;
     entry->origin = origin;
     entry->state = NOTHING_TAKEN;
@@ -189,7 +192,7 @@ bool ReplayMemory::forget(uint8_t key) {
 
 bool ReplayMemory::forgetLostKeys() {
   bool erased = true;
-  for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
+  for (uint8_t key = 0; key < KeyStore::PLACES; key++) {
     if (keys_.isFree(key) && !forget(key)) erased = false;
   }
   return erased;
@@ -202,16 +205,22 @@ TakenNonce *ReplayMemory::find(uint8_t key, const Address &origin) {
   return nullptr;
 }
 
-TakenNonce *ReplayMemory::findFree() {
-  for (TakenNonce &entry : memory().entries) {
-    if (entry.state == FREE) return &entry;
+// Each session key has a place of its own, behind those of the others.
+TakenNonce *ReplayMemory::findFree(uint8_t key) {
+  TakenNonce *entry = memory().entries;
+  if (KeyStore::isSession(key)) {
+    entry += config::REPLAY_ENTRIES + (key - KeyStore::SLOTS);
+    return entry->state == FREE ? entry : nullptr;
+  }
+  for (uint8_t left = config::REPLAY_ENTRIES; left != 0; left--, entry++) {
+    if (entry->state == FREE) return entry;
   }
   return nullptr;
 }
 
 // Whether one more origin of a key may be remembered.
 bool ReplayMemory::hasRoom(uint8_t key) const {
-  if (!keys_.addressAt(key).isMulticast()) return findFree() != nullptr;
+  if (!keys_.addressAt(key).isMulticast()) return findFree(key) != nullptr;
   const Groups groups = this->groups();
   uint8_t own = 0;
   for (const TakenNonce &entry : memory().entries) {
