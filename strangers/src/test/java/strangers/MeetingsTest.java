@@ -9,9 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.LongStream;
 import javino.JavinoException;
@@ -21,6 +19,7 @@ import javino.protocol.Force;
 import javino.protocol.Key;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -272,25 +271,12 @@ class MeetingsTest {
 
     @Test
     void attack_forgedReplayedReflectedMixed_nothingIsAcceptedAndNoKeyLost() throws Exception {
-        World.Host roma = world.add(romaIdentity);
-        World.Host supo = world.add(supoIdentity);
-        Attacker attacker = new Attacker(world, List.of(roma.address, supo.address));
-        assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
-        world.run(MINUTE);
-        roma.board.reset();
-        world.run(MINUTE);
-        assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
-        Map<Address, Key> keys = new HashMap<>(roma.board.keys);
+        assertEquals(new Attacker.Siege(300, List.of(), 0, 0, 0, true), Attacker.siege(1, 300, elsewhere));
+    }
 
-        for (int i = 0; i < 300; i++) {
-            attacker.act();
-            world.run(300);
-        }
-        assertEquals(keys, roma.board.keys);
-        assertEquals(0, roma.board.eepromWrites + supo.board.eepromWrites);
-        assertEquals(2, roma.keysSet());
-        assertTrue(count(roma, Event.ANSWERED) + count(supo, Event.ANSWERED) <= 2 + 300 * 300 / 2000 * 2);
-        assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
-        assertEquals(2, roma.keysSet(), "no agreement was needed");
+    @Test
+    @Tag("verify")
+    void attack_tenThousand_nothingIsAcceptedAndNoKeyLost() throws Exception {
+        assertEquals(new Attacker.Siege(10_000, List.of(), 0, 0, 0, true), Attacker.siege(2, 10_000, elsewhere));
     }
 }

@@ -16,11 +16,8 @@ class RandomMeetingsTest {
     Path folder;
 
     private void run(int seeds) throws Exception {
-        Town town = new Town(folder);
-        List<Identity> identities = List.of(town.certified("ROMA"), town.certified("SUPO"), town.certified("SUBB"));
-        for (int seed = 0; seed < seeds; seed++) {
-            RandomMeetings.Tally tally = RandomMeetings.run(seed, identities);
-            String what = "seed " + seed + ": " + tally;
+        for (RandomMeetings.Tally tally : RandomMeetings.run(0, seeds, folder)) {
+            String what = tally.toString();
             assertEquals(List.of(), tally.wrong(), what);
             assertEquals(0, tally.untrue(), what);
             assertEquals(0, tally.open(), what);

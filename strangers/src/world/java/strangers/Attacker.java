@@ -1,21 +1,71 @@
 package strangers;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.stream.IntStream;
+import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Key;
 
 /** Hears all, and says what he likes in whosoever name: forged, replayed, reflected, mixed. He has no certificate. */
-final class Attacker {
+public final class Attacker {
 
     private static final int MOST = 400;
+    private static final long PATIENCE_MILLIS = 60_000;
+    /** As many packets as the air takes. */
+    private static final long EVERY_MILLIS = 300;
 
     private final World world;
     private final Random random;
     private final List<Air.Packet> heard = new ArrayList<>();
     private final List<Address> names;
     int sent;
+
+    /**
+     * What came of an attack on hosts that have keys with each other.
+     *
+     * @param sent      messages of the attacker.
+     * @param wrong     what was accepted, or is otherwise not as it must be.
+     * @param lost      hosts with other keys than before.
+     * @param keysSet   keys that boards were given.
+     * @param eeprom    writes to EEPROM.
+     * @param delivered whether a message afterwards needed no further key, and came.
+     */
+    public record Siege(int sent, List<String> wrong, long lost, int keysSet, int eeprom, boolean delivered) {
+    }
+
+    /** Lays siege to two hosts that have agreed on a key by certificates, and once more by a renewal. */
+    public static Siege siege(long seed, int messages, Path folder) throws IOException, JavinoException {
+        Town town = new Town(folder);
+        World world = new World(seed);
+        World.Host roma = world.add(town.certified("ROMA"));
+        World.Host supo = world.add(town.certified("SUPO"));
+        Attacker attacker = new Attacker(world, List.of(roma.address, supo.address));
+        world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        world.run(PATIENCE_MILLIS);
+        roma.board.reset();
+        world.run(PATIENCE_MILLIS);
+        world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        world.run(PATIENCE_MILLIS);
+        List<World.Host> hosts = List.of(roma, supo);
+        List<Map<Address, Key>> keys = hosts.stream().map(host -> Map.copyOf(host.board.keys)).toList();
+        int before = roma.keysSet() + supo.keysSet();
+        for (int i = 0; i < messages; i++) {
+            attacker.act();
+            world.run(EVERY_MILLIS);
+        }
+        long lost = IntStream.range(0, hosts.size())
+                .filter(i -> keys.get(i).isEmpty() || !keys.get(i).equals(hosts.get(i).board.keys)).count();
+        World.Letter after = roma.send(supo.address);
+        world.runUntilEnd(after, PATIENCE_MILLIS);
+        return new Siege(attacker.sent, world.wrong, lost, roma.keysSet() + supo.keysSet() - before,
+                roma.board.eepromWrites + supo.board.eepromWrites, after.isDelivered());
+    }
 
     Attacker(World world, List<Address> names) {
         this.world = world;

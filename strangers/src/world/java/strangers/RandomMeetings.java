@@ -1,12 +1,15 @@
 package strangers;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import javino.JavinoException;
 
 /** Two or three hosts that meet, with whatever goes wrong, and then quiet air, in which all must be in order again. */
-final class RandomMeetings {
+public final class RandomMeetings {
 
     private static final long STORM_MILLIS = 60_000;
     private static final long CALM_MILLIS = 30_000;
@@ -16,6 +19,7 @@ final class RandomMeetings {
     /**
      * What came of a run.
      *
+     * @param seed       of the run.
      * @param wrong      what is not as it must be: accepted, doubled, set twice.
      * @param untrue     messages that were told delivered and never came.
      * @param open       messages of hosts that were not killed, and never ended.
@@ -25,15 +29,26 @@ final class RandomMeetings {
      * @param delivered  share of the messages in the storm.
      * @param faults     by what the host was about to do.
      */
-    record Tally(List<String> wrong, long untrue, long open, int agreements, long late, long longest, double delivered,
+    public record Tally(long seed, List<String> wrong, long untrue, long open, int agreements, long late, long longest,
+            double delivered,
             Map<String, Integer> faults) {
     }
 
     private RandomMeetings() {
     }
 
-    /** @param identities of two hosts or more. */
-    static Tally run(long seed, List<Identity> identities) {
+    /** Runs with the seeds from the first on. @param folder where an authority certifies the hosts. */
+    public static List<Tally> run(long first, int runs, Path folder) throws IOException, JavinoException {
+        Town town = new Town(folder);
+        List<Identity> identities = List.of(town.certified("ROMA"), town.certified("SUPO"), town.certified("SUBB"));
+        List<Tally> all = new ArrayList<>();
+        for (long seed = first; seed < first + runs; seed++) {
+            all.add(run(seed, identities));
+        }
+        return all;
+    }
+
+    private static Tally run(long seed, List<Identity> identities) {
         World world = new World(seed);
         Random random = world.random;
         List<World.Host> hosts = new ArrayList<>();
@@ -87,7 +102,7 @@ final class RandomMeetings {
         letters.addAll(last);
         boolean killed = world.faults.keySet().stream().anyMatch(fault -> fault.startsWith("KILL"));
         List<World.Letter> whole = killed ? List.of() : letters;
-        return new Tally(world.wrong, whole.stream().filter(l -> l.isDelivered() && !l.isReceived()).count(),
+        return new Tally(seed, world.wrong, whole.stream().filter(l -> l.isDelivered() && !l.isReceived()).count(),
                 whole.stream().filter(l -> l.end.isEmpty()).count(),
                 agreements, last.stream().filter(l -> !l.isDelivered()).count(),
                 last.stream().mapToLong(l -> l.endedAt - l.at).max().orElse(0),
