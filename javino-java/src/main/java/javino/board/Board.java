@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -20,6 +21,7 @@ import javino.protocol.ProtocolException;
 import javino.protocol.Reply;
 import javino.protocol.Request;
 import javino.protocol.Status;
+import javino.protocol.Word;
 
 /**
  * A session with one board. A daemon thread says hello to the board, polls it, and finds it again when it was lost.
@@ -83,13 +85,26 @@ public final class Board implements AutoCloseable {
      * @throws IllegalArgumentException if the destination is the serial line.
      */
     public Transmission transmit(Address to, Content content) {
+        return transmit(to, content.toString(), origin -> Request.transmit(to, origin, content));
+    }
+
+    /**
+     * Sends a word to another host by radio from the board's own address.
+     *
+     * @throws IllegalArgumentException if the destination is the serial line.
+     */
+    public Transmission transmit(Address to, Word word) {
+        return transmit(to, "a word between hosts", origin -> Request.transmit(to, origin, word));
+    }
+
+    private Transmission transmit(Address to, String what, Function<Address, Request> request) {
         if (to.equals(Address.SERIAL)) {
             throw new IllegalArgumentException("a transmission goes to an RF address, not " + to);
         }
-        String description = "transmit to " + to + ": " + content;
+        String description = "transmit to " + to + ": " + what;
         return transmission(description, board -> {
-            Address origin = board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID));
-            return Request.transmit(to, origin, content);
+            return request.apply(
+                    board.rfId().orElseThrow(() -> new RequestFailedException(description, Status.NO_RF_ID)));
         });
     }
 

@@ -1,8 +1,10 @@
 package javino.board;
 
 import java.util.List;
+import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.PollReply;
+import javino.protocol.Word;
 
 /**
  * Callbacks for events of a board.
@@ -39,6 +41,15 @@ public interface BoardListener {
      * sender learns that it was delivered.
      */
     default void message(ReceivedMessage message) {
+    }
+
+    /**
+     * A word of another host came by radio (SPEC 3, 11.3), under the same rules as a message.
+     *
+     * @param from the device that sent it.
+     * @param to   this device, if the word was sealed, or all.
+     */
+    default void word(Address from, Address to, Word word) {
     }
 
     /**

@@ -13,6 +13,7 @@ import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
+import javino.protocol.Word;
 
 /** Makes polls, and turns what they bring into calls of the listener. For the session's thread only. */
 final class Polling {
@@ -172,6 +173,11 @@ final class Polling {
         }
         context.counters().count(SessionCounter.MESSAGES);
         try {
+            if (Word.isWord(message.content())) {
+                Word word = new Word(message.content());
+                context.listener().tell(listener -> listener.word(message.origin(), message.destination(), word));
+                return;
+            }
             Content content = Content.decode(message.content());
             ReceivedMessage received =
                     new ReceivedMessage(message.origin(), message.destination(), message.id(), content);

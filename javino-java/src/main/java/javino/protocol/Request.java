@@ -305,9 +305,18 @@ public record Request(Command command, Frame frame, String description) {
      * @throws IllegalArgumentException if the destination is the serial line, which would be a command.
      */
     public static Request transmit(Address destination, Address origin, Content content) {
+        return transmit(destination, origin, content.encode(), content.toString());
+    }
+
+    /** {@link Command#TRANSMIT} of a word, as of a content. */
+    public static Request transmit(Address destination, Address origin, Word word) {
+        return transmit(destination, origin, word.bytes(), "a word between hosts");
+    }
+
+    private static Request transmit(Address destination, Address origin, Bytes message, String what) {
         check(!destination.equals(Address.SERIAL), "a transmission goes to an RF address", destination);
-        return new Request(Command.TRANSMIT, new Frame(destination, origin, content.encode()),
-                "transmit to " + destination + ": " + content);
+        return new Request(Command.TRANSMIT, new Frame(destination, origin, message),
+                "transmit to " + destination + ": " + what);
     }
 
     @Override

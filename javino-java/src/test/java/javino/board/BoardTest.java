@@ -23,6 +23,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
+import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
@@ -30,6 +31,7 @@ import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
+import javino.protocol.Word;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -267,6 +269,27 @@ class BoardTest extends BoardFixture {
                 listener.until("no key //SU").stream().filter(line -> line.startsWith("no key")).toList());
         fake.receive("tell;help");
         assertEquals(List.of("message ROMA tell;help"), listener.until("message"));
+    }
+
+    @Test
+    void word_ofAnotherHost_isNoMessageAndCanBeAnswered() throws Exception {
+        openAndAwaitOnline();
+        board.setRfId(Address.parse("SUPO")).get();
+        fake.receive(new Word(Bytes.of(0x80, 0)));
+        fake.receive(new Word(Bytes.of(0xBF)));
+        assertEquals("word ROMA //// 8000", listener.next());
+        assertEquals("word ROMA //// bf", listener.next());
+        board.transmit(Address.BROADCAST, new Word(Bytes.of(0x81, 2, 3))).taken().get();
+        String header = Bytes.ofText("////SUPOAY").hex();
+        assertEquals(List.of("id SUPO", "transmit " + header), fake.performed());
+    }
+
+    @Test
+    void word_anotherFirstByteOrTooLong_isNone() {
+        for (Bytes bytes : List.of(Bytes.EMPTY, Bytes.of(0x7F), Bytes.of(0xC0),
+                Bytes.join(Bytes.of(0x80), Bytes.copyOf(new byte[Content.MAX_LENGTH])))) {
+            assertThrows(IllegalArgumentException.class, () -> new Word(bytes), bytes::hex);
+        }
     }
 
     @Test

@@ -22,6 +22,7 @@ import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.PollReply;
 import javino.protocol.Status;
+import javino.protocol.Word;
 
 /**
  * A board as SPEC 4.2 and 4.3 want it, at the far end of an in-memory link, with faults to order.
@@ -510,7 +511,12 @@ public final class FakeBoard {
 
     /** Queues a message; of a broadcast the id is 0. */
     public synchronized void receive(String destination, String origin, int id, String content) {
-        mail.receive(destination, origin, id, content);
+        mail.receive(destination, origin, id, Bytes.ofText(content));
+    }
+
+    /** Queues a plain word of another host. */
+    synchronized void receive(Word word) {
+        mail.receive("////", "ROMA", 0, word.bytes());
     }
 
     /** Has a sealed frame come for which the board has no key. */

@@ -21,9 +21,8 @@ final class FakeMail {
     /** How many of the messages a reply has brought: only these can be taken, whatever numbers come again later. */
     private int offered;
 
-    void receive(String destination, String origin, int id, String content) {
-        messages.add(Bytes.join(Bytes.ofText(destination), Bytes.ofText(origin), Bytes.ofNumber(id, 3),
-                Bytes.ofText(content)));
+    void receive(String destination, String origin, int id, Bytes content) {
+        messages.add(Bytes.join(Bytes.ofText(destination), Bytes.ofText(origin), Bytes.ofNumber(id, 3), content));
     }
 
     void end(int number, Outcome outcome) {

@@ -13,7 +13,7 @@ class FakeMailTest {
     void taken_sameNumberAgainWithMoreWaitingThanNumbers_forgetsNoMore() {
         FakeMail mail = new FakeMail();
         for (int i = 0; i < 300; i++) {
-            mail.receive("SUPO", "ROMA", i, "tell;x");
+            mail.receive("SUPO", "ROMA", i, Bytes.ofText("tell;x"));
         }
         FakeMail.Poll poll = new FakeMail.Poll(false, false, 0, 0);
         mail.answer(poll, List.of(), true);

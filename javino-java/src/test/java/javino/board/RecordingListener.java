@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.PollReply;
+import javino.protocol.Word;
 
 /** Keeps all that it is told, as lines such as {@code message ROMA tell;help}. */
 final class RecordingListener implements BoardListener {
@@ -30,6 +32,11 @@ final class RecordingListener implements BoardListener {
     @Override
     public void message(ReceivedMessage message) {
         lines.add("message " + message.from() + " " + message.content());
+    }
+
+    @Override
+    public void word(Address from, Address to, Word word) {
+        lines.add("word " + from + " " + to + " " + word.bytes());
     }
 
     @Override

@@ -1,0 +1,109 @@
+package strangers;
+
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import strangers.edhoc.Answering;
+import strangers.edhoc.HandshakeException;
+import strangers.edhoc.Responder;
+import strangers.edhoc.Secret;
+
+/** The side that answers a handshake. */
+final class Answered extends Talk {
+
+    /** How often message 3 is asked for. */
+    private static final int WANTS = 2;
+    /** Until it is forgotten, from the end of message 2 on. */
+    static final long LIFE_MILLIS = 10_000;
+
+    private final Bytes message1;
+    private final Answering answering;
+    private int wantsLeft = WANTS;
+    private long end = NEVER;
+    private boolean finished;
+
+    /** @throws HandshakeException if message 1 is none that can be answered. */
+    Answered(Shared shared, Peer peer, Round round, Bytes message1) throws HandshakeException {
+        super(shared, peer, round);
+        this.message1 = message1;
+        Address self = shared.identity().certificate().address();
+        answering = round == Round.FULL
+                ? new Responder(shared.identity().with(peer.address()), message1, shared.random())
+                : new RenewalResponder(peer.kept(), self, peer.address(), message1, shared.random());
+        shared.count(Event.ANSWERED);
+    }
+
+    boolean answers(HostWord first) {
+        return first.kind() == round().first && first.body().equals(message1);
+    }
+
+    /** Says message 2; the same each time. */
+    void answer(long now) {
+        if (!finished) {
+            sayAll(round().second, answering.message2(), round().thirdMillis, now);
+        }
+    }
+
+    @Override
+    void wasSaid(HostWord word, long now) {
+        if (word.kind() == round().second) {
+            end = now + LIFE_MILLIS;
+        }
+    }
+
+    /** The board has heard a sealed message of the other side, and has no key: message 3 is lost. */
+    void askForThird(long now) {
+        if (!finished && end != NEVER) {
+            want(round().third, 0, round().thirdMillis, now);
+        }
+    }
+
+    @Override
+    void late(long now) {
+        if (end == NEVER || now >= end) {
+            shared().count(Event.EXPIRED);
+            peer().finished(this);
+            peer().advance(now);
+        } else if (wantsLeft > 0) {
+            wantsLeft--;
+            askForThird(now);
+        } else {
+            setDeadline(end);
+        }
+    }
+
+    @Override
+    boolean wanted(int first, long now) {
+        for (int i = 0; i < round().second.fragments() && !finished; i++) {
+            if (first == round().second.first(i)) {
+                say(HostWord.of(round().second, i, answering.message2()), round().thirdMillis, now);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
+    void heard(HostWord word, long now) {
+        if (finished) {
+            shared().count(Event.STRAY);
+            return;
+        }
+        try {
+            Secret secret = answering.finish(word.body());
+            finished = true;
+            setDeadline(NEVER);
+            Certificate certificate = answering instanceof Responder responder
+                    ? Certificate.decode(responder.peer().kid()) : peer().certificate();
+            Address self = shared().identity().certificate().address();
+            peer().agreed(this, secret, certificate, Identity.key(secret, peer().address(), self));
+        } catch (HandshakeException e) {
+            refused(e);
+        }
+    }
+
+    @Override
+    void keyIsSet(long now) {
+        peer().finished(this);
+        peer().advance(now);
+    }
+}

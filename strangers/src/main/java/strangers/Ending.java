@@ -1,0 +1,28 @@
+package strangers;
+
+import java.util.Locale;
+
+/** What became of a message to a stranger. */
+public enum Ending {
+    /** The stranger's host has taken it. */
+    DELIVERED,
+    /** There is no proof of that; it may have arrived all the same. */
+    UNDELIVERED,
+    /** Nobody of that address takes part in a handshake, here and now. */
+    NO_ANSWER,
+    /** Somebody of that address answers, and has no certificate that counts here. */
+    NOT_CERTIFIED,
+    /** A notice of the authority names the certificate. */
+    REVOKED,
+    /** The certificate's last day is past. */
+    EXPIRED,
+    /** Too many messages wait already. */
+    QUEUE_FULL,
+    /** The board does not take the key, or the message. */
+    NOT_SENT;
+
+    /** The error as an atom of AgentSpeak, such as {@code no_answer}. */
+    public String atom() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}
