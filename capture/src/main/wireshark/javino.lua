@@ -35,7 +35,7 @@ local ROLES = {[0] = "current", "previous", "next"}
 local RECORDS = {P = "percept", M = "message", T = "transmission", O = "overheard"}
 local COMMANDS = {H = "hello", P = "poll", A = "act", C = "list actions", I = "set RF id", R = "radio", O = "overhear", Y = "relay",
   E = "raise epoch", K = "set key", N = "renew key", U = "use key", F = "finish renewal", D = "delete key", L = "list keys",
-  S = "statistics"}
+  S = "statistics", transmit = "transmit"}
 local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialRepeats", "radioReceived", "radioDamaged",
   "radioMissed", "radioBadFrames", "radioReserved", "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed",
   "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
@@ -131,9 +131,9 @@ field(air, "acknowledgement.proof.right", "bool", "Proof is right")
 field(air, "acknowledgement.parity", "bool", "Asks for parity")
 field(air, "acknowledgement.of", "framenum", "Answers the packet in", base.NONE, frametype.REQUEST)
 field(air, "acknowledgement.sender", "string", "Sender of that packet")
-field(air, "acknowledgement.time", "double", "Seconds from that packet's end to this one's")
+field(air, "acknowledgement.time", "relative_time", "Time from that packet's end to this one's")
 field(air, "acknowledged_in", "framenum", "Acknowledged in", base.NONE, frametype.RESPONSE)
-field(air, "acknowledged_time", "double", "Seconds until then")
+field(air, "acknowledged_time", "relative_time", "Time until then")
 
 field(serial, "record_version", "uint8", "Version of the record")
 field(serial, "board", "string", "Board")
@@ -145,7 +145,7 @@ field(serial, "crc.right", "bool", "CRC is right")
 field(serial, "repeat_of", "framenum", "Repeated; first in", base.NONE, frametype.RETRANS_PREV)
 field(serial, "reply_in", "framenum", "Reply in", base.NONE, frametype.RESPONSE)
 field(serial, "request_in", "framenum", "Request in", base.NONE, frametype.REQUEST)
-field(serial, "time", "double", "Seconds from the request to this reply")
+field(serial, "time", "relative_time", "Time from the request to this reply")
 field(serial, "command", "string", "Command")
 field(serial, "status", "uint8", "Status", base.DEC, STATUSES)
 field(serial, "body", "bytes", "Body")
@@ -451,6 +451,12 @@ end
 air.init = forget
 function air.prefs_changed() read_keyring(air.prefs.keyring) end
 
+-- From an earlier packet to this one, to the microsecond.
+local function since(pinfo, earlier)
+  local micros = math.floor((pinfo.abs_ts - earlier) * 1e6 + 0.5)
+  return NSTime.new(math.floor(micros / 1e6), micros % 1e6 * 1000)
+end
+
 -- What is known of this packet.
 local function this_packet(pinfo)
   known.packets[pinfo.number] = known.packets[pinfo.number] or {}
@@ -461,7 +467,8 @@ end
 -- Frames
 
 local function complain(tree, expert, range, name, why)
-  tree:add(f["error"], range, name):set_generated():add_proto_expert_info(expert, why and name .. ": " .. why or name)
+  local item = range and tree:add(f["error"], range, name) or tree:add(f["error"], name)
+  item:set_generated():add_proto_expert_info(expert, why and name .. ": " .. why or name)
 end
 
 local function class_of(address)
@@ -635,10 +642,10 @@ local function show_acknowledgement(tree, range, pinfo, frame, place)
   tree:add(f["acknowledgement.proof"], body(#message - PROOF_LENGTH))
   if place and not pinfo.visited and not packet.answered then
     local one, right, parity = answered_by(place, frame.origin, bits, answers, message)
-    packet.answered = one and {number = one.number, time = pinfo.abs_ts - one.time, sender = one.origin, right = right, parity = parity}
+    packet.answered = one and {number = one.number, time = since(pinfo, one.time), sender = one.origin, right = right, parity = parity}
     if one and right ~= false then
       local there = known.packets[one.number]
-      there.acknowledged = there.acknowledged or {number = pinfo.number, time = pinfo.abs_ts - one.time}
+      there.acknowledged = there.acknowledged or {number = pinfo.number, time = since(pinfo, one.time)}
     end
   end
   local one = packet.answered
@@ -1038,7 +1045,9 @@ local RECORD = {
 -- Each shows a reply's body, and returns whether it is one to the command.
 local REPLIES = {
   H = function(r)
-    return r.take("serial.protocol_version", 1) and r.address("serial.rf_id") and r.take("serial.boot_epoch", 3)
+    r.take("serial.protocol_version", 1)
+    local _, id = r.address("serial.rf_id")
+    return id and digits(id, 1, 4) and r.take("serial.boot_epoch", 3)
       and (r.left() == 0 or is_utf8(select(2, r.text("serial.firmware", r.left()))))
   end,
   P = function(r, tree, range)
@@ -1101,28 +1110,32 @@ local REPLIES = {
 REPLIES.N = REPLIES.K
 REPLIES.transmit = REPLIES.Y
 
+local function command_name(command)
+  return COMMANDS[command] or command == "" and "none" or string.format("0x%02x", command:byte())
+end
+
 local function show_request(tree, range, frame)
   if frame.origin ~= "++++" and frame.destination == "++++" then
     complain(tree, e_error, range, "WRONG_ORIGIN", frame.origin)
-    return "request", "refused"
+    return "refused"
   end
   if frame.destination ~= "++++" then
     local item = tree:add(f["serial.command"], "transmit"):set_generated()
     local body = #frame.message > 0 and range(HEADER_LENGTH) or nil
-    return "transmit", "transmit from " .. frame.origin .. " to " .. frame.destination .. ": " .. show_content(tree, body)
+    return "transmit from " .. frame.origin .. " to " .. frame.destination .. ": " .. show_content(tree, body)
   end
   local command = frame.message:sub(1, 1)
   local name = COMMANDS[command]
   if not name then
-    complain(tree, e_error, range, "UNKNOWN_COMMAND", command == "" and "none" or string.format("0x%02x", command:byte()))
-    return command, "unknown command"
+    complain(tree, e_error, range, "UNKNOWN_COMMAND", command_name(command))
+    return "unknown command"
   end
   tree:add(f["serial.command"], range(HEADER_LENGTH, 1), name)
   local r = reader(tree, range, HEADER_LENGTH + 1)
   local right, what
   if command == "Y" then right, what = show_relay(tree, range, r) else right = REQUESTS[command](r) end
   if not right or r.left() > 0 then complain(tree, e_error, range(HEADER_LENGTH), what or "BAD_ARGUMENT", "not what " .. name .. " takes") end
-  return command, name
+  return name
 end
 
 local function show_reply(tree, range, frame, request)
@@ -1133,8 +1146,8 @@ local function show_reply(tree, range, frame, request)
   end
   local item = tree:add(f["serial.status"], range(HEADER_LENGTH, 1))
   local command = request and request.command
-  if command then tree:add(f["serial.command"], COMMANDS[command] or command):set_generated() end
-  local line = (STATUSES[code] or "unknown status") .. (request and ", " .. (COMMANDS[command] or command) or "")
+  if command then tree:add(f["serial.command"], command_name(command)):set_generated() end
+  local line = (STATUSES[code] or "unknown status") .. (request and ", " .. command_name(command) or "")
   if not STATUSES[code] then
     complain(item, e_error, range(HEADER_LENGTH, 1), "BAD_REPLY", "unknown status " .. code)
   elseif code ~= 0 then
@@ -1147,7 +1160,7 @@ local function show_reply(tree, range, frame, request)
     return line
   end
   local right = code ~= 0 or (REPLIES[command] or nothing)(r, tree, range)
-  if not right or r.left() > 0 then complain(tree, e_error, range, "BAD_REPLY", "not what answers " .. (COMMANDS[command] or command)) end
+  if not right or r.left() > 0 then complain(tree, e_error, range, "BAD_REPLY", "not what answers " .. (command_name(command))) end
   return line
 end
 
@@ -1166,7 +1179,7 @@ local function link(packet, pinfo, place, from, sequence, frame, command)
     end
     last.time = pinfo.abs_ts
   elseif last then
-    packet.request, packet.time = last, pinfo.abs_ts - last.time
+    packet.request, packet.time = last, since(pinfo, last.time)
     last.reply = last.reply or pinfo.number
   end
   packet.own = from == 0 and last or nil
@@ -1229,8 +1242,7 @@ function serial.dissector(tvb, pinfo, root)
   if #frame.message > 0 then tree:add(f["message"], body(HEADER_LENGTH)) end
   local line
   if from == 0 then
-    local _, told = show_request(tree, body, frame)
-    line = told
+    line = show_request(tree, body, frame)
     local own = known_here.own
     if known_here.first then
       tree:add(f["serial.repeat_of"], known_here.first):set_generated():add_proto_expert_info(e_repeat)

@@ -15,12 +15,14 @@ final class BoardEar implements BoardListener {
     /** A board tells what it has heard within this time, as a rule. */
     private static final long MOST_DELAY_MICROS = TimeUnit.MILLISECONDS.toMicros(100);
 
+    private static final long NO_BOOT = Long.MAX_VALUE;
+
     private final String board;
     private final Consumer<String> notes;
     private final LongSupplier clock;
     private final CountDownLatch broken = new CountDownLatch(1);
     private volatile Sink sink;
-    private long boot = Long.MAX_VALUE;
+    private long boot = NO_BOOT;
     private boolean wasOnline;
 
     /**
@@ -50,6 +52,7 @@ final class BoardEar implements BoardListener {
             notes.accept("the board is there again");
         }
         wasOnline = true;
+        boot = NO_BOOT;
     }
 
     @Override
@@ -72,7 +75,7 @@ final class BoardEar implements BoardListener {
 
     /**
      * When that was by this computer's clock. The board's own clock gives the distances between packets; as it may run
-     * otherwise and starts anew at each boot, no packet is later than now, or older than it can be.
+     * faster or slower, no packet is later than now, or older than it can be.
      */
     private long when(long millis) {
         long now = clock.getAsLong();
