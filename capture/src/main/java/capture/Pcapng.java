@@ -8,8 +8,8 @@ import java.nio.charset.StandardCharsets;
 import javino.protocol.Bytes;
 
 /**
- * Writes a pcapng file (draft-ietf-opsawg-pcapng): its section header at once, then interfaces and packets as they come.
- * Each is flushed, so that a program that reads along sees it.
+ * Writes a pcapng file (draft-ietf-opsawg-pcapng): its section header at once, then interfaces and packets as they
+ * come. Each is flushed, so that a program that reads along sees it.
  */
 final class Pcapng implements AutoCloseable {
 
