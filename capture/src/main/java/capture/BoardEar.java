@@ -1,6 +1,7 @@
 package capture;
 
 import java.io.IOException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -15,6 +16,8 @@ final class BoardEar implements BoardListener {
     /** A board tells what it has heard within this time, as a rule. */
     private static final long MOST_DELAY_MICROS = TimeUnit.MILLISECONDS.toMicros(100);
 
+    /** At Ctrl-C the port is closed before this program knows that it is to end. */
+    private static final long NOTE_MILLIS = 500;
     private static final long NO_BOOT = Long.MAX_VALUE;
 
     private final String board;
@@ -22,6 +25,7 @@ final class BoardEar implements BoardListener {
     private final LongSupplier clock;
     private final CountDownLatch broken = new CountDownLatch(1);
     private volatile Sink sink;
+    private volatile boolean ended;
     private long boot = NO_BOOT;
     private boolean wasOnline;
 
@@ -39,6 +43,11 @@ final class BoardEar implements BoardListener {
     /** Hands on what comes from now on. */
     void to(Sink taker) {
         sink = taker;
+    }
+
+    /** Says no more of the board. */
+    void end() {
+        ended = true;
     }
 
     /** Waits until the sink takes no more. @return false where it does after that time. */
@@ -59,7 +68,11 @@ final class BoardEar implements BoardListener {
     public void offline(String why) {
         // A board that was never there ends the command, with the same words.
         if (wasOnline) {
-            notes.accept(why);
+            CompletableFuture.delayedExecutor(NOTE_MILLIS, TimeUnit.MILLISECONDS).execute(() -> {
+                if (!ended) {
+                    notes.accept(why);
+                }
+            });
         }
     }
 

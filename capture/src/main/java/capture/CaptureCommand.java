@@ -1,6 +1,5 @@
 package capture;
 
-import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
@@ -91,7 +90,7 @@ public final class CaptureCommand implements FurtherCommand {
         }
         OutputStream out = write.toString().equals(STANDARD_OUTPUT) ? new FileOutputStream(FileDescriptor.out)
                 : Files.newOutputStream(write);
-        return Sink.file(new Pcapng(new BufferedOutputStream(out),
+        return Sink.file(new Pcapng(out,
                 "javino " + CaptureCommand.class.getPackage().getImplementationVersion()), ids);
     }
 
@@ -105,7 +104,9 @@ public final class CaptureCommand implements FurtherCommand {
                 Overhearing.begin(board, link.name());
                 try {
                     awaitEnd(board, ear);
+                    refuseLoss();
                 } finally {
+                    ear.end();
                     Overhearing.end(board);
                 }
             }
@@ -114,9 +115,16 @@ public final class CaptureCommand implements FurtherCommand {
         }
     }
 
+    /** A file that takes no more is an error; who reads from a pipe or a terminal may go. */
+    private void refuseLoss() throws JavinoException {
+        if (write != null && !write.toString().equals(STANDARD_OUTPUT)) {
+            throw new JavinoException(write + ": nothing more can be written; is the disk full?");
+        }
+    }
+
     /** Tells what the board could not tell, until the user ends it, or who reads the packets has gone. */
     private void awaitEnd(Board board, BoardEar ear) throws InterruptedException {
-        long dropped = 0;
+        long dropped = dropped(board);
         while (!ear.awaitBroken(COUNT_INTERVAL_MILLIS)) {
             long now = dropped(board);
             if (now > dropped) {

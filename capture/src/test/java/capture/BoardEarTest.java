@@ -2,17 +2,22 @@ package capture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.PollReply.Came;
 import javino.protocol.PollReply.Overheard;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class BoardEarTest {
 
@@ -20,7 +25,7 @@ class BoardEarTest {
     private static final BoardInfo INFO = new BoardInfo(1, Optional.empty(), 1, "test", List.of());
 
     private final List<AirPacket> taken = new ArrayList<>();
-    private final List<String> notes = new ArrayList<>();
+    private final BlockingQueue<String> notes = new LinkedBlockingQueue<>();
     private long now = 1000 * SECOND;
     private final BoardEar ear = new BoardEar("ttyACM0", notes::add, () -> now);
 
@@ -77,11 +82,21 @@ class BoardEarTest {
     }
 
     @Test
-    void board_thatGoesAndComes_isTold() {
+    @Timeout(60)
+    void board_thatGoesAndComes_isTold() throws Exception {
         ear.offline("never there");
         ear.online(INFO);
-        ear.offline("unplugged");
         ear.online(INFO);
-        assertEquals(List.of("unplugged", "the board is there again"), notes);
+        ear.offline("unplugged");
+        assertEquals("the board is there again", notes.take());
+        assertEquals("unplugged", notes.take());
+    }
+
+    @Test
+    void board_thatGoesWithTheCapture_isNoNews() throws Exception {
+        ear.online(INFO);
+        ear.offline("the port was closed");
+        ear.end();
+        assertNull(notes.poll(1, TimeUnit.SECONDS));
     }
 }
