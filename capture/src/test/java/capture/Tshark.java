@@ -134,10 +134,16 @@ public final class Tshark {
             for (int k = 0; k < found.getLength(); k++) {
                 Element field = (Element) found.item(k);
                 fields.computeIfAbsent(field.getAttribute("name"), name -> new ArrayList<>())
-                        .add(new Field(field.getAttribute("show"), field.getAttribute("value")));
+                        .add(new Field(shown(field), field.getAttribute("value")));
             }
             read.add(new Dissected(fields));
         }
         return read;
+    }
+
+    /** Of Debian 12 and 13 alike: the one shows a bool as 1, the other as True. */
+    private static String shown(Element field) {
+        String shown = field.getAttribute("show");
+        return shown.equals("True") ? "1" : shown.equals("False") ? "0" : shown;
     }
 }
