@@ -17,8 +17,8 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.BoardState;
-import javino.board.RequestFailedException;
 import javino.cli.Await;
+import javino.cli.Overhearing;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -26,13 +26,11 @@ import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
-import javino.protocol.Status;
 
 /** A board and a broker, and between them the router. */
 final class Gateway implements AutoCloseable {
 
     private static final long BOARD_NOTE_MILLIS = 200;
-    private static final long CLOSE_SECONDS = 1;
     private static final int NAME_BYTES = 4;
     private static final String TIME = "time";
     private static final String HOW = "how";
@@ -101,12 +99,7 @@ final class Gateway implements AutoCloseable {
     private void openBoard(LinkOpener link) throws JavinoException, InterruptedException {
         board = Board.open(link, BoardConfig.create(), new Ear());
         Await.result(board.greeted());
-        try {
-            Await.result(board.overhear(true));
-        } catch (RequestFailedException e) {
-            throw e.status() == Status.UNKNOWN_COMMAND ? new JavinoException(
-                    link.name() + ": this board cannot overhear: flash a current sketch on a Mega", e) : e;
-        }
+        Overhearing.begin(board, link.name());
     }
 
     private void openBroker() throws JavinoException, InterruptedException {
@@ -300,11 +293,7 @@ final class Gateway implements AutoCloseable {
             broker.close();
         }
         if (board != null) {
-            if (board.state() == BoardState.ONLINE) {
-                board.overhear(false).completeOnTimeout(null, CLOSE_SECONDS, TimeUnit.SECONDS)
-                        .exceptionally(gone -> null)
-                        .join();
-            }
+            Overhearing.end(board);
             board.close();
         }
     }

@@ -69,7 +69,8 @@ class ErrorsPageTest {
     void commandLine_eachText_hasAnEntry() {
         Stream<String> commands = Repository.files("javino-java/src/main/java/javino/cli", ".java").stream()
                 .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\);", Repository.text(file)));
-        Stream<String> page = Repository.files("live/src/main/java/live", ".java").stream()
+        Stream<String> page = Stream.of("live/src/main/java/live", "capture/src/main/java/capture")
+                .flatMap(folder -> Repository.files(folder, ".java").stream())
                 .flatMap(file -> texts("new (?:\\w+Exception|Refusal)\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);",
                         Repository.text(file)));
         Stream<String> gateway = Repository.files("gateway/src/main/java/gateway", ".java").stream()

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import capture.TraceCheck;
 import harness.Platform;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -87,6 +88,17 @@ class HighwayTest {
         assertFalse(run.children.isEmpty());
         assertPictured(run);
         run.assertNothingLeft();
+    }
+
+    @Tag("verify")
+    @Test
+    void noisyRadio_isCapturedWhole() throws Exception {
+        Run run = launch(EMULATOR, "--radioBitErrorRate=0.001", "--seed=3");
+
+        Path build = run.folder.resolve("build");
+        TraceCheck.Found found =
+                TraceCheck.check(build.resolve("trace.jsonl"), Files.readString(build.resolve("keyring")));
+        assertTrue(found.damaged() > 0 && found.opened() >= 40 && found.acknowledgements() >= 25, found::toString);
     }
 
     @Test

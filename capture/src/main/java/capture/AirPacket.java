@@ -1,0 +1,98 @@
+package capture;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Locale;
+import javino.Printable;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
+import javino.protocol.ProtocolException;
+
+/**
+ * A packet on the air, as one board sent it or as it came to that board.
+ *
+ * @param micros  when its CRC was there, in microseconds.
+ * @param board   the board's name.
+ * @param sent    whether the board sent it.
+ * @param how     it came; intact where it was sent.
+ * @param trailer what followed it.
+ * @param reason  why it is damaged; empty where that is not known, or it is not.
+ * @param payload 0…77 bytes: a {@link Frame} as a rule.
+ */
+record AirPacket(long micros, String board, boolean sent, How how, Trailer trailer, String reason, Bytes payload) {
+
+    private static final int VERSION = 1;
+    private static final int MOST_BYTES_OF_A_TEXT = 255;
+    private static final double MICROS_A_SECOND = 1e6;
+    /** Of nonce and tag: SPEC 5. */
+    private static final int ENVELOPE_LENGTH = 14;
+    /** Of the index digit of a piece whose sender wants an answer: SPEC 7.1. */
+    private static final int ASKS = 8;
+
+    /** How a packet came, in the order of the numbers of SPEC 10.1. */
+    enum How {
+        /** As it was sent. */
+        INTACT,
+        /** Damaged, and the board has mended it. */
+        MENDED,
+        /** Damaged beyond mending: the payload may be wrong anywhere. */
+        DAMAGED,
+        /** It did not come undamaged; the payload is the one that was sent. */
+        AS_SENT
+    }
+
+    /** What follows a packet on the air: SPEC 6.1. */
+    enum Trailer {
+        NONE(0), MARK(1), PARITY(2), UNKNOWN(255);
+
+        private final int number;
+
+        Trailer(int number) {
+            this.number = number;
+        }
+    }
+
+    /** The bytes that stand for it in a file: SPEC 10.1. They have neither count nor CRC, which no source tells. */
+    Bytes record() {
+        return Bytes.join(Bytes.of(VERSION, sent ? 0 : 1, how.ordinal(), trailer.number, 0), counted(board),
+                counted(reason), payload);
+    }
+
+    /** A text behind its length. */
+    private static Bytes counted(String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        int length = Math.min(bytes.length, MOST_BYTES_OF_A_TEXT);
+        return Bytes.join(Bytes.of(length), Bytes.copyOf(Arrays.copyOf(bytes, length)));
+    }
+
+    /** It in a line for people. @param start when the capture began, in microseconds. */
+    String line(long start) {
+        String came = sent ? "sent" : how == How.AS_SENT ? "damaged" : how.toString().toLowerCase(Locale.ROOT);
+        String why = reason.isEmpty() ? "" : " (" + reason + ")";
+        return Printable.of(String.format(Locale.ROOT, "%12.6f s  %-10s  %-8s %s%s", (micros - start) / MICROS_A_SECOND,
+                board, came, described(), why));
+    }
+
+    private String described() {
+        Frame frame;
+        try {
+            frame = Frame.decode(payload);
+        } catch (ProtocolException e) {
+            return payload.length() + " bytes that are no frame: " + e.error();
+        }
+        Address.Kind kind = frame.destination().kind();
+        return frame.origin() + " -> " + frame.destination() + "  " + kind.toString().toLowerCase(Locale.ROOT) + "  "
+                + switch (kind) {
+                    case BROADCAST -> new String(frame.message().toArray(), StandardCharsets.UTF_8);
+                    case PIECE -> pieceOf(frame);
+                    case DEVICE, MULTICAST -> "sealed, " + (frame.message().length() - ENVELOPE_LENGTH) + " bytes";
+                    default -> frame.message().length() + " bytes";
+                };
+    }
+
+    private static String pieceOf(Frame frame) {
+        int index = frame.destination().value() & 0x3F;
+        return index % ASKS + " of " + frame.destination().member().charAt(0) + (index >= ASKS ? ", asks" : "");
+    }
+}

@@ -1,0 +1,128 @@
+package capture;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import javino.JavinoException;
+import javino.protocol.Bytes;
+
+/**
+ * The packets of an emulator's trace (emulator/README.md), in the order in which their CRCs were there.
+ *
+ * @param ids     the last RF id of each board that has one, by the board's name.
+ * @param packets those that boards sent and those that came to them, also damaged.
+ */
+record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
+
+    private static final double MICROS_A_SECOND = 1e6;
+    /** A packet of n bytes has 84 + 12 n bits (SPEC 6); the first one is silence, and not in the time. */
+    private static final int BITS_BESIDE_PAYLOAD = 84;
+    private static final int BITS_A_BYTE = 12;
+    /** What is told of one packet at its sender and at those that hear it differs by less. */
+    private static final double SAME_START_SECONDS = 0.001;
+
+    /** A packet that was sent, and when it began. */
+    private record Sending(double start, AirPacket packet) {
+    }
+
+    /** A packet that did not come undamaged, and who sent it when. */
+    private record Loss(String board, String from, double start, double end, String why) {
+    }
+
+    /** What was read so far. */
+    private static final class Reading {
+        private final Map<String, String> ids = new LinkedHashMap<>();
+        private final List<AirPacket> packets = new ArrayList<>();
+        private final Map<String, List<Sending>> sendings = new LinkedHashMap<>();
+        private final List<Loss> losses = new ArrayList<>();
+
+        void event(JsonObject event) {
+            event.get("t").getAsDouble();
+            switch (event.get("event").getAsString()) {
+                case "host-id" -> ids.put(text(event, "board"), text(event, "id"));
+                case "rf-tx" -> sent(event);
+                case "rf-rx" -> packets.add(packet(event, false, event.get("end").getAsDouble()));
+                case "rf-damaged" -> losses.add(new Loss(text(event, "board"), text(event, "from"),
+                        event.get("start").getAsDouble(), event.get("end").getAsDouble(), text(event, "why")));
+                default -> {
+                }
+            }
+        }
+
+        private void sent(JsonObject event) {
+            double start = event.get("start").getAsDouble();
+            double end = event.get("end").getAsDouble();
+            int bits = event.get("bits").getAsInt();
+            int trailer = bits - BITS_BESIDE_PAYLOAD - BITS_A_BYTE * text(event, "payload").length() / 2;
+            AirPacket packet = packet(event, true, end - Math.max(0, trailer) * (end - start) / (bits - 1));
+            packets.add(packet);
+            sendings.computeIfAbsent(packet.board(), board -> new ArrayList<>()).add(new Sending(start, packet));
+        }
+
+        private static AirPacket packet(JsonObject event, boolean sent, double seconds) {
+            AirPacket.Trailer trailer = event.has("trailer")
+                    ? AirPacket.Trailer.valueOf(text(event, "trailer").toUpperCase(Locale.ROOT))
+                    : sent ? AirPacket.Trailer.NONE : AirPacket.Trailer.UNKNOWN;
+            return new AirPacket(micros(seconds), text(event, "board"), sent, AirPacket.How.INTACT, trailer, "",
+                    Bytes.ofHex(text(event, "payload")));
+        }
+
+        private static String text(JsonObject event, String field) {
+            return event.get(field).getAsString();
+        }
+
+        TraceFile end() {
+            losses.forEach(loss -> packets.add(damaged(loss)));
+            packets.sort(Comparator.comparingLong(AirPacket::micros).thenComparing(packet -> !packet.sent()));
+            return new TraceFile(ids, packets);
+        }
+
+        /** With the payload that was sent; or without any, where its sender was cut off, too. */
+        private AirPacket damaged(Loss loss) {
+            Optional<AirPacket> sent = sendings.getOrDefault(loss.from(), List.of()).stream()
+                    .filter(sending -> Math.abs(sending.start() - loss.start()) < SAME_START_SECONDS)
+                    .map(Sending::packet).findFirst();
+            return new AirPacket(sent.map(AirPacket::micros).orElse(micros(loss.end())), loss.board(), false,
+                    sent.isPresent() ? AirPacket.How.AS_SENT : AirPacket.How.DAMAGED, AirPacket.Trailer.UNKNOWN,
+                    loss.why(), sent.map(AirPacket::payload).orElse(Bytes.EMPTY));
+        }
+    }
+
+    private static long micros(double seconds) {
+        return Math.round(seconds * MICROS_A_SECOND);
+    }
+
+    /**
+     * Reads a file to its end.
+     *
+     * @throws JavinoException if it has a line that is no event.
+     */
+    static TraceFile read(Path file) throws IOException, JavinoException {
+        Reading reading = new Reading();
+        long number = 1;
+        try (BufferedReader lines = Files.newBufferedReader(file)) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine(), number++) {
+                if (!line.isBlank()) {
+                    reading.event(JsonParser.parseString(line).getAsJsonObject());
+                }
+            }
+        } catch (JsonParseException | CharacterCodingException | IllegalStateException | IllegalArgumentException
+                | UnsupportedOperationException | NullPointerException e) {
+            throw new JavinoException(file + ":" + number
+                    + ": this is no event; name the trace of a run, such as build/trace.jsonl", e);
+        }
+        return reading.end();
+    }
+}

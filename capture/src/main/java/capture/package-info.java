@@ -1,0 +1,2 @@
+/** Packets for Wireshark: {@code javino capture} (SPEC 10). */
+package capture;
