@@ -65,13 +65,14 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofMoves("silence", "An agent is offered, and its first piece never comes",
                     Map.of("FAIR", "true", "LOSSES", "0")));
 
+    private static final Map<String, String> FEW = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW", "1",
+            "LAST_WINDOW", "2", "LATE_ATTEMPT", "1", "MOST_PUT_OFF_SLOTS", "3");
     /** Numbers with which the scenes of delivery have few states, and the same verdicts. */
-    private static final Map<String, String> SMALL = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW",
-            "1", "LAST_WINDOW", "2", "PATIENCE", "3", "MOST_PUT_OFF_SLOTS", "3", "LOSSES", "1", "DEADLINE", "111");
+    private static final Map<String, String> SMALL = with(FEW, Map.of("PATIENCE", "3", "LATE_PATIENCE", "4",
+            "RELAY_PATIENCE", "5", "LOSSES", "1", "DEADLINE", "112"));
     /** For one end of a message, as a trace is replayed in it: others do what they like, one of them at a time. */
-    private static final Map<String, String> END = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW", "1",
-            "LAST_WINDOW", "2", "PATIENCE", "2", "MOST_PUT_OFF_SLOTS", "3", "CARRIERS", "1", "FAIR", "true", "LOSSES",
-            "0");
+    private static final Map<String, String> END = with(FEW, Map.of("PATIENCE", "2", "LATE_PATIENCE", "3",
+            "RELAY_PATIENCE", "4", "CARRIERS", "1", "FAIR", "true", "LOSSES", "0"));
 
     /**
      * Those of delivery. With all attempts and an attacker there are 11.5 million states, and more of two boards that
@@ -95,7 +96,7 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofDelivery("group", "The sender of a multicast in pieces, likewise", END, Map.of(), "group.q"),
             ofDelivery("receiver", "A receiver, likewise", with(END, Map.of("MORE", "false")), Map.of(), "receiver.q"),
             ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
-                    "28", "ACK_TIME", "19", "DEADLINE", "1424"), SMALL, "bound.q"));
+                    "28", "ACK_TIME", "19", "DEADLINE", "1760"), SMALL, "bound.q"));
 
     /** Those of boards and of moves. */
     public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST),

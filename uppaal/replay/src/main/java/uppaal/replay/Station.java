@@ -78,10 +78,13 @@ final class Station {
     final Ear ear;
     /** What it is to answer. */
     final Questions questions = new Questions();
+    /** What it may send as a relay. */
+    final Copies copies;
 
     Station(String name, Ear ear) {
         this.name = name;
         this.ear = ear;
+        copies = new Copies(name, ids);
     }
 
     /** Its transmissions that have not been told to have ended. */
@@ -344,6 +347,7 @@ final class Station {
     /** It begins anew: what it was to send and what it has not handed over is gone. */
     void reset() {
         open = false;
+        copies.reset();
         last = LAST_NUMBER;
         came.clear();
         taking.clear();
