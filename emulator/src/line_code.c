@@ -19,6 +19,8 @@
 #define LESS_PARITY_BYTES 12u
 #define PARITY_BYTES 16u
 #define MAX_COUNT_OF_LESS_PARITY 48
+// What the CRC is XORed with for each hop behind a packet.
+#define CRC_OF_HOP 0x0811u
 // So many bits behind a packet a receiver tells it. Silence is no trailer by its third bit; so its sender has told it
 // before, even where a receiver reads half a bit early.
 #define TELLING_BITS 4
@@ -56,7 +58,10 @@ static cycles_t bit_end(const line_decoder *decoder) {
 static void finish_packet(line_decoder *decoder) {
   size_t checked = decoder->byte_count - 2;
   uint16_t crc = (uint16_t)(decoder->bytes[checked] | decoder->bytes[checked + 1] << 8);
-  if (crc != crc_x25(decoder->bytes, checked)) {
+  uint16_t right = crc_x25(decoder->bytes, checked);
+  unsigned hops = 0;
+  while (hops < LINE_HOPS && crc != (right ^ hops * CRC_OF_HOP)) hops++;
+  if (hops == LINE_HOPS) {
     fail(decoder, LINE_BAD_CRC);
     return;
   }
@@ -65,6 +70,7 @@ static void finish_packet(line_decoder *decoder) {
   size_t length = checked - 1;
   decoder->packet = (line_packet){.payload = decoder->bytes + 1,
                                   .length = length,
+                                  .hops = hops,
                                   .trailer = LINE_NO_TRAILER,
                                   .bits = (unsigned)(LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * length),
                                   .start = decoder->start > 0 ? (cycles_t)decoder->start : 0,
@@ -198,13 +204,13 @@ static size_t put_symbol(uint8_t *bits, unsigned symbol) {
   return SYMBOL_BITS;
 }
 
-size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length) {
+size_t line_encode(uint8_t *bits, const uint8_t *payload, size_t length, unsigned hops) {
   uint8_t bytes[LINE_MAX_COUNT];
   size_t count = length + 3;
   size_t written = 0;
   bytes[0] = (uint8_t)count;
   memcpy(bytes + 1, payload, length);
-  uint16_t crc = crc_x25(bytes, count - 2);
+  uint16_t crc = (uint16_t)(crc_x25(bytes, count - 2) ^ hops * CRC_OF_HOP);
   bytes[count - 2] = (uint8_t)crc;
   bytes[count - 1] = (uint8_t)(crc >> 8);
   for (int i = 0; i < TRAINING_SYMBOLS; i++) written += put_symbol(bits + written, TRAINING_SYMBOL);

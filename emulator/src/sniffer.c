@@ -44,6 +44,7 @@ static void write_packet(trace *t, const line_packet *packet) {
     write_frame(t, &view);
   else
     trace_text(t, "kind", "no frame");
+  if (packet->hops != 0) trace_count(t, "hops", packet->hops);
   if (packet->trailer != LINE_NO_TRAILER) trace_text(t, "trailer", line_trailer_text(packet->trailer));
   trace_count(t, "bits", packet->bits);
   trace_time(t, "start", packet->start);
@@ -62,6 +63,7 @@ static void expect(sniffer_station *station, size_t source, const line_packet *p
   expected->end = packet->end;
   expected->deadline = packet->end + RF_DELAY + (cycles_t)(ARRIVAL_BITS * s->bit_cycles);
   expected->length = packet->length;
+  expected->hops = packet->hops;
   memcpy(expected->payload, packet->payload, packet->length);
   if (expected->deadline < s->next_deadline) s->next_deadline = expected->deadline;
 }
@@ -99,7 +101,7 @@ static void forget(sniffer_station *station, size_t index) {
 
 static int find_expected(const sniffer_station *station, const line_packet *packet) {
   for (size_t i = 0; i < station->expected_count; i++)
-    if (station->expected[i].length == packet->length &&
+    if (station->expected[i].length == packet->length && station->expected[i].hops == packet->hops &&
         memcmp(station->expected[i].payload, packet->payload, packet->length) == 0)
       return (int)i;
   return -1;

@@ -158,7 +158,7 @@ TEST(LineCode, a_packet_that_broke_off_is_told_as_soon_as_nothing_follows_it) {
   for (int last = 0; last < 256; last++) {
     uint8_t payload[] = {'x', static_cast<uint8_t>(last)};
     uint8_t encoded[LINE_FRAMING_BITS + LINE_BITS_PER_BYTE * 2];
-    const size_t length = line_encode(encoded, payload, sizeof payload);
+    const size_t length = line_encode(encoded, payload, sizeof payload, 0);
     std::string bits;
     for (size_t i = 0; i < length; i++) bits += encoded[i] ? '1' : '0';
     for (size_t cut = 1; cut <= 24; cut++) {

@@ -75,6 +75,12 @@
 #define JAVINO_OVERHEARD_BYTES JAVINO_BY_CHIP(256, 0)
 #endif
 
+/// Whether a host can make the board a relay, 0 or 1 (SPEC 7.5): 510 bytes of RAM. With 0 the command W is UNKNOWN_COMMAND; a
+/// sketch's own javino::Relay does not depend on it.
+#ifndef JAVINO_RELAY
+#define JAVINO_RELAY JAVINO_BY_CHIP(1, 0)
+#endif
+
 /// Radio packets that wait or are being received, 2…8. 150 bytes of RAM each, 124 without parity.
 #ifndef JAVINO_RADIO_PACKETS
 #define JAVINO_RADIO_PACKETS JAVINO_BY_CHIP(3, 2)
@@ -163,6 +169,7 @@ static const uint8_t REASSEMBLIES = JAVINO_REASSEMBLIES;
 static const uint8_t MULTICAST_SENDS = JAVINO_MULTICAST_SENDS;
 static const uint8_t BROADCAST_SENDS = JAVINO_BROADCAST_SENDS;
 static const uint16_t OVERHEARD_BYTES = JAVINO_OVERHEARD_BYTES;
+static const bool RELAY = JAVINO_RELAY;
 static const uint8_t RADIO_PACKETS = JAVINO_RADIO_PACKETS;
 static const bool MENDING = JAVINO_MENDING;
 static const uint8_t DAMAGED_COPIES = JAVINO_DAMAGED_COPIES;
@@ -195,6 +202,7 @@ static_assert(JAVINO_OVERHEARD_BYTES == 0 || (JAVINO_OVERHEARD_BYTES >= 84 && JA
               "JAVINO_OVERHEARD_BYTES must be 0, or hold the longest packet: 84…4096");
 static_assert(JAVINO_OVERHEARD_BYTES == 0 || JAVINO_MAX_MESSAGE >= 87,
               "JAVINO_OVERHEARD_BYTES: a reply of JAVINO_MAX_MESSAGE bytes tells the longest packet, 87 at least");
+static_assert(JAVINO_RELAY == 0 || JAVINO_RELAY == 1, "JAVINO_RELAY must be 0 or 1");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
 static_assert(JAVINO_MENDING == 0 || JAVINO_MENDING == 1, "JAVINO_MENDING must be 0 or 1");
 static_assert(JAVINO_MENDING == 1 || (JAVINO_PARITY == 0 && JAVINO_DAMAGED_COPIES == 0),

@@ -4,6 +4,7 @@
 
 #include "arduino/JavinoBoard.h"
 #include "delivery/Broadcaster.h"
+#include "delivery/Relay.h"
 #include "radio/AskRadio.h"
 
 // For a radio on another timer than 1, write this in one file of the sketch, before this header is included:

@@ -78,6 +78,7 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'R': return openRadio(body, length);
     case 'O': return overhear(body, length);
     case 'Y': return relay(body, length, reply);
+    case 'W': return config::RELAY ? relaying(body, length, reply) : Status::UNKNOWN_COMMAND;
     case 'E': return keyCommands_.raiseEpoch(body, length);
     case 'K':
     case 'N':
@@ -156,6 +157,14 @@ Status Commands::relay(const uint8_t *body, uint16_t length, Reply &reply) {
   Outbox &outbox = delivery_.outbox();
   if (!outbox.fits(static_cast<uint16_t>(HEADER_LENGTH + length))) return Status::QUEUE_FULL;
   reply.add(outbox.addPlain({Address::broadcast(), Address::serialLine(), body, length}));
+  return Status::OK;
+}
+
+Status Commands::relaying(const uint8_t *body, uint16_t length, Reply &reply) {
+  if (!delivery_.canRelay()) return Status::UNKNOWN_COMMAND;
+  if (length > 1 || (length == 1 && body[0] > 1)) return Status::BAD_ARGUMENT;
+  if (length == 1 && !delivery_.relay(body[0] == 1)) return Status::STORE_FAILED;
+  reply.add(delivery_.relays() ? 1 : 0);
   return Status::OK;
 }
 

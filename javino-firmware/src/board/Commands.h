@@ -47,6 +47,7 @@ class Commands {
   Status openRadio(const uint8_t *body, uint16_t length);
   Status overhear(const uint8_t *body, uint16_t length);
   Status relay(const uint8_t *body, uint16_t length, Reply &reply);
+  Status relaying(const uint8_t *body, uint16_t length, Reply &reply);
   JAVINO_NOINLINE Status statistics(uint16_t length, Reply &reply);
 
   const char *const firmwareName_;

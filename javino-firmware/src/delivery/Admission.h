@@ -26,6 +26,9 @@ class Admission {
   /// Whether the frame is one of our own, or of another board with our address.
   bool isOwn(const Frame &frame) const { return frame.origin == state_.id.address(); }
 
+  /// Whether this is our own address.
+  bool isFor(const Address &address) const { return address == state_.id.address(); }
+
   /// Whether a board of our address accepts the frame; where not, it is counted.
   JAVINO_NOINLINE bool isForUs(const Frame &frame);
 

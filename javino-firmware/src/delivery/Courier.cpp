@@ -10,6 +10,11 @@ namespace javino {
 
 static const uint8_t MAX_ATTEMPTS = 8;
 static const uint8_t PATIENCE_MILLIS = 150;
+
+// How often this begins anew while a relay carries the message, 3 s in all; and where one may do so, 600 ms.
+static const uint8_t ROUNDS_WITH_RELAY = 19;
+static const uint8_t LATE_ROUNDS = 3;
+static const uint8_t LATE_ATTEMPT = 2;
 static const uint8_t IDS = 64;
 
 // In a packet's symbols, of which each byte takes two; the first two are the count.
@@ -50,7 +55,9 @@ void Courier::run() {
       break;
     case AWAITING:
       patience_ = static_cast<uint8_t>(patience_ > medium_.quietMillis() ? patience_ - medium_.quietMillis() : 0);
-      if (patience_ == 0) attemptFailed();
+      if (patience_ != 0) break;
+      patience_ = PATIENCE_MILLIS;
+      if (rounds_-- == 0) attemptFailed();
       break;
   }
 }
@@ -222,8 +229,7 @@ void Courier::packetSent() {
   if (message.pending != 0) {
     message.phase = PAUSING;
   } else if (isUnicast()) {
-    patience_ = PATIENCE_MILLIS;
-    message.phase = AWAITING;
+    await(message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
   } else if (++message.attempt != sends()) {
     message.pending = pieces::all(message.count);
     contend();
@@ -326,6 +332,24 @@ void Courier::acknowledged(const RadioPacket &lost) {
     if (config::PARTNERS > 1 && place != 0) exchange(place);
   }
   if (borne) state_.count(Counter::RADIO_ANSWERS_BORNE);
+}
+
+// An attempt that waits for the air is none yet.
+void Courier::copied(const Frame &frame) {
+  Message &message = current();
+  if (memcmp(frame.message, message.nonce, NONCE_LENGTH) != 0) return;
+  if (message.phase == CONTENDING && message.attempt != 0) {
+    message.attempt--;
+  } else if (message.phase != AWAITING) {
+    return;
+  }
+  await(ROUNDS_WITH_RELAY);
+}
+
+void Courier::await(uint8_t rounds) {
+  patience_ = PATIENCE_MILLIS;
+  rounds_ = rounds;
+  current().phase = AWAITING;
 }
 
 // Compares with the answers that the partner can give. All bits but those of the proof only show what it is about.

@@ -40,6 +40,11 @@ class Courier {
   /// @return false where it is not about what is under way
   JAVINO_NOINLINE bool acknowledged(const Frame &frame);
 
+  /// Looks at the nonce of a frame from the air: if it is that of what has its turn, a relay has copied that. (Another device may
+  /// have the same by chance: then we wait in vain.)
+  /// @param frame of any length, in a packet's buffer
+  void copied(const Frame &frame);
+
   /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong
   /// bits can be borne.
   JAVINO_NOINLINE void acknowledged(const RadioPacket &lost);
@@ -93,6 +98,7 @@ class Courier {
   JAVINO_NOINLINE void send();
   void packetSent();
   uint8_t sends() const;
+  void await(uint8_t rounds);
   void attemptFailed();
   JAVINO_NOINLINE void finish(Outcome outcome);
   bool isUnicast() const { return current().destination.isDevice(); }
@@ -116,6 +122,7 @@ class Courier {
   Backoff backoff_;
   uint8_t onAir_;                // the piece that is being sent
   uint8_t patience_;             // quiet milliseconds that are left until its attempt has failed
+  uint8_t rounds_;               // how often they begin anew before
   bool deferred_ JAVINO_ZEROED;  // this packet has been counted as put off
 
   KeyFlags parity_;       // whether the partner has asked for parity in its last answer

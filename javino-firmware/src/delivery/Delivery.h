@@ -10,6 +10,7 @@
 #include "MediumAccess.h"
 #include "Overheard.h"
 #include "Courier.h"
+#include "Forwarding.h"
 #include "Inbox.h"
 #include "Pieces.h"
 #include "Receiver.h"
@@ -31,7 +32,7 @@ class Delivery {
         admission_(state, inbox_, acknowledger_),
         courier_(medium_, state),
         overheard_(state.counters),
-        receiver_(medium_, admission_, courier_, acknowledger_, overheard_) {}
+        receiver_(medium_, admission_, courier_, acknowledger_, overheard_, state) {}
 
   /// Starts the radio; to be called once, after a boot, when id and epoch are known.
   /// @return false where it does not start
@@ -62,6 +63,15 @@ class Delivery {
 
   /// The most bytes of a frame that travels in one packet, beside its header.
   uint8_t pieceLength() const { return medium_.pieceLength(); }
+
+  /// Whether the board can be a relay.
+  bool canRelay() { return config::RELAY && medium_.canRelay(); }
+
+  /// Makes the board a relay, or none, and stores that (SPEC 4.3, relaying).
+  /// @return false where the EEPROM did not keep it
+  bool relay(bool on);
+
+  bool relays() { return receiver_.forwarding().isOn(); }
 
   Outbox &outbox() { return courier_.outbox(); }
   Inbox &inbox() { return inbox_; }

@@ -42,4 +42,11 @@ bool MediumAccess::send(const uint8_t *payload, uint8_t length, Trailer trailer)
   return true;
 }
 
+bool MediumAccess::sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops) {
+  radio_.setHops(hops);
+  const bool sent = send(payload, length);
+  radio_.setHops(0);
+  return sent;
+}
+
 }  // namespace javino

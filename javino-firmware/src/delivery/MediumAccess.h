@@ -38,6 +38,14 @@ class MediumAccess {
   /// @return false where the radio did not take it
   bool send(const uint8_t *payload, uint8_t length, Trailer trailer = Trailer::NONE);
 
+  /// Starts to send a copy of another board's packet.
+  /// @param hops behind it, modulo 3
+  /// @return false where the radio did not take it
+  bool sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops);
+
+  /// Whether the radio can tell others the hops behind a packet.
+  bool canRelay() { return radio_.setHops(0); }
+
   /// The oldest packet that the radio holds; it belongs to the caller until release().
   /// @param length set to its length
   /// @return null where none waits

@@ -9,10 +9,10 @@ void Receiver::run() {
   const Mender *const mender = medium_.mender();
   uint8_t length;
   while (uint8_t *packet = medium_.receive(length)) {
-    isDoubtful_ = config::MENDING && mender && mender->isDoubtful();
+    isDoubtful_ = mender && mender->isDoubtful();
     acknowledger_.heard(KeyStore::NO_SLOT);
     overheard_.add(mender && mender->hasMended() ? Overheard::MENDED : Overheard::INTACT, packet, length);
-    accept(packet, length);
+    accept(packet, length, mender ? mender->hops() : 0);
     if (config::PARITY && mender && mender->hasMended()) {
       if (mender->trailer() != Trailer::NONE) {
         acknowledger_.askForParity();
@@ -51,13 +51,21 @@ void Receiver::open(bool open) {
   if (!open) pieces_.clear();
 }
 
-void Receiver::accept(uint8_t *packet, uint8_t length) {
+void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
   Frame frame;
   if (Frame::parse(packet, length, frame) != FrameError::NONE || !frame.origin.isDevice()) {
     admission_.drop(Counter::RADIO_BAD_FRAMES);
-  } else if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
+    return;
+  }
+  if (config::RELAY && !admission_.isOwn(frame) && !admission_.isFor(frame.destination)) {
+    forwarding_.heard(frame, packet, length, hops);
+  }
+  if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
     if (!courier_.acknowledged(frame)) admission_.drop(Counter::RADIO_NOT_FOR_US);
-  } else if (!open_) {
+    return;
+  }
+  courier_.copied(frame);
+  if (!open_) {
     admission_.drop(Counter::RADIO_BLOCKED);
   } else {
     accept(frame, packet, length);

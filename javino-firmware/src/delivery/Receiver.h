@@ -7,6 +7,7 @@
 #include "Admission.h"
 #include "MediumAccess.h"
 #include "Courier.h"
+#include "Forwarding.h"
 #include "Overheard.h"
 #include "PieceReceiver.h"
 #include "../support/Zeroed.h"
@@ -18,22 +19,26 @@ namespace javino {
 class Receiver {
  public:
   Receiver(MediumAccess &medium, Admission &admission, Courier &courier, Acknowledger &acknowledger,
-           Overheard &overheard)
+           Overheard &overheard, BoardState &state)
       : medium_(medium),
         admission_(admission),
         courier_(courier),
         acknowledger_(acknowledger),
         overheard_(overheard),
-        pieces_(admission) {}
+        pieces_(admission),
+        forwarding_(medium, state.random, state.counters) {}
 
   /// Takes in all that the radio holds.
   JAVINO_NOINLINE void run();
+
+  /// What the board does as a relay.
+  BoardsForwarding &forwarding() { return forwarding_; }
 
   /// Whether the host wants messages; at first it does not.
   void open(bool open);
 
  private:
-  JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length);
+  JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length, uint8_t hops);
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
   void keep();
   void forget();
@@ -46,6 +51,7 @@ class Receiver {
   bool open_ JAVINO_ZEROED;
   bool isDoubtful_ JAVINO_ZEROED;  // the packet that is looked at
   PiecesTaken<config::REASSEMBLIES != 0>::Type pieces_;
+  BoardsForwarding forwarding_;
 };
 
 }  // namespace javino

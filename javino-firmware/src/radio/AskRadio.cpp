@@ -48,7 +48,7 @@ bool AskRadio::send(const uint8_t *payload, uint8_t length) {
   }
   // What is sent lies in the free slot of the queue, as nothing is received meanwhile.
   RadioPacket *packet = decoder_.queue().claim();
-  const bool room = packet && encoder_.start(payload, length, follower_, packet->room);
+  const bool room = packet && encoder_.start(payload, length, follower_, packet->room, hops_);
   askhardware::InterruptLock lock;
   if (!room) {  // a packet has come since the first look
     startReceiving();

@@ -43,6 +43,10 @@ class AskRadio : public Radio {
   uint8_t *receive(uint8_t &length) override;
   void release() override;
   Mender *mender() override { return &mender_; }
+  bool setHops(uint8_t hops) override {
+    hops_ = hops;
+    return true;
+  }
 #if JAVINO_PARITY
   void follow(Trailer trailer) override { follower_ = trailer; }
 #endif
@@ -85,6 +89,7 @@ class AskRadio : public Radio {
   BitClock bitClock_;
   RadioEncoder encoder_;
   Trailer follower_ JAVINO_ZEROED;  // what follows the packets that are sent
+  uint8_t hops_ JAVINO_ZEROED;      // behind these
   RadioDecoder decoder_;
   Mender mender_;
 };

@@ -17,6 +17,13 @@ Mender::Progress Mender::step(RadioPacket &packet) {
   return progress_;
 }
 
+// Whether a CRC is right.
+inline bool Mender::note(uint16_t hops) {
+  if (hops >= RadioPacket::NO_HOPS) return false;
+  hops_ = static_cast<uint8_t>(hops);
+  return true;
+}
+
 #if JAVINO_MENDING
 
 const uint8_t Mender::NONE;
@@ -73,7 +80,7 @@ Mender::Progress Mender::look(RadioPacket &packet) {
   isOther_ = false;
   mended_ = false;
   doubtful_ = false;
-  if (packet.isIntact()) {
+  if (note(packet.hops())) {
     packet.makeBytes(packet.count());
     return WHOLE;
   }
@@ -99,6 +106,7 @@ Mender::Progress Mender::compare(RadioPacket &packet) {
     trailer_ = trailerOf(packet, copy.room[0]);
     memcpy(packet.room, copy.room, sizeof packet.room);
     packet.areBytes = true;
+    note(packet.hopsOfBytes());
     return WHOLE;
   }
   return choose(linecode::MIN_COUNT);
@@ -256,7 +264,7 @@ bool Mender::tryChoices() {
   uint8_t found = 0;
   uint16_t crc = crc_.value();
   for (uint8_t left = choices_; left != 0; left--) {
-    if (crc == RadioPacket::CRC_OF_INTACT) {
+    if (note(RadioPacket::hopsOf(crc))) {
       found++;
       memcpy(right, at, sizeof right);
     }
@@ -333,7 +341,7 @@ void Mender::erase(uint8_t byte) { parity_.erase(byte); }
 Mender::Progress Mender::correct(RadioPacket &packet) {
   const reedsolomon::Progress progress = parity_.step();
   if (progress == reedsolomon::Progress::PENDING) return PENDING;
-  if (progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && packet.hasRightCrc()) {
+  if (progress == reedsolomon::Progress::CORRECTED && packet.room[0] == next_ && note(packet.hopsOfBytes())) {
     return WHOLE;
   }
   if (!isSaved_ || !copy()) return LOST;
@@ -390,7 +398,7 @@ void Mender::forget() {}
 // Mends one symbol, where only one nibble is a bit away from it and makes the CRC right: with nothing kept, and so in one step.
 Mender::Progress Mender::work(RadioPacket &packet) {
   const uint8_t count = packet.count();
-  mended_ = !packet.isIntact();
+  mended_ = !note(packet.hops());
   if (!mended_) {
     packet.makeBytes(count);
     return WHOLE;
@@ -411,8 +419,8 @@ Mender::Progress Mender::work(RadioPacket &packet) {
   for (uint8_t nibble = 0; nibble < 16; nibble++) {
     const uint8_t change = placed(static_cast<uint8_t>(nibble ^ 0x0F), place);
     if (linecode::onesOf(linecode::symbolOf(nibble) ^ wrong) != 1 ||
-        (crc.value() ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2))) !=
-            RadioPacket::CRC_OF_INTACT)
+        !note(RadioPacket::hopsOf(crc.value() ^
+                                  Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))))
       continue;
     if (right != linecode::NO_NIBBLE) return LOST;
     right = nibble;

@@ -47,6 +47,9 @@ class Mender {
   /// Whether the packet that is whole was damaged.
   bool hasMended() const { return mended_; }
 
+  /// How many hops lie behind the packet that is whole, modulo 3 (SPEC 6).
+  uint8_t hops() const { return hops_; }
+
   /// What came behind the packet that is whole, if it was damaged.
   Trailer trailer() const { return trailer_; }
 
@@ -55,8 +58,8 @@ class Mender {
   void setLastTrailer(Trailer trailer) { lastTrailer_ = trailer; }
 
   /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
-  /// leaves no doubt.
-  bool isDoubtful() const { return doubtful_; }
+  /// leaves no doubt. But a copy does: relays copy nothing that has neither.
+  bool isDoubtful() const { return hops_ != 0 || (config::MENDING && doubtful_); }
 
   /// Keeps the packet that is whole, as long as there is room: a damaged copy that comes later is taken for it.
   void keep();
@@ -71,6 +74,7 @@ class Mender {
   static const uint8_t MOST_UNDECIDED = 6;
 
   Progress work(RadioPacket &packet);
+  bool note(uint16_t hops);
 
 #if JAVINO_MENDING
   enum class Phase : uint8_t { LOOKING, COMPARING, CHOOSING, WRITING, CORRECTING };
@@ -121,6 +125,7 @@ class Mender {
   Progress progress_ JAVINO_ZEROED;
   Trailer trailer_ JAVINO_ZEROED;
   Trailer lastTrailer_ JAVINO_ZEROED;
+  uint8_t hops_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
   bool doubtful_ JAVINO_ZEROED;
 };

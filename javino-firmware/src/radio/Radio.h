@@ -55,6 +55,10 @@ class Radio {
   virtual void follow(Trailer) {}
 #endif
 
+  /// Says how many hops lie behind the packets that are sent from now on, modulo 3; at first none (SPEC 7.5).
+  /// @return false if the driver cannot tell that to other boards: then the board is no relay
+  virtual bool setHops(uint8_t) { return false; }
+
   /// @return what knows how the packet that receive() returned has come, and which packets were lost; null where the driver
   /// gives intact ones only.
   virtual Mender *mender() { return nullptr; }

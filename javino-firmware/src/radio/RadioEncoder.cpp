@@ -6,10 +6,11 @@
 #include "ReedSolomon.h"
 #endif
 #include "../support/Crc16.h"
+#include "RadioPacket.h"
 
 namespace javino {
 
-bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet) {
+bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet, uint8_t hops) {
   if (length == 0 || length > MAX_RADIO_PAYLOAD) return false;
   const uint8_t count = static_cast<uint8_t>(length + linecode::PACKET_OVERHEAD);
   packet_ = packet;
@@ -18,8 +19,9 @@ bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer
 
   Crc16 crc;
   crc.add(packet, length + 1);
-  packet[length + 1] = static_cast<uint8_t>(crc.value());
-  packet[length + 2] = static_cast<uint8_t>(crc.value() >> 8);
+  const uint16_t sent = static_cast<uint16_t>(crc.value() ^ hops * RadioPacket::CRC_OF_HOP);
+  packet[length + 1] = static_cast<uint8_t>(sent);
+  packet[length + 2] = static_cast<uint8_t>(sent >> 8);
 
   symbolCount_ = static_cast<uint8_t>(linecode::PREAMBLE_SYMBOLS + 2 * (count + addTrailer(trailer, packet, count)));
   symbolIndex_ = 0;

@@ -6,6 +6,8 @@ namespace javino {
 
 const uint8_t RadioPacket::NO_COUNT;
 const uint16_t RadioPacket::CRC_OF_INTACT;
+const uint16_t RadioPacket::CRC_OF_HOP;
+const uint8_t RadioPacket::NO_HOPS;
 
 namespace {
 
@@ -37,17 +39,17 @@ uint8_t RadioPacket::count() const {
   return count >= linecode::MIN_COUNT && count <= linecode::MAX_COUNT ? static_cast<uint8_t>(count) : NO_COUNT;
 }
 
-bool RadioPacket::isIntact() const {
+uint16_t RadioPacket::hops() const {
   const uint8_t bytes = count();
-  if (bytes == NO_COUNT || 2 * bytes > symbols) return false;
+  if (bytes == NO_COUNT || 2 * bytes > symbols) return NO_HOPS;
   Crc16 crc;
   for (uint8_t i = 0; i < bytes; i++) {
     const uint16_t next = byte(i);
-    if (next == NO_BYTE) return false;
+    if (next == NO_BYTE) return NO_HOPS;
     const uint8_t known = static_cast<uint8_t>(next);
     crc.add(&known, 1);
   }
-  return crc.value() == CRC_OF_INTACT;
+  return hopsOf(crc.value());
 }
 
 uint8_t RadioPacket::readByte(uint8_t index) const {
@@ -61,10 +63,10 @@ void RadioPacket::makeBytes(uint8_t length) {
   areBytes = true;
 }
 
-bool RadioPacket::hasRightCrc() const {
+uint16_t RadioPacket::hopsOfBytes() const {
   Crc16 crc;
   crc.add(room, room[0]);
-  return crc.value() == CRC_OF_INTACT;
+  return hopsOf(crc.value());
 }
 
 uint16_t RadioPacket::wrongBits(uint8_t first, const uint8_t *bytes, uint8_t length) const {

@@ -22,6 +22,14 @@ struct RadioPacket {
   /// The CRC of anything with its own CRC behind it, low byte first (the complement of X-25's residue 0xF0B8).
   static const uint16_t CRC_OF_INTACT = 0x0F47;
 
+  /// What the CRC in the packet is XORed with for each hop behind it; the CRC of the whole packet then differs by the number
+  /// of hops from that above.
+  static const uint16_t CRC_OF_HOP = 0x0811;
+  static const uint8_t NO_HOPS = 3;
+
+  /// The hops behind a packet, modulo 3, where this is the CRC of all its bytes; NO_HOPS or more where that is wrong.
+  static uint16_t hopsOf(uint16_t crc) { return crc ^ CRC_OF_INTACT; }
+
   uint8_t symbols JAVINO_ZEROED;     ///< that have come, 0…MAX_SYMBOLS; of bytes that are known, two each
   bool areBytes JAVINO_ZEROED;       ///< room has the bytes; else six bits of each symbol, the first one lowest
   volatile bool open JAVINO_ZEROED;  ///< more may still come: only the interrupt has this, and no one else writes it
@@ -33,8 +41,8 @@ struct RadioPacket {
   /// The count, 4…80, if both of its symbols are in the table; NO_COUNT else. At least two symbols have come.
   uint8_t count() const;
 
-  /// Whether each symbol is in the table and the CRC is right.
-  bool isIntact() const;
+  /// The hops behind the packet, modulo 3; NO_HOPS or more where a symbol is not in the table or the CRC is wrong.
+  uint16_t hops() const;
 
   /// Bytes, once they are known: of so many as the count says, and perhaps of more.
   uint8_t *bytes() { return room; }
@@ -52,8 +60,8 @@ struct RadioPacket {
   /// Puts so many bytes, as readByte() tells them, in the place of their symbols.
   void makeBytes(uint8_t length);
 
-  /// Whether the CRC of the bytes is right.
-  bool hasRightCrc() const;
+  /// As hops(), where room has the bytes.
+  uint16_t hopsOfBytes() const;
 
   /// By how many bits the symbols from `first` on differ from those of these bytes.
   /// @return 65535 where fewer have come

@@ -14,7 +14,7 @@
 
 namespace javino {
 
-/// Where things are in EEPROM, in this order: RF id, ring of boot epochs, keys, ring of nonces' floors.
+/// Where things are in EEPROM, in this order: RF id, ring of boot epochs, keys, ring of nonces' floors, whether the board relays.
 
 /// Address and generation.
 static const uint8_t RF_ID_LENGTH = Address::STORED_LENGTH + 1;
@@ -43,8 +43,13 @@ static const uint16_t EPOCHS_AT = RF_ID_AT + RF_ID_PLACES * RF_ID_RECORD_LENGTH;
 static const uint16_t KEYS_AT = EPOCHS_AT + config::EPOCH_SLOTS * EPOCH_RECORD_LENGTH;
 static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_PLACE_LENGTH;
 
+static const uint16_t RELAYING_AT = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
+
+/// A record that is there while the board relays.
+static const uint8_t RELAYING_LENGTH = 1;
+
 /// The first byte that is free for the sketch.
-static const uint16_t EEPROM_END = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
+static const uint16_t EEPROM_END = RELAYING_AT + (config::RELAY ? RELAYING_LENGTH + EepromRecord::CHECK_LENGTH : 0);
 
 #if defined(E2END)
 static_assert(EEPROM_END <= E2END + 1, "The keys, epochs and floors of Config.h do not fit the EEPROM of this chip");

@@ -43,6 +43,9 @@ enum class Counter : uint8_t {
   RADIO_DOUBTFUL,
   RADIO_ANSWERS_BORNE,
   RADIO_OVERHEARD_DROPPED,
+  RELAY_COPIES,
+  RELAY_ANSWERS,
+  RELAY_REFUSED,
   END  ///< one more than the last
 };
 

@@ -144,6 +144,21 @@ public final class Board implements AutoCloseable {
         return wish(context.overhear(), on, Request.overhear(on));
     }
 
+    /**
+     * Makes the board a relay, or none (SPEC 7.5). The board stores that and goes on after each boot. It needs neither
+     * key nor address. Fails with UNKNOWN_COMMAND if the board, or its radio, cannot relay.
+     *
+     * @return whether the board is a relay now.
+     */
+    public CompletableFuture<Boolean> relaying(boolean on) {
+        return ask(Request.relaying(on), Reply::relaying);
+    }
+
+    /** Whether the board is a relay; fails as {@link #relaying(boolean)} does. */
+    public CompletableFuture<Boolean> isRelaying() {
+        return ask(Request.isRelaying(), Reply::relaying);
+    }
+
     private CompletableFuture<Void> wish(AtomicReference<Boolean> wish, boolean value, Request request) {
         // At once, so that of two threads' wishes the last to be remembered is also the last to be performed.
         synchronized (wish) {

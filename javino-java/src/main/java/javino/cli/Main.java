@@ -21,7 +21,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
         versionProvider = Main.Version.class,
         subcommands = {ActCommand.class, DoctorCommand.class, ForgetCommand.class, InfoCommand.class,
                 KeygenCommand.class, MonitorCommand.class, NewCommand.class, PerceptsCommand.class,
-                PortsCommand.class, ProvisionCommand.class, SendCommand.class})
+                PortsCommand.class, ProvisionCommand.class, RelayCommand.class, SendCommand.class})
 public final class Main implements Callable<Integer> {
 
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Shows this help.")

@@ -74,7 +74,13 @@ public enum Counter {
     RADIO_ANSWERS_BORNE("radioAnswersBorne"),
 
     /** Packets that were overheard and did not fit the memory for them. */
-    RADIO_OVERHEARD_DROPPED("radioOverheardDropped");
+    RADIO_OVERHEARD_DROPPED("radioOverheardDropped"),
+    /** Copies of unicasts that the board has sent as a relay. */
+    RELAY_COPIES("relayCopies"),
+    /** Copies of acknowledgements that it has sent as a relay. */
+    RELAY_ANSWERS("relayAnswers"),
+    /** Unicasts that it did not copy, since its memory was full or too many went unanswered. */
+    RELAY_REFUSED("relayRefused");
 
     private static final Counter[] VALUES = values();
 

@@ -102,6 +102,12 @@ public record Reply(Status status, Bytes body) {
         return body.at(0);
     }
 
+    /** The answer to relaying: whether the board is a relay. */
+    public boolean relaying() throws ProtocolException {
+        expect(body.length() == 1 && body.at(0) <= 1, "relaying is 0 or 1", body);
+        return body.at(0) == 1;
+    }
+
     /** The answer to all other requests: nothing. */
     public void nothing() throws ProtocolException {
         expect(body.length() == 0, "nothing was to be answered", body);

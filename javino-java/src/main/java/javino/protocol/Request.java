@@ -42,6 +42,8 @@ public record Request(Command command, Frame frame, String description) {
         OVERHEAR('O'),
         /** Sends a frame of another device as it is. */
         RELAY('Y'),
+        /** Says whether the board is to be a relay, or asks whether it is one. */
+        RELAYING('W'),
         /** Raises the board's boot epoch if it is lower. */
         RAISE_EPOCH('E'),
         /** Stores a key and replaces all keys of the address. */
@@ -70,7 +72,7 @@ public record Request(Command command, Frame frame, String description) {
         /** Whether the board writes to its EEPROM before it answers; that takes up to 270 ms. */
         public boolean writesEeprom() {
             return switch (this) {
-                case SET_RF_ID, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
+                case SET_RF_ID, RELAYING, RAISE_EPOCH, SET_KEY, RENEW_KEY, USE_KEY, FINISH_RENEWAL, DELETE_KEY -> true;
                 case HELLO, POLL, ACT, LIST_ACTIONS, RADIO, OVERHEAR, RELAY, LIST_KEYS, STATISTICS, TRANSMIT ->
                     false;
             };
@@ -205,6 +207,16 @@ public record Request(Command command, Frame frame, String description) {
         check(frame.length() < Frame.MAX_MESSAGE_LENGTH, "a frame that is relayed has at most 510 bytes",
                 frame.length());
         return Command.RELAY.with(frame.encode(), "relay from " + frame.origin() + " to " + frame.destination());
+    }
+
+    /** {@link Command#RELAYING}. */
+    public static Request relaying(boolean on) {
+        return Command.RELAYING.with(Bytes.of(on ? 1 : 0), on ? "relaying on" : "relaying off");
+    }
+
+    /** {@link Command#RELAYING}, without a change. */
+    public static Request isRelaying() {
+        return Command.RELAYING.with(Bytes.EMPTY, "is it relaying");
     }
 
     /**

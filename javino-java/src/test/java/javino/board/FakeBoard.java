@@ -53,6 +53,7 @@ public final class FakeBoard {
     private final Map<Counter, Long> counters = new EnumMap<>(Map.of(Counter.SERIAL_REQUESTS, 9L));
     private final Map<Counter, Long> rises = new EnumMap<>(Counter.class);
     private int transmissions;
+    private int relays;
     private Outcome ends;
     private Status refusal;
     private String rfId = "++++";
@@ -233,6 +234,7 @@ public final class FakeBoard {
             case 'R' -> record("radio " + message.at(1), ACCEPTED);
             case 'O' -> record("overhear " + message.at(1), ACCEPTED);
             case 'Y' -> relay(message.from(1));
+            case 'W' -> relaying(message.from(1));
             case 'E' -> raiseEpoch((int) message.number(1, 4));
             case 'K' -> store(message);
             case 'S' -> record("statistics", statistics());
@@ -251,6 +253,11 @@ public final class FakeBoard {
 
     private Bytes relay(Bytes frame) {
         return takeUp("relay " + frame.hex());
+    }
+
+    private Bytes relaying(Bytes wish) {
+        relays = wish.length() == 0 ? relays : wish.at(0);
+        return record("relaying " + relays, Bytes.of(0, relays));
     }
 
     private Bytes takeUp(String what) {

@@ -50,6 +50,8 @@ class CommandTest {
             case "setRfId" -> Request.setRfId(VectorFile.address(vector, "address"));
             case "radio" -> Request.radio(vector.get("open").getAsBoolean());
             case "overhear" -> Request.overhear(vector.get("on").getAsBoolean());
+            case "relaying" -> Request.relaying(vector.get("on").getAsBoolean());
+            case "isRelaying" -> Request.isRelaying();
             case "relay" -> Request.relay(Frame.decode(VectorFile.bytes(vector, "frame")));
             case "setKey" -> Request.setKey(VectorFile.address(vector, "address"),
                     Key.ofHex(VectorFile.text(vector, "key")));
@@ -121,6 +123,7 @@ class CommandTest {
                 reply.statistics().forEach((counter, value) -> counters.addProperty(counter.toString(), value));
                 fields.add("counters", counters);
             }
+            case "relaying", "isRelaying" -> fields.addProperty("on", reply.relaying());
             case "transmit", "relay" -> fields.addProperty("number", reply.transmissionNumber());
             default -> reply.nothing();
         }

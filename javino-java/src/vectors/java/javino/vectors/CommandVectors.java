@@ -19,7 +19,8 @@ final class CommandVectors {
             "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
             "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne",
-            "radioOverheardDropped");
+            "radioOverheardDropped",
+            "relayCopies", "relayAnswers", "relayRefused");
 
     private static final byte[] FRAME = text("+KAACAFEBA12345678");
 
@@ -51,6 +52,9 @@ final class CommandVectors {
                 vector("name", "radio", "open", false, "message", "5200"),
                 vector("name", "overhear", "on", true, "message", "4f01"),
                 vector("name", "overhear", "on", false, "message", "4f00"),
+                vector("name", "relaying", "on", true, "message", "5701"),
+                vector("name", "relaying", "on", false, "message", "5700"),
+                vector("name", "isRelaying", "message", "57"),
                 vector("name", "relay", "frame", Wire.hex(FRAME), "message", Wire.hex(join(text("Y"), FRAME))),
                 vector("name", "raiseEpoch", "epoch", 0, "message", "45000000"),
                 vector("name", "raiseEpoch", "epoch", 470_012, "message", "45072bfc"),
@@ -105,6 +109,8 @@ final class CommandVectors {
                 badRequest(bytes('O'), "BAD_ARGUMENT"),
                 badRequest(bytes('O', 2), "BAD_ARGUMENT"),
                 badRequest(bytes('Y'), "BAD_ARGUMENT"),
+                badRequest(bytes('W', 2), "BAD_ARGUMENT"),
+                badRequest(bytes('W', 1, 0), "BAD_ARGUMENT"),
                 badRequest(text("Y////CAFEAI"), "BAD_ARGUMENT"),
                 badRequest(text("Y////++++AIx"), "BAD_ARGUMENT"),
                 badRequest(text("Y+AAACAFEAIx"), "BAD_DESTINATION"),
@@ -197,6 +203,8 @@ final class CommandVectors {
                 ok("transmit", bytes(255), vector("number", 255)),
                 ok("overhear", new byte[0], vector()),
                 ok("relay", bytes(7), vector("number", 7)),
+                ok("relaying", bytes(1), vector("on", true)),
+                ok("isRelaying", bytes(0), vector("on", false)),
                 refused(1, "NOT_GREETED"), refused(2, "UNKNOWN_COMMAND"), refused(3, "BAD_ARGUMENT"),
                 refused(4, "UNKNOWN_ACTION"), refused(5, "ACTION_FAILED"), refused(6, "NO_RF_ID"),
                 refused(7, "WRONG_ORIGIN"), refused(8, "BAD_DESTINATION"), refused(9, "NO_KEY"),
@@ -281,6 +289,8 @@ final class CommandVectors {
                 badReply("poll", bytes(0, 0, 'O', 0, 4, 0, 0, 0, 0), "overheard, but not how"),
                 badReply("poll", bytes(0, 0, 'O', 0, 5, 0, 0, 0, 0, 3), "unknown way to come"),
                 badReply("relay", bytes(0), "no number"),
+                badReply("relaying", bytes(0), "not whether it is one"),
+                badReply("isRelaying", bytes(0, 2), "neither on nor off"),
                 badReply("listActions", bytes(0), "no number"),
                 badReply("listActions", bytes(0, 1, 'a', 0, 'b', 0), "more names than actions"),
                 badReply("listActions", bytes(0, 1, 'a', 0, 'b'), "something after the last name"),

@@ -1,0 +1,323 @@
+#include "Forwarding.h"
+
+#include <string.h>
+
+#include "../support/Clock.h"
+#include "../support/Crc16.h"
+
+namespace javino {
+
+const uint8_t Doubts::NONE;
+const uint8_t Doubts::FIRST;
+const uint8_t Doubts::AFTER_RESERVE;
+const uint8_t Doubts::MOST;
+
+namespace {
+
+const uint8_t HOPS_MODULUS = 3;
+const uint8_t FROM_SENDER = 1;  // hops of a copy of what its sender itself has sent
+
+// In slots (SPEC 7.5).
+const uint8_t NEW_SLOTS = 8;
+const uint8_t AGAIN_SLOTS = 6;
+const uint8_t REPEAT_SLOTS = 2;
+const uint8_t ANSWER_SLOTS = 1;
+const uint8_t REPEAT_WAIT = 20;
+const uint8_t ANSWER_REPEAT_WAIT = 14;
+const uint8_t TURN = 45;  // the time of a packet and of its acknowledgement
+const uint8_t SOON = 24;
+const uint8_t RESERVE_QUIET = 18;
+const uint8_t SPREAD_MASK = 7;
+const uint8_t ANSWER_SPREAD_MASK = 3;
+
+const uint16_t LATE_MILLIS = 1500;
+const uint8_t ANSWER_AGAIN_MILLIS = 200;
+const uint8_t MOST_ANSWERS = 4;
+const uint8_t ANSWER_REPEATS = 2;
+const uint8_t PART_OF_TIME = 10;
+
+uint8_t oneMore(uint8_t hops) { return static_cast<uint8_t>((hops + 1) % HOPS_MODULUS); }
+
+}  // namespace
+
+uint16_t Doubts::pairOf(const Address &one, const Address &other) {
+  const bool turned = one.value() > other.value();
+  uint8_t bytes[2 * Address::STORED_LENGTH];
+  (turned ? other : one).store(bytes);
+  (turned ? one : other).store(bytes + Address::STORED_LENGTH);
+  Crc16 crc;
+  crc.add(bytes, sizeof bytes);
+  return crc.value();
+}
+
+uint8_t Doubts::find(uint16_t pair) const {
+  uint8_t i = 0;
+  while (i < count_ && entries_[i].pair != pair) i++;
+  return i;
+}
+
+uint8_t Doubts::of(uint16_t pair) const {
+  const uint8_t i = find(pair);
+  return i < count_ ? entries_[i].doubt : FIRST;
+}
+
+void Doubts::set(uint16_t pair, uint8_t doubt) {
+  uint8_t i = find(pair);
+  if (i == count_) {
+    if (count_ < CAPACITY) count_++;
+    i = static_cast<uint8_t>(count_ - 1);
+  }
+  memmove(entries_ + 1, entries_, i * sizeof(Entry));
+  entries_[0] = {pair, doubt};
+}
+
+void Forwarding::relay(bool on) {
+  on_ = on;
+  for (Entry &entry : entries_) entry.length = 0;
+}
+
+void Forwarding::heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
+  if (!on_) return;
+  passSlots();
+  if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
+    answerHeard(frame, packet, length, hops);
+  } else if (frame.destination.isDevice()) {
+    packetHeard(frame, packet, length, hops);
+  }
+}
+
+// Where a packet comes from, beside a copy of ours.
+Forwarding::Place Forwarding::placeOf(uint8_t hops, uint8_t own) {
+  return static_cast<Place>((hops + HOPS_MODULUS - own) % HOPS_MODULUS);
+}
+
+Forwarding::Entry *Forwarding::find(const uint8_t *packet, uint8_t length, uint16_t crc) {
+  for (Entry &entry : entries_) {
+    const uint8_t kept = entry.answered ? HEAD_LENGTH : length;
+    if (entry.length == length && entry.crc == crc && memcmp(entry.bytes, packet, kept) == 0) return &entry;
+  }
+  return nullptr;
+}
+
+// Returns null where all have something to send.
+Forwarding::Entry *Forwarding::place() {
+  Entry *oldest = nullptr;
+  const uint32_t now = clock::millis();
+  for (Entry &entry : entries_) {
+    if (entry.length == 0) return &entry;
+    if (entry.due != NOTHING || entry.sending) continue;
+    if (!oldest || now - entry.at > now - oldest->at) oldest = &entry;
+  }
+  return oldest;
+}
+
+void Forwarding::packetHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
+  if (length < HEAD_LENGTH) return;
+  Crc16 crc;
+  crc.add(packet, length);
+  Entry *entry = find(packet, length, crc.value());
+  if (entry && heardAgain(*entry, hops)) return;
+  const bool late = entry;
+  if (entry) entry->length = 0;
+  refill();
+  const uint16_t pair = Doubts::pairOf(frame.destination, frame.origin);
+  const bool trusted = doubts_.of(pair) == Doubts::NONE;
+  const uint16_t least = trusted ? medium_.airtimeMillis(length) : static_cast<uint16_t>(MOST_CREDIT / 2);
+  entry = credit_ < least ? nullptr : place();
+  if (!entry) {
+    counters_.count(Counter::RELAY_REFUSED);
+    return;
+  }
+  *entry = Entry();
+  entry->length = length;
+  entry->crc = crc.value();
+  entry->pair = pair;
+  entry->late = late;
+  memcpy(entry->bytes, packet, length);
+  begin(*entry, hops, false);
+}
+
+void Forwarding::begin(Entry &entry, uint8_t hops, bool fromReserve) {
+  const uint8_t doubt = doubts_.of(entry.pair);
+  entry.hops = oneMore(hops);
+  entry.trusted = doubt == Doubts::NONE;
+  entry.fromReserve = fromReserve;
+  entry.reserve = doubt == Doubts::MOST && !fromReserve;
+  entry.repeated = !entry.trusted || fromReserve;
+  entry.handedOn = entry.prompt = entry.answered = entry.answerHandedOn = false;
+  entry.answers = 0;
+  entry.quiet = 0;
+  entry.at = clock::millis();
+  if (!entry.reserve) {
+    wait(entry, COPY, NEW_SLOTS, static_cast<uint8_t>((fromReserve ? TURN : 0) + spread(false)));
+  }
+}
+
+// Returns false where the packet is to begin anew: what was its acknowledgement may have been forged.
+bool Forwarding::heardAgain(Entry &entry, uint8_t hops) {
+  if (!entry.answered) {
+    copyHeard(entry, hops);
+    return true;
+  }
+  const bool isIdle = entry.due == NOTHING && !entry.sending;
+  if (!entry.copied || !isIdle || placeOf(hops, entry.hops) == DOWNSTREAM ||
+      clock::millis() - entry.at <= ANSWER_AGAIN_MILLIS) {
+    return true;
+  }
+  if (entry.answers >= MOST_ANSWERS) return false;
+  wait(entry, ANSWER, AGAIN_SLOTS, spread(true));
+  return true;
+}
+
+void Forwarding::copyHeard(Entry &entry, uint8_t hops) {
+  const Place from = placeOf(hops, entry.hops);
+  const bool isIdle = entry.due == NOTHING && !entry.sending;
+  if (isIdle && !entry.reserve && clock::millis() - entry.at > LATE_MILLIS) {
+    entry.late = true;
+    begin(entry, hops, false);
+  } else if (from == DOWNSTREAM) {
+    if (entry.copied && entry.quiet < SOON) entry.prompt = true;
+    entry.handedOn = true;
+    entry.due = NOTHING;
+    entry.at = clock::millis();
+  } else if (from == PEER) {
+    if (entry.copied || entry.due == NOTHING) return;
+    entry.due = NOTHING;
+    entry.at = clock::millis();
+  } else if (entry.reserve) {
+    if (entry.quiet >= RESERVE_QUIET) begin(entry, hops, true);
+    entry.quiet = 0;
+  } else if (hops == 0 && entry.hops == FROM_SENDER && !entry.sending && (entry.copied || entry.due == NOTHING)) {
+    wait(entry, COPY, AGAIN_SLOTS, spread(!entry.handedOn));
+  }
+}
+
+void Forwarding::answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops) {
+  if (frame.length != PROOF_LENGTH && length != MAX_ANSWER) return;
+  for (Entry &entry : entries_) {
+    if (entry.length == 0) continue;
+    Frame kept;
+    Frame::parseHeader(entry.bytes, kept);
+    const uint8_t *nonceEnd = entry.bytes + HEAD_LENGTH - 2;
+    const uint16_t bits = static_cast<uint16_t>((nonceEnd[0] << 8 | nonceEnd[1]) & 0xFFF);
+    if (kept.destination != frame.origin || frame.destination.member() != bits) continue;
+    if (!entry.answered) {
+      firstAnswer(entry, packet, length, hops);
+    } else {
+      const Place from = placeOf(hops, entry.answerHops);
+      if (from == DOWNSTREAM) entry.answerHandedOn = true;
+      if (from != UPSTREAM) entry.due = NOTHING;
+    }
+    entry.at = clock::millis();
+  }
+}
+
+void Forwarding::firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops) {
+  const uint8_t doubt = doubts_.of(entry.pair);
+  const bool direct = hops == 0;
+  entry.due = NOTHING;
+  entry.reserve = false;
+  entry.answered = true;
+  entry.answerHops = oneMore(hops);
+  entry.answerLength = length;
+  memcpy(entry.bytes + HEAD_LENGTH, packet, length);
+  credit_ = static_cast<uint16_t>(credit_ + entry.spent > MOST_CREDIT ? MOST_CREDIT : credit_ + entry.spent);
+  entry.spent = 0;
+  if (direct && entry.copied && entry.quiet < SOON) entry.prompt = true;
+  if (!entry.copied) {
+    doubts_.set(entry.pair, static_cast<uint8_t>(doubt == Doubts::MOST ? doubt : doubt + 1));
+    return;
+  }
+  if (entry.prompt) {
+    doubts_.set(entry.pair, entry.fromReserve ? Doubts::AFTER_RESERVE : Doubts::NONE);
+  } else if (direct) {
+    doubts_.set(entry.pair, Doubts::MOST);
+  }
+  if (entry.handedOn || entry.prompt || (!direct && (doubt == Doubts::NONE || entry.late))) {
+    wait(entry, ANSWER, ANSWER_SLOTS, static_cast<uint8_t>(random_.next(ANSWER_SPREAD_MASK)));
+  }
+}
+
+void Forwarding::wait(Entry &entry, Due due, uint8_t first, uint8_t left) {
+  entry.due = due;
+  entry.first = first;
+  entry.left = left;
+}
+
+// A random number of slots, and perhaps a turn of another relay, which may not be heard.
+uint8_t Forwarding::spread(bool turn) {
+  const uint8_t slots = static_cast<uint8_t>(random_.next(SPREAD_MASK));
+  return static_cast<uint8_t>(turn && random_.next(1) != 0 ? slots + TURN : slots);
+}
+
+// Counts the quiet slots that have passed.
+void Forwarding::passSlots() {
+  const uint8_t now = medium_.quietSlots();
+  if (now < slots_) slots_ = 0;
+  for (; slots_ < now; slots_++) {
+    for (Entry &entry : entries_) {
+      if (entry.quiet != UINT8_MAX) entry.quiet++;
+      if (slots_ >= entry.first && entry.left != 0) entry.left--;
+    }
+  }
+}
+
+void Forwarding::refill() {
+  const uint32_t units = (clock::millis() - filledAt_) / PART_OF_TIME;
+  filledAt_ += units * PART_OF_TIME;
+  const uint32_t credit = credit_ + units;
+  credit_ = static_cast<uint16_t>(credit > MOST_CREDIT ? MOST_CREDIT : credit);
+}
+
+void Forwarding::run() {
+  if (!on_) return;
+  passSlots();
+  for (Entry &entry : entries_) {
+    if (entry.length == 0) continue;
+    const uint8_t slots = medium_.quietSlots();
+    if (entry.sending && !medium_.isSending()) sent(entry);
+    const bool isOver = slots >= entry.first && (entry.left == 0 || slots == UINT8_MAX);
+    if (entry.due != NOTHING && isOver) send(entry);
+  }
+}
+
+void Forwarding::send(Entry &entry) {
+  if (entry.due == ANSWER) {
+    if (!medium_.sendCopy(entry.bytes + HEAD_LENGTH, entry.answerLength, entry.answerHops)) return;
+    entry.answers++;
+    counters_.count(Counter::RELAY_ANSWERS);
+  } else {
+    refill();
+    const uint16_t cost = medium_.airtimeMillis(entry.length);
+    if (credit_ < cost) {
+      entry.due = NOTHING;
+      counters_.count(Counter::RELAY_REFUSED);
+      return;
+    }
+    if (!medium_.sendCopy(entry.bytes, entry.length, entry.hops)) return;
+    credit_ = static_cast<uint16_t>(credit_ - cost);
+    entry.spent = static_cast<uint16_t>(entry.spent + cost);
+    entry.copied = true;
+    counters_.count(Counter::RELAY_COPIES);
+  }
+  entry.due = NOTHING;
+  entry.sending = true;
+}
+
+// Our copy has ended.
+void Forwarding::sent(Entry &entry) {
+  entry.sending = false;
+  entry.at = clock::millis();
+  if (entry.answered) {
+    if (entry.hops != FROM_SENDER && !entry.answerHandedOn && entry.answers <= ANSWER_REPEATS) {
+      wait(entry, ANSWER, AGAIN_SLOTS, static_cast<uint8_t>(ANSWER_REPEAT_WAIT + spread(false)));
+    }
+    return;
+  }
+  entry.quiet = 0;
+  if (entry.repeated || entry.handedOn) return;
+  entry.repeated = true;
+  wait(entry, COPY, REPEAT_SLOTS, static_cast<uint8_t>(REPEAT_WAIT + spread(true)));
+}
+
+}  // namespace javino

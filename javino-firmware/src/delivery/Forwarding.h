@@ -1,0 +1,149 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "../Config.h"
+#include "../framing/Frame.h"
+#include "../framing/Limits.h"
+#include "../radio/Radio.h"
+#include "../support/Counters.h"
+#include "../support/Inlining.h"
+#include "../support/Random.h"
+#include "../support/Zeroed.h"
+#include "MediumAccess.h"
+
+namespace javino {
+
+/// How far a relay's copies are needed between two addresses, whichever of them sends (SPEC 7.5): 0 where they have brought
+/// a message on, 3 where they have not. The pairs that were longest unchanged are forgotten.
+class Doubts {
+ public:
+  static const uint8_t NONE = 0;
+  static const uint8_t FIRST = 1;
+  static const uint8_t AFTER_RESERVE = 2;
+  static const uint8_t MOST = 3;
+
+  /// A pair, by a number that most other pairs do not have.
+  static uint16_t pairOf(const Address &one, const Address &other);
+
+  uint8_t of(uint16_t pair) const;
+  void set(uint16_t pair, uint8_t doubt);
+
+ private:
+  static const uint8_t CAPACITY = 32;
+
+  struct Entry {
+    uint16_t pair;
+    uint8_t doubt;
+  };
+
+  uint8_t find(uint16_t pair) const;
+
+  uint8_t count_ JAVINO_ZEROED;
+  Entry entries_[CAPACITY];  // the one that was changed last is the first
+};
+
+/// What a relay does (SPEC 7.5): it copies unicasts that nobody seems to answer, and carries their acknowledgements back. It
+/// has no key, and looks at addresses and nonces only.
+class Forwarding {
+ public:
+  Forwarding(MediumAccess &medium, Random &random, Counters &counters)
+      : medium_(medium), random_(random), counters_(counters), credit_(MOST_CREDIT) {}
+
+  /// Begins to relay, or forgets all.
+  void relay(bool on);
+
+  bool isOn() const { return on_; }
+
+  /// Looks at a packet from the air that is neither from nor for this board.
+  /// @param packet all of the frame
+  /// @param hops behind it, modulo 3
+  void heard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
+
+  /// Sends what is due; to be called each time the medium was looked at.
+  JAVINO_NOINLINE void run();
+
+ private:
+  static const uint8_t CAPACITY = 4;
+  static const uint16_t MOST_CREDIT = 4000;  // milliseconds on the air
+
+  /// The header of a packet and its nonce, by which it is known when its acknowledgement has taken the place of the rest.
+  static const uint8_t HEAD_LENGTH = HEADER_LENGTH + NONCE_LENGTH;
+  static const uint8_t MAX_ANSWER = HEADER_LENGTH + 16;
+
+  enum Due : uint8_t { NOTHING, COPY, ANSWER };
+  enum Place : uint8_t { PEER, DOWNSTREAM, UPSTREAM };
+
+  struct Entry {
+    uint8_t length;      // of the packet, 0 for a free entry
+    Due due;             // what waits for the air
+    uint8_t first;       // quiet slots in a row that it waits for
+    uint8_t left;        // further ones
+    uint8_t hops;        // of our copy
+    uint8_t answerHops;  // of our copy of its acknowledgement
+    uint8_t answerLength;
+    uint8_t answers;     // copies of it since the packet was new or late
+    uint8_t quiet;       // slots since the end of our last copy, or since what is in reserve was heard
+    bool sending : 1;    // a copy is on the air
+    bool reserve : 1;
+    bool fromReserve : 1;
+    bool trusted : 1;    // there was no doubt when it began
+    bool repeated : 1;   // or need not be
+    bool copied : 1;
+    bool late : 1;
+    bool handedOn : 1;
+    bool prompt : 1;     // and soon
+    bool answered : 1;
+    bool answerHandedOn : 1;
+    uint16_t crc;        // of the packet
+    uint16_t pair;
+    uint16_t spent;      // milliseconds on the air
+    uint32_t at;         // when something happened to it
+    uint8_t bytes[MAX_RADIO_PAYLOAD];  // the packet; once it is answered its head, and behind that the acknowledgement
+  };
+
+  static Place placeOf(uint8_t hops, uint8_t own);
+  Entry *find(const uint8_t *packet, uint8_t length, uint16_t crc);
+  Entry *place();
+  void packetHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
+  bool heardAgain(Entry &entry, uint8_t hops);
+  void copyHeard(Entry &entry, uint8_t hops);
+  void begin(Entry &entry, uint8_t hops, bool fromReserve);
+  void answerHeard(const Frame &frame, const uint8_t *packet, uint8_t length, uint8_t hops);
+  void firstAnswer(Entry &entry, const uint8_t *packet, uint8_t length, uint8_t hops);
+  void wait(Entry &entry, Due due, uint8_t first, uint8_t left);
+  uint8_t spread(bool turn);
+  void passSlots();
+  void refill();
+  void send(Entry &entry);
+  void sent(Entry &entry);
+
+  MediumAccess &medium_;
+  Random &random_;
+  Counters &counters_;
+  bool on_ JAVINO_ZEROED;
+  uint8_t slots_ JAVINO_ZEROED;     // quiet slots that were counted
+  uint16_t credit_;                 // milliseconds on the air that may still be spent
+  uint32_t filledAt_ JAVINO_ZEROED;
+  Doubts doubts_;
+  Entry entries_[CAPACITY] JAVINO_ZEROED;
+};
+
+/// What stands in for it on a board that cannot be told to relay (Config.h).
+class NoForwarding {
+ public:
+  NoForwarding(MediumAccess &, Random &, Counters &) {}
+
+  void relay(bool) {}
+  bool isOn() const { return false; }
+  void heard(const Frame &, const uint8_t *, uint8_t, uint8_t) {}
+  void run() {}
+};
+
+#if JAVINO_RELAY
+typedef Forwarding BoardsForwarding;
+#else
+typedef NoForwarding BoardsForwarding;
+#endif
+
+}  // namespace javino

@@ -1,0 +1,109 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javino.board.Transmission;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Counter;
+import javino.protocol.Outcome;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A line of boards, each of which hears its neighbours only, and what relays between its ends make of messages. */
+class RelayTest {
+
+    private static final double STEP_METRES = 90;
+    private static final Address FROM = Address.parse("ROMA");
+    private static final Address TO = Address.parse("SUPO");
+
+    @TempDir
+    private Path folder;
+    private Emulator emulator;
+    private Host sender;
+    private Host receiver;
+    private final List<Host> relays = new ArrayList<>();
+
+    /** Boards on a line; those between the first and the last one are relays with a host, or run the sketch Relay. */
+    private void line(int hops, String sketch, Map<String, Object> more) throws Exception {
+        Emulator.Scenario scenario = new Emulator.Scenario().unmodelled();
+        scenario.board("from", "Station", at(0));
+        for (int hop = 1; hop < hops; hop++) {
+            Map<String, Object> board = new java.util.HashMap<>(at(hop));
+            board.putAll(more);
+            scenario.board("relay" + hop, sketch, board);
+        }
+        emulator = scenario.board("to", "Station", at(hops)).start(folder);
+        greet();
+    }
+
+    private static Map<String, Object> at(double steps) {
+        return Map.of("position", List.of(STEP_METRES * steps, 0));
+    }
+
+    private void greet() {
+        sender = Host.of(emulator, "from").as("ROMA", Map.of("SUPO", TestKeys.PAIR));
+        receiver = Host.of(emulator, "to").as("SUPO", Map.of("ROMA", TestKeys.PAIR));
+    }
+
+    private Host relay(String board, boolean on) {
+        Host host = Host.of(emulator, board);
+        relays.add(host);
+        assertEquals(on, Host.get(host.board.relaying(on)));
+        return host;
+    }
+
+    private Outcome send(String content) {
+        return Host.get(sender.board.transmit(TO, Content.parse(content)).end());
+    }
+
+    @AfterEach
+    void switchOff() {
+        relays.forEach(Host::close);
+        sender.close();
+        receiver.close();
+        emulator.close();
+    }
+
+    @Test
+    void unicast_overTwoHops_isDelivered() throws Exception {
+        line(2, "Station", Map.of());
+        Host relay = relay("relay1", true);
+        assertEquals(Outcome.DELIVERED, send("tell;help"));
+        assertEquals("tell;help", receiver.message().content().toString());
+        assertTrue(receiver.messages().isEmpty());
+        assertEquals(1, relay.counter(Counter.RELAY_COPIES));
+        assertEquals(1, relay.counter(Counter.RELAY_ANSWERS));
+        assertEquals(List.of("1", "1"), emulator.sentBy("relay1").stream().map(RelayTest::hops).toList());
+    }
+
+    private static String hops(TraceEvent packet) {
+        return packet.fields().has("hops") ? packet.text("hops") : "0";
+    }
+
+    @Test
+    void unicasts_overFourHops_areDeliveredAndTellTheirHops() throws Exception {
+        line(4, "Station", Map.of());
+        for (int hop = 1; hop < 4; hop++) {
+            relay("relay" + hop, true);
+        }
+        for (int i = 0; i < 5; i++) {
+            assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
+            assertEquals("tell;n(" + i + ")", receiver.message().content().toString());
+        }
+        assertTrue(receiver.messages().isEmpty());
+        assertEquals("2", hops(emulator.sentBy("relay2").get(0)));
+        assertEquals("0", hops(emulator.sentBy("relay3").get(0)));
+    }
+}
