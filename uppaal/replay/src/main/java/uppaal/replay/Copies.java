@@ -78,6 +78,8 @@ final class Copies {
     private final String name;
     private final Set<String> ids;
     private final Map<String, Copied> packets = new Recent<>();
+    /** Whether it is a relay; null where it has not said, since it may have become one before. */
+    private Boolean on;
     private double credit = MOST_CREDIT;
     private double filled = Double.NEGATIVE_INFINITY;
     /** The last one for which the board is to keep silent; and how many in a row were copied for all that. */
@@ -88,6 +90,19 @@ final class Copies {
     Copies(String name, Set<String> ids) {
         this.name = name;
         this.ids = ids;
+    }
+
+    /** Whether it has said that it is a relay. */
+    boolean isOn() {
+        return on != null && on;
+    }
+
+    /** It says whether it is one. */
+    void set(boolean relays) {
+        if (!relays) {
+            reset();
+        }
+        on = relays;
     }
 
     /** The board forgets all. */
@@ -188,6 +203,9 @@ final class Copies {
     /** The board begins to send a packet of somebody else's. */
     void sends(Event event, Payload payload, Ear ear) throws RefusedException {
         double start = event.number("start");
+        if (on != null && !on) {
+            throw new RefusedException(name + " copies " + what(payload) + "; expected that it relays nothing");
+        }
         if (isAnswer(payload)) {
             sendsAnswer(event, payload, start, ear);
             return;

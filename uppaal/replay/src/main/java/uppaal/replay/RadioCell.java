@@ -119,6 +119,11 @@ final class RadioCell {
         forgetHeard(board);
     }
 
+    /** A board tells whether it is a relay. */
+    void relaying(Event event) {
+        board(event.board()).copies.set(event.text("relaying").equals("on"));
+    }
+
     /** A host has done something with a key. */
     void key(Event event) {
         Station board = board(event.board());
@@ -192,7 +197,7 @@ final class RadioCell {
                     board.name() + " begins to send; expected that its last packet ends first");
         }
         boolean relayed = !board.hasBeen(payload.origin()) && board.relays(payload.hex()).isPresent();
-        boolean copy = board.isNamed() && !relayed && !board.hasBeen(payload.origin());
+        boolean copy = !relayed && !board.hasBeen(payload.origin()) && (board.isNamed() || board.copies.isOn());
         boolean own = board.isNamed() && !relayed && !copy;
         if (copy) {
             board.copies.sends(event, payload, board.ear);
