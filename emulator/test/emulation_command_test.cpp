@@ -58,6 +58,10 @@ TEST(CommandLine, each_mistake_gets_a_line_that_helps) {
        "payload: expected 1 to 77 bytes in hexadecimal digits, found \"0g\""},
       {R"({"do":"send","position":[0,0],"payload":"00","flip":8})",
        "flip: expected the number of a bit of the payload, 0 to 7"},
+      {R"({"do":"send","position":[0,0],"payload":"00","hops":3})",
+       "hops: expected the number of hops behind the packet, 0 to 2"},
+      {R"({"do":"send","position":[0,0],"payload":"00","hops":"1"})",
+       "hops: expected the number of hops behind the packet, 0 to 2"},
   };
   Scratch scratch;
   Emulation run(scratch, CAR);

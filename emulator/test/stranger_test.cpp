@@ -35,6 +35,20 @@ TEST(Stranger, a_bit_is_inverted_so_that_the_line_check_still_passes) {
   EXPECT_EQ(received[1].text("payload"), "ffff7f");
 }
 
+TEST(Stranger, a_copy_tells_the_hops_behind_it) {
+  Scratch scratch;
+  Emulation run(scratch, HEARER);
+  EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":2})"), "");
+  EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":0})"), "");
+  run.run_until(0.5);
+  for (const char *event : {"rf-tx", "rf-rx"}) {
+    auto told = run.events(event);
+    ASSERT_EQ(told.size(), 2u) << event;
+    EXPECT_EQ(told[0].number("hops"), 2) << event;
+    EXPECT_EQ(json_object_get(told[1].fields, "hops"), nullptr) << event;
+  }
+}
+
 TEST(Stranger, packets_wait_in_a_queue_that_has_an_end) {
   Scratch scratch;
   Emulation run(scratch, HEARER);

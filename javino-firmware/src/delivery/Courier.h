@@ -42,7 +42,6 @@ class Courier {
 
   /// Looks at the nonce of a frame from the air: if it is that of what has its turn, a relay has copied that. (Another device may
   /// have the same by chance: then we wait in vain.)
-  /// @param frame of any length, in a packet's buffer
   void copied(const Frame &frame);
 
   /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong

@@ -1,6 +1,7 @@
 #include "Delivery.h"
 
 #include "../storage/EepromLayout.h"
+#include "../support/Clock.h"
 
 namespace javino {
 
@@ -9,17 +10,32 @@ static EepromRecord relaying() { return EepromRecord(RELAYING_AT, RELAYING_LENGT
 bool Delivery::begin() {
   seed();
   courier_.begin();
-  uint8_t stored;
-  if (config::RELAY) receiver_.forwarding().relay(relaying().begin(&stored, 0) && medium_.canRelay());
+  uint8_t number[RELAYING_LENGTH];
+  if (config::RELAY && relaying().begin(number, 0) && medium_.canRelay()) beginToRelay(number);
   return medium_.begin();
 }
 
+// The moment at which a host asks for it differs from board to board.
 bool Delivery::relay(bool on) {
-  const uint8_t stored = 1;
   if (on == relays()) return true;
-  if (on ? !relaying().write(&stored) : !relaying().erase(0)) return false;
-  receiver_.forwarding().relay(on);
+  if (!on) {
+    if (!relaying().erase(0)) return false;
+    receiver_.forwarding().relay(false);
+    return true;
+  }
+  const uint16_t now = static_cast<uint16_t>(clock::millis());
+  const uint8_t number[RELAYING_LENGTH] = {static_cast<uint8_t>(now >> 8), static_cast<uint8_t>(now)};
+  if (!relaying().write(number)) return false;
+  beginToRelay(number);
   return true;
+}
+
+// Two relays with the same random numbers would send at the same time, again and again.
+void Delivery::beginToRelay(const uint8_t *number) {
+  if (!state_.id.isSet()) {
+    state_.random.seed(static_cast<uint16_t>(number[0] << 8 | number[1]), state_.epoch.value());
+  }
+  receiver_.forwarding().relay(true);
 }
 
 // What came first, since an acknowledgement may end what would else be sent again; then our own acknowledgements.

@@ -78,6 +78,8 @@ class Delivery {
   Overheard &overheard() { return overheard_; }
 
  private:
+  void beginToRelay(const uint8_t *number);
+
   BoardState &state_;
   MediumAccess medium_;
   Acknowledger acknowledger_;

@@ -82,23 +82,23 @@ class Forwarding {
     uint8_t hops;        // of our copy
     uint8_t answerHops;  // of our copy of its acknowledgement
     uint8_t answerLength;
-    uint8_t answers;     // copies of it since the packet was new or late
-    uint8_t quiet;       // slots since the end of our last copy, or since what is in reserve was heard
-    bool sending : 1;    // a copy is on the air
+    uint8_t answers;   // copies of it since the packet was new or late
+    uint8_t quiet;     // slots since the end of our last copy, or since what is in reserve was heard
+    bool sending : 1;  // a copy is on the air
     bool reserve : 1;
     bool fromReserve : 1;
-    bool trusted : 1;    // there was no doubt when it began
-    bool repeated : 1;   // or need not be
+    bool trusted : 1;   // there was no doubt when it began
+    bool repeated : 1;  // or need not be
     bool copied : 1;
     bool late : 1;
     bool handedOn : 1;
-    bool prompt : 1;     // and soon
+    bool prompt : 1;  // and soon
     bool answered : 1;
     bool answerHandedOn : 1;
-    uint16_t crc;        // of the packet
+    uint16_t crc;  // of the packet
     uint16_t pair;
-    uint16_t spent;      // milliseconds on the air
-    uint32_t at;         // when something happened to it
+    uint16_t spent;                    // milliseconds on the air
+    uint32_t at;                       // when something happened to it
     uint8_t bytes[MAX_RADIO_PAYLOAD];  // the packet; once it is answered its head, and behind that the acknowledgement
   };
 
@@ -122,8 +122,8 @@ class Forwarding {
   Random &random_;
   Counters &counters_;
   bool on_ JAVINO_ZEROED;
-  uint8_t slots_ JAVINO_ZEROED;     // quiet slots that were counted
-  uint16_t credit_;                 // milliseconds on the air that may still be spent
+  uint8_t slots_ JAVINO_ZEROED;  // quiet slots that were counted
+  uint16_t credit_;              // milliseconds on the air that may still be spent
   uint32_t filledAt_ JAVINO_ZEROED;
   Doubts doubts_;
   Entry entries_[CAPACITY] JAVINO_ZEROED;

@@ -419,8 +419,7 @@ Mender::Progress Mender::work(RadioPacket &packet) {
   for (uint8_t nibble = 0; nibble < 16; nibble++) {
     const uint8_t change = placed(static_cast<uint8_t>(nibble ^ 0x0F), place);
     if (linecode::onesOf(linecode::symbolOf(nibble) ^ wrong) != 1 ||
-        !note(RadioPacket::hopsOf(crc.value() ^
-                                  Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))))
+        !note(RadioPacket::hopsOf(crc.value() ^ Crc16::changeOf(change, static_cast<uint8_t>(count - 1 - place / 2)))))
       continue;
     if (right != linecode::NO_NIBBLE) return LOST;
     right = nibble;

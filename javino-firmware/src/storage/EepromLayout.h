@@ -45,8 +45,8 @@ static const uint16_t FLOORS_AT = KEYS_AT + KEY_PLACES * KEY_PLACE_LENGTH;
 
 static const uint16_t RELAYING_AT = FLOORS_AT + config::FLOOR_SLOTS * FLOOR_PLACE_LENGTH;
 
-/// A record that is there while the board relays.
-static const uint8_t RELAYING_LENGTH = 1;
+/// A record that is there while the board relays: a number from which its random ones begin if it has no RF id.
+static const uint8_t RELAYING_LENGTH = 2;
 
 /// The first byte that is free for the sketch.
 static const uint16_t EEPROM_END = RELAYING_AT + (config::RELAY ? RELAYING_LENGTH + EepromRecord::CHECK_LENGTH : 0);

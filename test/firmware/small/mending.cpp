@@ -16,10 +16,10 @@ namespace linecode = javino::linecode;
 
 const Bytes PAYLOAD = bytesOf("a payload of 23 bytes..");
 
-std::vector<bool> bitsOf(const Bytes &payload) {
+std::vector<bool> bitsOf(const Bytes &payload, uint8_t hops = 0) {
   RadioPacket packet = RadioPacket();
   javino::RadioEncoder encoder;
-  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javino::Trailer::NONE, packet.room);
+  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javino::Trailer::NONE, packet.room, hops);
   std::vector<bool> bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   bits.erase(bits.begin(), bits.begin() + linecode::PREAMBLE_SYMBOLS * linecode::BITS_PER_SYMBOL);
@@ -102,5 +102,21 @@ TEST_F(SmallMender, bears_any_symbols) {
     packet.symbols = static_cast<uint8_t>(2 + random() % (RadioPacket::MAX_SYMBOLS - 1));
     mender.begin();
     mender.step(packet);
+  }
+}
+
+TEST_F(SmallMender, takes_and_mends_copies_of_relays) {
+  for (uint8_t hops = 0; hops < 3; hops++) {
+    bits = bitsOf(PAYLOAD, hops);
+    ASSERT_TRUE(mends(bits));
+    EXPECT_EQ(hops, mender.hops());
+    EXPECT_EQ(hops != 0, mender.isDoubtful());
+    for (size_t i = 2 * linecode::BITS_PER_SYMBOL; i < bits.size(); i++) {
+      bits[i].flip();
+      ASSERT_TRUE(mends(bits)) << i;
+      EXPECT_EQ(PAYLOAD, payload) << i;
+      EXPECT_EQ(hops, mender.hops()) << i;
+      bits[i].flip();
+    }
   }
 }

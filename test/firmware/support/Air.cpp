@@ -24,8 +24,9 @@ void Air::step() {
     listen(*station);
     station->step();
     std::vector<Bytes> &sent = station->board.radio.sent;
-    if (!sent.empty()) start(station, sent.back());
+    if (!sent.empty()) start(station, sent.back(), station->board.radio.hops.back());
     sent.clear();
+    station->board.radio.hops.clear();
   }
 }
 
@@ -53,14 +54,17 @@ bool Air::settle(uint32_t millis) {
   return false;
 }
 
-void Air::inject(const Bytes &packet) { start(nullptr, packet); }
+void Air::inject(const Bytes &packet, uint8_t hops) { start(nullptr, packet, hops); }
 
-void Air::start(Station *from, const Bytes &payload) {
-  Packet packet = {from, payload, now_, now_ + 42 + 6 * static_cast<uint32_t>(payload.size()), !onAir_.empty(), {}};
+bool Air::reaches(const Station *from, const Station &station) const {
+  return from == nullptr || !inRange || inRange(*from, station);
+}
+
+void Air::start(Station *from, const Bytes &payload, uint8_t hops) {
+  Packet packet = {from, payload, now_, now_ + 42 + 6 * static_cast<uint32_t>(payload.size()), hops, {}};
   for (Packet &other : onAir_) {
-    other.broken = true;
-    if (other.from != nullptr) packet.deaf.push_back(other.from);
-    if (from != nullptr) other.deaf.push_back(from);
+    packet.others.push_back(other.from);
+    other.others.push_back(from);
   }
   onAir_.push_back(packet);
   if (isMulticast(payload)) reached_[payload];
@@ -78,15 +82,18 @@ void Air::finish(const Packet &packet) {
   if (packet.from != nullptr) packet.from->board.radio.finishSending();
   for (Station *station : stations_) {
     const bool apart = away_.count(station) != 0 || away_.count(packet.from) != 0;
-    const bool deaf = apart || std::count(packet.deaf.begin(), packet.deaf.end(), station) != 0;
-    if (station == packet.from || deaf || packet.broken || random.number(1000) < lostInThousand) continue;
-    station->board.radio.arrive(packet.payload);
+    const bool broken = std::any_of(packet.others.begin(), packet.others.end(),
+                                    [&](const Station *other) { return other == station || reaches(other, *station); });
+    if (station == packet.from || apart || broken || !reaches(packet.from, *station)) continue;
+    if (random.number(1000) < lostInThousand) continue;
+    station->board.radio.arrive(packet.payload, {}, javino::Trailer::NONE, packet.hops);
     if (isMulticast(packet.payload)) reached_[packet.payload].insert(station);
   }
 }
 
 void Air::listen(Station &station) {
-  station.board.radio.heard = hearsCarriers && std::any_of(onAir_.begin(), onAir_.end(), [&](const Packet &packet) {
-                                return packet.from != &station && now_ - packet.begin >= MILLIS_TO_CARRIER;
-                              });
+  station.board.radio.heard =
+      hearsCarriers && std::any_of(onAir_.begin(), onAir_.end(), [&](const Packet &packet) {
+        return packet.from != &station && reaches(packet.from, station) && now_ - packet.begin >= MILLIS_TO_CARRIER;
+      });
 }

@@ -8,7 +8,7 @@
 #include "Station.h"
 
 /// One air for several stations at 2000 bit/s, in steps of a millisecond. Packets take their time; who sends hears
-/// nothing; packets that overlap are lost to all; others are lost to each receiver by chance.
+/// nothing; packets that overlap are lost to all who are in range of both; others are lost to each receiver by chance.
 class Air {
  public:
   explicit Air(uint32_t seed) : random(seed) {}
@@ -29,8 +29,8 @@ class Air {
   /// How many of a station's multicasts in one packet have reached another one in none of their copies.
   long missed(const Station &from, const Station &at) const;
 
-  /// A packet that no station sends: an attacker's. It begins at once, whoever else sends.
-  void inject(const Bytes &packet);
+  /// A packet that no station sends: an attacker's, whom all hear. It begins at once, whoever else sends.
+  void inject(const Bytes &packet, uint8_t hops = 0);
 
   /// Called with each packet that begins, and whether a station sends it.
   std::function<void(const Bytes &packet)> onPacket;
@@ -39,17 +39,21 @@ class Air {
   uint32_t lostInThousand = 0;  ///< packets that a receiver loses by chance
   bool hearsCarriers = true;
 
+  /// Whether the one is in range of the other; at first all are.
+  std::function<bool(const Station &one, const Station &other)> inRange;
+
  private:
   struct Packet {
     Station *from;  // null for an attacker's
     Bytes payload;
     uint32_t begin;
     uint32_t end;
-    bool broken;
-    std::vector<Station *> deaf;  // stations that have sent meanwhile
+    uint8_t hops;
+    std::vector<Station *> others;  // that have sent meanwhile; null for an attacker
   };
 
-  void start(Station *from, const Bytes &payload);
+  void start(Station *from, const Bytes &payload, uint8_t hops);
+  bool reaches(const Station *from, const Station &station) const;
   void finish(const Packet &packet);
   void listen(Station &station);
 

@@ -9,6 +9,7 @@ bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
   if (onAir_ || refuses) return false;
   sent.push_back(Bytes(payload, payload + length));
   trailers.push_back(trailer_);
+  hops.push_back(hops_);
   onAir_ = true;
   return true;
 }
@@ -37,11 +38,11 @@ void FakeRadio::release() {
 }
 
 javino::RadioPacket FakeRadio::packetOf(const Bytes &payload, const std::set<size_t> &wrongBits,
-                                        javino::Trailer trailer) {
+                                        javino::Trailer trailer, uint8_t hops) {
   javino::RadioPacket packet = javino::RadioPacket();
   javino::RadioPacket sent;
   javino::RadioEncoder encoder;
-  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), trailer, sent.room);
+  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), trailer, sent.room, hops);
   for (int i = 0; i < javino::linecode::PREAMBLE_SYMBOLS * javino::linecode::BITS_PER_SYMBOL; i++) encoder.next();
   size_t bits = 0;
   for (; encoder.hasNext(); bits++) {

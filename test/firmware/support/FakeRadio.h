@@ -26,13 +26,17 @@ class FakeRadio : public javino::Radio {
 #if JAVINO_PARITY
   void follow(javino::Trailer trailer) override { trailer_ = trailer; }
 #endif
+  bool setHops(uint8_t hops) override {
+    hops_ = hops;
+    return mends;
+  }
   void counters(javino::RadioCounters &into) const override { into = counts; }
   bool idle() const override { return in_.empty(); }
 
   /// A packet arrives of which these bits are wrong, counted from the first one of its count.
   void arrive(const Bytes &payload, const std::set<size_t> &wrongBits = {},
-              javino::Trailer trailer = javino::Trailer::NONE) {
-    in_.push_back({packetOf(payload, wrongBits, trailer), trailer, payload});
+              javino::Trailer trailer = javino::Trailer::NONE, uint8_t hops = 0) {
+    in_.push_back({packetOf(payload, wrongBits, trailer, hops), trailer, payload});
   }
 
   /// The packet on the air ends.
@@ -47,6 +51,7 @@ class FakeRadio : public javino::Radio {
   javino::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
   std::vector<javino::Trailer> trailers;  ///< what followed each of these
+  std::vector<uint8_t> hops;              ///< behind each of these
 
  private:
   struct Arrived {
@@ -55,10 +60,12 @@ class FakeRadio : public javino::Radio {
     Bytes payload;
   };
 
-  static javino::RadioPacket packetOf(const Bytes &payload, const std::set<size_t> &wrongBits, javino::Trailer trailer);
+  static javino::RadioPacket packetOf(const Bytes &payload, const std::set<size_t> &wrongBits, javino::Trailer trailer,
+                                      uint8_t hops);
 
   std::deque<Arrived> in_;
   javino::Mender mender_;
   javino::Trailer trailer_ = javino::Trailer::NONE;
+  uint8_t hops_ = 0;
   bool onAir_ = false;
 };

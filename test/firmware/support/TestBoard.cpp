@@ -79,7 +79,9 @@ bool TestBoard::reboot() {
   use();
   clock.millis = 0;
   port = FakePort();
+  const bool mends = radio.mends;
   radio = FakeRadio();
+  radio.mends = mends;
   board.reset(new javino::Board(javino::SerialPort(port), other_ == nullptr ? radio : *other_, "test 1.0"));
   return board->begin();
 }

@@ -81,6 +81,15 @@ std::vector<InvalidRadioVector> invalidRadioVectors() {
   return vectors;
 }
 
+std::vector<CopyVector> copyVectors() {
+  const List list("radio.json", "copies");
+  std::vector<CopyVector> vectors;
+  for (size_t i = 0; i < list.size(); i++) {
+    vectors.push_back({list.bytes(i, "payload"), static_cast<uint8_t>(list.number(i, "hops")), list.bits(i)});
+  }
+  return vectors;
+}
+
 std::vector<TrailerVector> trailerVectors() {
   const List list("radio.json", "trailers");
   std::vector<TrailerVector> vectors;

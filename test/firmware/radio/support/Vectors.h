@@ -16,6 +16,12 @@ struct InvalidRadioVector {
   Bits bits;
 };
 
+struct CopyVector {
+  Bytes payload;
+  uint8_t hops;
+  Bits bits;
+};
+
 struct TrailerVector {
   Bytes payload, trailer;
   Bits bits;  // of the packet and the trailer
@@ -23,6 +29,7 @@ struct TrailerVector {
 
 std::vector<RadioVector> radioVectors();
 std::vector<InvalidRadioVector> invalidRadioVectors();
+std::vector<CopyVector> copyVectors();
 std::vector<TrailerVector> trailerVectors();
 
 // test/vectors/parity.json.

@@ -10,12 +10,13 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
 
-/** Emulated boards in cells: those of one cell hear each other, and nobody else. In a folder that goes when it ends. */
+/** Emulated boards in cells: those of one cell may hear each other, and nobody else. In a folder that goes when it ends. */
 final class Field implements AutoCloseable {
 
     /** What one emulator takes beside a metronome. */
@@ -32,17 +33,23 @@ final class Field implements AutoCloseable {
      * @param sketch what they all run.
      * @param boards of each, at least one, what a scenario is to say beside or in place of what it says of all;
      *               positions count from where the cell is.
+     * @param relays the numbers of those boards that are relays.
      */
-    record Cell(String sketch, List<Map<String, Object>> boards) {
+    record Cell(String sketch, List<Map<String, Object>> boards, Set<Integer> relays) {
+
+        /** Boards of which none is a relay. */
+        Cell(String sketch, List<Map<String, Object>> boards) {
+            this(sketch, boards, Set.of());
+        }
 
         /** So many boards that are all alike. */
         Cell(String sketch, int boards) {
             this(sketch, Collections.nCopies(boards, Map.of()));
         }
 
-        /** Whether their trace is not replayed: they run an older firmware, or one without carrier sense. */
+        /** Whether their trace is not replayed: they run an older firmware, or one without carrier sense, or relay. */
         boolean isOther() {
-            return sketch.equals("DeafStation")
+            return sketch.equals("DeafStation") || !relays.isEmpty()
                     || boards.stream().anyMatch(board -> board.containsKey("firmware"));
         }
     }

@@ -1,10 +1,12 @@
 package campaign;
 
+import harness.Host;
 import harness.TestKeys;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
 import javino.protocol.Address;
 import javino.protocol.Outcome;
@@ -45,8 +47,11 @@ final class Traffic implements AutoCloseable {
     private final List<Endpoint> endpoints = new ArrayList<>();
     private final Ledger strays;
 
-    /** @param length of each content, in bytes. */
-    Traffic(Field field, int cell, List<Flow> flows, int length) {
+    /**
+     * @param relays the numbers of the boards that are relays.
+     * @param length of each content, in bytes.
+     */
+    Traffic(Field field, int cell, Set<Integer> relays, List<Flow> flows, int length) {
         this.posts = field.cell(cell);
         this.flows = flows;
         this.ledgers = flows.stream().map(flow -> new Ledger(length)).toList();
@@ -64,6 +69,9 @@ final class Traffic implements AutoCloseable {
                 }
             }
             endpoints.add(new Endpoint(field.link(posts.get(board)), incoming, strays).as(address(board), keys));
+            if (relays.contains(board)) {
+                Host.get(endpoints.get(board).board().relaying(true));
+            }
         }
     }
 

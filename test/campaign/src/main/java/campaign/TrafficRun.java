@@ -15,8 +15,9 @@ import java.util.concurrent.TimeUnit;
  *
  * @param seed    of the air, and of the times at which messages are offered.
  * @param seconds emulated, how long messages are offered.
+ * @param bitErrorRate of the air.
  */
-record TrafficRun(long seed, double seconds, List<TrafficRun.Plan> plans) implements
+record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRun.Plan> plans) implements
         Callable<List<TrafficRun.Result>> {
 
     /** Of each content, in bytes. */
@@ -49,11 +50,18 @@ record TrafficRun(long seed, double seconds, List<TrafficRun.Plan> plans) implem
      */
     static Map<Plan, List<Result>> all(List<List<Plan>> sets, Settings settings, int seeds, double seconds,
             Report report) throws Exception {
+        return all(sets, settings, seeds, seconds, 0, report);
+    }
+
+    /** The same in an air with bit errors. */
+    static Map<Plan, List<Result>> all(List<List<Plan>> sets, Settings settings, int seeds, double seconds,
+            double bitErrorRate, Report report) throws Exception {
         List<List<Plan>> groups = sets.stream().flatMap(plans -> groups(plans).stream()).toList();
         List<TrafficRun> runs = new ArrayList<>();
         for (int seed = 0; seed < seeds; seed++) {
             for (int group = 0; group < groups.size(); group++) {
-                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds, groups.get(group)));
+                runs.add(new TrafficRun((settings.seed() + seed) * groups.size() + group, seconds, bitErrorRate,
+                        groups.get(group)));
             }
         }
         Map<Plan, List<Result>> results = new LinkedHashMap<>();
@@ -86,14 +94,14 @@ record TrafficRun(long seed, double seconds, List<TrafficRun.Plan> plans) implem
     public List<Result> call() throws Exception {
         AirUsage air = new AirUsage();
         Timetable timetable = new Timetable();
-        Emulator.Scenario scenario = timetable.scenario(seed, air);
+        Emulator.Scenario scenario = timetable.scenario(seed, air).radio("bitErrorRate", bitErrorRate);
         SplittableRandom seeds = new SplittableRandom(seed);
         try (Closing closing = new Closing()) {
             closing.add(timetable);
             Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));
             List<Traffic> all = new ArrayList<>();
             for (int cell = 0; cell < plans.size(); cell++) {
-                all.add(closing.add(new Traffic(field, cell, plans.get(cell).flows, LENGTH)));
+                all.add(closing.add(new Traffic(field, cell, plans.get(cell).cell.relays(), plans.get(cell).flows, LENGTH)));
             }
             double begin = timetable.now();
             all.forEach(traffic -> traffic.offer(timetable, seeds, begin + seconds));

@@ -10,6 +10,7 @@ import harness.TestKeys;
 import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import javino.board.Transmission;
@@ -25,7 +26,6 @@ import org.junit.jupiter.api.io.TempDir;
 class RelayTest {
 
     private static final double STEP_METRES = 90;
-    private static final Address FROM = Address.parse("ROMA");
     private static final Address TO = Address.parse("SUPO");
 
     @TempDir
@@ -40,7 +40,7 @@ class RelayTest {
         Emulator.Scenario scenario = new Emulator.Scenario().unmodelled();
         scenario.board("from", "Station", at(0));
         for (int hop = 1; hop < hops; hop++) {
-            Map<String, Object> board = new java.util.HashMap<>(at(hop));
+            Map<String, Object> board = new HashMap<>(at(hop));
             board.putAll(more);
             scenario.board("relay" + hop, sketch, board);
         }
@@ -105,5 +105,84 @@ class RelayTest {
         assertTrue(receiver.messages().isEmpty());
         assertEquals("2", hops(emulator.sentBy("relay2").get(0)));
         assertEquals("0", hops(emulator.sentBy("relay3").get(0)));
+    }
+
+    @Test
+    void unicast_byARelayOnAnUno_isDelivered() throws Exception {
+        line(2, "Relay", Map.of("model", "uno"));
+        assertEquals(Outcome.DELIVERED, send("tell;help"));
+        assertEquals("tell;help", receiver.message().content().toString());
+    }
+
+    @Test
+    void relay_switchedOff_carriesNothingAndRemembersIt() throws Exception {
+        line(2, "Station", Map.of());
+        Host relay = relay("relay1", true);
+        assertTrue(Host.get(relay.board.isRelaying()));
+        assertFalse(Host.get(relay.board.relaying(false)));
+        emulator.command(Map.of("do", "reset", "board", "relay1"));
+        relay.awaitOnline(2);
+        assertFalse(Host.get(relay.board.isRelaying()));
+        assertEquals(Outcome.UNDELIVERED, send("tell;help"));
+        assertEquals(0, emulator.sentBy("relay1").size());
+    }
+
+    @Test
+    void relays_inEarshot_sendNoMoreThanOneWould() throws Exception {
+        Emulator.Scenario scenario = new Emulator.Scenario().unmodelled().board("from", "Station", at(0))
+                .board("one", "Station", at(1)).board("other", "Station", Map.of("position", List.of(STEP_METRES, 5)))
+                .board("to", "Station", at(2));
+        emulator = scenario.start(folder);
+        greet();
+        relay("one", true);
+        relay("other", true);
+        for (int i = 0; i < 5; i++) {
+            assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
+        }
+        int copies = emulator.sentBy("one").size() + emulator.sentBy("other").size();
+        assertTrue(copies >= 10 && copies <= 12, "5 messages and 5 acknowledgements took " + copies + " copies");
+    }
+
+    /** It answers in the receiver's name, and sends what it hears again, changed and with hops that are not so. */
+    @Test
+    void stranger_whoLies_hasNothingDeliveredTwiceOrWrongly() throws Exception {
+        line(2, "Station", Map.of());
+        relay("relay1", true);
+        List<String> delivered = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            String content = "tell;n(" + i + ")";
+            Transmission sent = sender.board.transmit(TO, Content.parse(content));
+            int number = i;
+            String packet = emulator
+                    .await("message " + i, number + 1,
+                            event -> event.is("rf-tx", "from") && !event.fields().has("trailer"))
+                    .text("payload");
+            String nonce = packet.substring(2 * 10, 2 * 16);
+            int bits = Integer.parseInt(nonce.substring(9), 16);
+            String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+            String answer = "2b4b" + hex(digits.charAt(bits >> 6)) + hex(digits.charAt(bits & 63)) + "5355504f4241"
+                    + "0102030405060708";
+            lie(answer, 0, i);
+            lie(packet, 1, i);
+            lie(packet.substring(0, packet.length() - 2) + "00", 2, i);
+            if (Host.get(sent.end()) == Outcome.DELIVERED) {
+                delivered.add(content);
+            }
+        }
+        List<String> received =
+                receiver.messages().stream().map(message -> message.content().toString()).toList();
+        assertEquals(received.stream().distinct().toList(), received);
+        assertTrue(received.containsAll(delivered), received + " of " + delivered);
+        assertTrue(received.stream().allMatch(content -> content.matches("tell;n\\([012]\\)")), received.toString());
+    }
+
+    private static String hex(char letter) {
+        return Integer.toHexString(letter);
+    }
+
+    /** Stands where all hear it. */
+    private void lie(String payload, int hops, int place) {
+        emulator.command(Map.of("do", "send", "position", List.of(STEP_METRES, 1 + place), "payload", payload, "hops",
+                hops));
     }
 }

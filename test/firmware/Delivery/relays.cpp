@@ -1,0 +1,210 @@
+// Boards that are relays, on an air where each hears some others only (SPEC 7.5).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "support/Air.h"
+#include "support/Keys.h"
+
+using javino::Counter;
+using javino::Status;
+
+namespace {
+
+// Boards on a line, of which each hears its neighbours. The first and the last one share a key.
+struct Line {
+  explicit Line(size_t hops, uint32_t seed = 1) : air(seed) {
+    for (size_t i = 0; i <= hops; i++) {
+      stations.emplace_back(new Station("SU" + std::string(1, static_cast<char>('A' + i)) + "A"));
+      stations.back()->board.radio.mends = true;
+      air.join(*stations.back());
+    }
+    first().share(last(), KEY);
+    air.inRange = [this](const Station &one, const Station &other) { return std::abs(place(one) - place(other)) <= 1; };
+    for (size_t i = 1; i < hops; i++) relay(i, true);
+  }
+
+  int place(const Station &station) const { return station.id[2] - 'A'; }
+  Station &first() { return *stations.front(); }
+  Station &last() { return *stations.back(); }
+
+  BoardReply relay(size_t i, bool on) {
+    stations[i]->board.use();
+    return stations[i]->board.request('W', {on});
+  }
+
+  uint32_t counter(size_t i, Counter counter) {
+    stations[i]->board.use();
+    return stations[i]->board.counter(counter);
+  }
+
+  Station::End send(const std::string &content) {
+    EXPECT_TRUE(first().send(last().id, content));
+    EXPECT_TRUE(air.settle(120000));
+    return first().ended[content];
+  }
+
+  Air air;
+  std::vector<std::unique_ptr<Station>> stations;
+};
+
+}  // namespace
+
+TEST(Relays, carry_a_message_over_one_to_five_hops_and_its_acknowledgement_back) {
+  for (size_t hops = 1; hops <= 5; hops++) {
+    Line line(hops);
+    EXPECT_EQ(Station::DELIVERED, line.send("tell;over" + std::to_string(hops)));
+    EXPECT_EQ(1u, line.last().received.size());
+    for (size_t i = 1; i < hops; i++) {
+      EXPECT_EQ(1u, line.counter(i, Counter::RELAY_COPIES)) << i << " of " << hops;
+      EXPECT_GE(line.counter(i, Counter::RELAY_ANSWERS), 1u) << i << " of " << hops;
+    }
+    EXPECT_EQ(0u, line.counter(0, Counter::RADIO_RESENT));
+  }
+}
+
+TEST(Relays, deliver_almost_all_where_packets_are_lost) {
+  size_t delivered = 0;
+  for (uint32_t seed = 1; seed <= 5; seed++) {
+    Line line(4, seed);
+    line.air.lostInThousand = 100;
+    for (int i = 0; i < 20; i++) {
+      if (line.send("tell;n(" + std::to_string(i) + ")") == Station::DELIVERED) delivered++;
+    }
+    std::vector<std::string> received = line.last().received;
+    std::sort(received.begin(), received.end());
+    EXPECT_EQ(received.end(), std::adjacent_find(received.begin(), received.end()));
+  }
+  EXPECT_GE(delivered, 98u);
+}
+
+TEST(Relays, do_nothing_once_they_are_switched_off) {
+  Line line(2);
+  EXPECT_EQ(Bytes{0}, line.relay(1, false).body);
+  EXPECT_EQ(Station::UNDELIVERED, line.send("tell;help"));
+  EXPECT_EQ(0u, line.counter(1, Counter::RADIO_SENT));
+}
+
+TEST(Relays, are_relays_after_a_reset_and_after_a_loss_of_power) {
+  Line line(2);
+  for (bool keepsRam : {true, false}) {
+    line.stations[1]->board.use();
+    line.stations[1]->reset(keepsRam);
+    EXPECT_EQ(Bytes{1}, line.stations[1]->board.request('W').body);
+    EXPECT_EQ(Station::DELIVERED, line.send(keepsRam ? "tell;one" : "tell;two"));
+  }
+}
+
+// Neither has an RF id, and both have booted as often: all that differs is when they were made relays.
+TEST(Relays, without_an_address_do_not_send_at_the_same_time) {
+  TestBoard one;
+  TestBoard two;
+  for (TestBoard *board : {&one, &two}) {
+    board->use();
+    board->radio.mends = true;
+    board->start();
+    if (board == &two) board->pass(3);
+    ASSERT_EQ(Bytes{1}, board->request('W', {1}).body);
+  }
+  int together = 0;
+  for (int i = 0; i < 20; i++) {
+    const Bytes packet = sealed(KEY, "SUPO", "ROMA", {0, 0, 1, 0, 0, static_cast<uint8_t>(i)}, "tell;help");
+    int waited[2] = {0, 0};
+    for (TestBoard *board : {&one, &two}) {
+      board->use();
+      board->pass(2000);
+      board->receive(packet);
+      const size_t before = board->radio.sent.size();
+      while (board->radio.sent.size() == before && waited[board == &two]++ < 300) board->pass(1);
+      if (board->radio.sending()) board->finishSending();
+    }
+    if (std::abs(waited[0] - waited[1]) < 8) together++;
+  }
+  EXPECT_LT(together, 10);
+}
+
+TEST(Relays, write_nothing_where_nothing_changes) {
+  Line line(2);
+  line.stations[1]->board.use();
+  line.stations[1]->board.eeprom.cutPowerAfter(0, 0);  // a write would throw
+  EXPECT_EQ(Status::OK, line.relay(1, true).status);
+  line.stations[1]->board.eeprom.restorePower();
+}
+
+TEST(Relays, cannot_be_boards_whose_radio_tells_no_hops) {
+  TestBoard board;
+  board.start();
+  EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('W', {1}).status);
+}
+
+TEST(Relays, are_needed_by_none_who_hear_each_other) {
+  Line line(2);
+  line.air.inRange = nullptr;
+  for (int i = 0; i < 10; i++) EXPECT_EQ(Station::DELIVERED, line.send("tell;n(" + std::to_string(i) + ")"));
+  EXPECT_EQ(0u, line.counter(1, Counter::RADIO_SENT));
+}
+
+TEST(Relays, carry_broadcasts_to_nobody) {
+  Line line(2);
+  ASSERT_TRUE(line.first().send("////", "tell;help"));
+  line.air.pass(5000);
+  EXPECT_TRUE(line.last().received.empty());
+  EXPECT_EQ(std::vector<std::string>{"tell;help"}, line.stations[1]->received);
+}
+
+TEST(Relays, are_waited_for_by_a_sender_that_hears_a_copy) {
+  Line line(2);
+  line.last().awake = false;  // its host takes the message late
+  ASSERT_TRUE(line.first().send(line.last().id, "tell;help"));
+  line.air.pass(3000);
+  EXPECT_EQ(0u, line.counter(0, Counter::RADIO_RESENT));
+  line.last().awake = true;
+  EXPECT_TRUE(line.air.settle(60000));
+  EXPECT_EQ(Station::DELIVERED, line.first().ended["tell;help"]);
+}
+
+// It sends changed bytes, acknowledgements that it has made up, hops that are not so, and all of that again.
+TEST(Relays, that_lie_have_nothing_delivered_twice_or_wrongly) {
+  for (uint32_t seed = 1; seed <= 20; seed++) {
+    Line line(2, seed);
+    RandomBytes random(seed);
+    std::vector<Bytes> heard;
+    line.air.onPacket = [&](const Bytes &packet) { heard.push_back(packet); };
+    for (int i = 0; i < 3; i++) {
+      ASSERT_TRUE(line.first().send(line.last().id, "tell;n(" + std::to_string(i) + ")"));
+    }
+    for (int lie = 0; lie < 150; lie++) {
+      line.air.pass(random.number(400));
+      if (heard.empty()) continue;
+      Bytes packet = heard[random.number(static_cast<uint32_t>(heard.size()))];
+      switch (random.number(3)) {
+        case 0:
+          packet[random.number(static_cast<uint32_t>(packet.size()))] ^= static_cast<uint8_t>(1 + random.number(255));
+          break;
+        case 1:
+          if (packet.size() > 26)
+            packet = bytesOf("+K" +
+                             std::string{static_cast<char>('A' + random.number(4)),
+                                         static_cast<char>('A' + random.number(26))} +
+                             line.last().id + "BA") +
+                     random.bytes(8);
+          break;
+        default: break;
+      }
+      line.air.inject(packet, static_cast<uint8_t>(random.number(3)));
+    }
+    line.air.onPacket = nullptr;
+    EXPECT_TRUE(line.air.settle(300000));
+    std::vector<std::string> received = line.last().received;
+    std::sort(received.begin(), received.end());
+    EXPECT_EQ(received.end(), std::adjacent_find(received.begin(), received.end()));
+    for (const auto &end : line.first().ended) {
+      const auto times = std::count(received.begin(), received.end(), end.first);
+      EXPECT_LE(times, 1);
+      EXPECT_TRUE(end.second != Station::DELIVERED || times == 1) << end.first;
+    }
+    for (const std::string &content : received) EXPECT_EQ(1u, line.first().ended.count(content));
+    EXPECT_TRUE(line.first().received.empty());
+  }
+}

@@ -1,0 +1,258 @@
+// The rules of SPEC 7.5, one by one, of a board that only relays.
+#include <delivery/Relay.h>
+#include <gtest/gtest.h>
+
+#include "support/FakeClock.h"
+#include "support/FakeRadio.h"
+
+using javino::Relay;
+
+namespace {
+
+const uint32_t SLOT = 8;
+
+// A sealed frame of 16 bytes of content, as far as a relay can tell.
+Bytes unicast(uint8_t number, const std::string &to = "SUPO", const std::string &from = "ROMA") {
+  return bytesOf(to + from + "Dw") + Bytes{0, 0, 1, 0, 0, number} + Bytes(24, number);
+}
+
+// 12 bits of 0…255 are the digits AA…D/.
+std::string digitsOf(uint8_t number) {
+  static const char DIGITS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  return std::string{DIGITS[number >> 6], DIGITS[number & 63]};
+}
+
+Bytes answer(uint8_t number, uint8_t proof = 0x5A, const std::string &from = "SUPO") {
+  return bytesOf("+K" + digitsOf(number) + from + "BA") + Bytes(8, proof);
+}
+
+class RelayTest : public testing::Test {
+ protected:
+  RelayTest() : relay(radio) {
+    radio.mends = true;
+    EXPECT_TRUE(relay.begin(7));
+    pass(100);
+  }
+
+  // The packet on the air ends after its time.
+  void pass(uint32_t millis) {
+    for (; millis != 0; millis--) {
+      clock.millis++;
+      if (radio.sending() && --untilEnd_ == 0) radio.finishSending();
+      const size_t before = radio.sent.size();
+      relay.run();
+      if (radio.sent.size() != before) untilEnd_ = radio.airtimeMillis(static_cast<uint8_t>(radio.sent.back().size()));
+    }
+  }
+
+  // Another board's packet takes its time on the air.
+  void hear(const Bytes &packet, uint8_t hops = 0) {
+    radio.heard = true;
+    pass(radio.airtimeMillis(static_cast<uint8_t>(packet.size())));
+    radio.heard = false;
+    radio.arrive(packet, {}, javino::Trailer::NONE, hops);
+    pass(1);
+  }
+
+  // Lets the relay begin a packet, at most so many ms later, and end it.
+  bool sends(uint32_t millis) {
+    const size_t before = radio.sent.size();
+    while (millis-- != 0 && radio.sent.size() == before) pass(1);
+    if (radio.sent.size() == before) return false;
+    while (radio.sending()) pass(1);
+    pass(1);
+    return true;
+  }
+
+  // A message that this relay carries there and whose acknowledgement it carries back.
+  void carry(uint8_t number) {
+    hear(unicast(number));
+    ASSERT_TRUE(sends(40 * SLOT));
+    hear(answer(number));
+    ASSERT_TRUE(sends(10 * SLOT));
+  }
+
+  FakeClock clock;
+  FakeRadio radio;
+  Relay relay;
+
+ private:
+  uint32_t untilEnd_ = 0;
+};
+
+}  // namespace
+
+TEST_F(RelayTest, copies_a_unicast_that_nobody_answers_byte_by_byte_with_one_hop_more) {
+  for (uint8_t hops = 0; hops < 3; hops++) {
+    const Bytes packet = unicast(hops);
+    hear(packet, hops);
+    EXPECT_TRUE(sends(17 * SLOT));
+    EXPECT_EQ(packet, radio.sent.back());
+    EXPECT_EQ((hops + 1) % 3, radio.hops.back());
+  }
+  EXPECT_EQ(3u, relay.copies());
+}
+
+TEST_F(RelayTest, waits_for_eight_slots_at_least) {
+  for (uint8_t i = 0; i < 20; i++) {
+    hear(unicast(i));
+    EXPECT_FALSE(sends(8 * SLOT - 1)) << int(i);
+    hear(answer(i));
+    EXPECT_FALSE(sends(3000)) << "what another has answered is neither copied nor carried back";
+    clock.millis += 2000;
+  }
+}
+
+TEST_F(RelayTest, copies_nothing_but_unicasts) {
+  for (const char *to : {"////", "//SU", "+FAA", "+AAA"}) {
+    hear(unicast(1, to));
+    EXPECT_FALSE(sends(3000)) << to;
+  }
+  hear(bytesOf("SUPOROMABIx"));   // no frame
+  hear(bytesOf("SUPOROMAAQab"));  // no nonce
+  hear(answer(9));
+  EXPECT_FALSE(sends(3000));
+}
+
+TEST_F(RelayTest, keeps_silent_where_a_peer_or_somebody_downstream_was_quicker) {
+  for (uint8_t hops : {1, 2}) {
+    hear(unicast(hops));
+    hear(unicast(hops), hops);
+    EXPECT_FALSE(sends(3000)) << int(hops);
+  }
+}
+
+TEST_F(RelayTest, carries_the_acknowledgement_of_what_it_copied) {
+  hear(unicast(1), 1);
+  ASSERT_TRUE(sends(17 * SLOT));
+  hear(answer(1));
+  EXPECT_TRUE(sends(5 * SLOT));
+  EXPECT_EQ(answer(1), radio.sent.back());
+  EXPECT_EQ(1, radio.hops.back());
+  EXPECT_EQ(1u, relay.answers());
+  // The sender was not heard itself: twice more, unless it is heard farther on.
+  EXPECT_TRUE(sends(30 * SLOT));
+  hear(answer(1), 2);
+  EXPECT_FALSE(sends(3000));
+}
+
+TEST_F(RelayTest, carries_no_acknowledgement_of_another_packet) {
+  hear(unicast(1));
+  ASSERT_TRUE(sends(17 * SLOT));
+  hear(answer(2));
+  hear(answer(1, 0x5A, "ROMA"));
+  EXPECT_FALSE(sends(3000));
+}
+
+TEST_F(RelayTest, repeats_its_copy_once_only_where_it_has_no_doubt) {
+  hear(unicast(1));
+  ASSERT_TRUE(sends(17 * SLOT));
+  EXPECT_FALSE(sends(1400));
+  carry(2);
+  hear(unicast(3));
+  ASSERT_TRUE(sends(17 * SLOT));
+  EXPECT_TRUE(sends(80 * SLOT));
+  EXPECT_EQ(unicast(3), radio.sent.back());
+  EXPECT_FALSE(sends(3000));
+}
+
+TEST_F(RelayTest, copies_again_what_its_sender_sends_again) {
+  hear(unicast(1));
+  ASSERT_TRUE(sends(17 * SLOT));
+  hear(unicast(1));
+  EXPECT_TRUE(sends(60 * SLOT));
+  EXPECT_EQ(2u, relay.copies());
+}
+
+TEST_F(RelayTest, begins_anew_with_what_is_heard_again_late) {
+  hear(unicast(1), 1);
+  ASSERT_TRUE(sends(17 * SLOT));
+  hear(unicast(1), 1);
+  EXPECT_FALSE(sends(1300));
+  pass(500);
+  hear(unicast(1), 2);
+  EXPECT_TRUE(sends(17 * SLOT));
+  EXPECT_EQ(0, radio.hops.back());
+}
+
+TEST_F(RelayTest, gives_the_acknowledgement_again_and_after_four_times_the_packet) {
+  carry(1);
+  for (int i = 1; i < 4; i++) {
+    pass(300);
+    hear(unicast(1));
+    ASSERT_TRUE(sends(60 * SLOT)) << i;
+    EXPECT_EQ(answer(1), radio.sent.back());
+  }
+  pass(300);
+  hear(unicast(1));
+  ASSERT_TRUE(sends(60 * SLOT));
+  EXPECT_EQ(unicast(1), radio.sent.back());
+}
+
+TEST_F(RelayTest, is_in_reserve_where_others_carry_all) {
+  for (uint8_t i = 1; i <= 2; i++) {
+    hear(unicast(i));
+    hear(answer(i));
+  }
+  hear(unicast(3));
+  EXPECT_FALSE(sends(3000));
+  hear(unicast(3));
+  EXPECT_FALSE(sends(52 * SLOT));
+  EXPECT_TRUE(sends(10 * SLOT));
+  hear(answer(3));
+  EXPECT_TRUE(sends(5 * SLOT));
+}
+
+TEST_F(RelayTest, spends_a_tenth_of_the_air_on_strangers) {
+  uint32_t sent = 0;
+  const uint32_t begun = clock.millis;
+  for (int i = 0; i < 400; i++) {
+    const std::string stranger = "X" + digitsOf(static_cast<uint8_t>(i / 2)) + "A";
+    hear(unicast(static_cast<uint8_t>(i), "SUPO", stranger));
+    if (sends(20 * SLOT)) sent += radio.airtimeMillis(40);
+  }
+  const uint32_t all = clock.millis - begun;
+  EXPECT_LE(sent, all / 10 + 4000);
+  EXPECT_GE(sent, all / 12);
+  EXPECT_GT(relay.refused(), 100u);
+}
+
+TEST_F(RelayTest, serves_those_whose_messages_arrive_before_strangers) {
+  carry(1);
+  for (uint8_t i = 0; i < 40; i++) {
+    hear(unicast(i, "XXXX", "YYYY"));
+    sends(20 * SLOT);
+  }
+  EXPECT_GT(relay.refused(), 0u);
+  hear(unicast(2));
+  EXPECT_TRUE(sends(17 * SLOT));
+  EXPECT_EQ(unicast(2), radio.sent.back());
+}
+
+TEST_F(RelayTest, carries_both_acknowledgements_of_packets_that_are_alike_but_for_their_end) {
+  Bytes forged = unicast(1);
+  forged.back() ^= 1;
+  hear(forged);
+  hear(unicast(1));
+  ASSERT_TRUE(sends(40 * SLOT));
+  ASSERT_TRUE(sends(40 * SLOT));
+  EXPECT_NE(radio.sent[0], radio.sent[1]);
+}
+
+TEST_F(RelayTest, bears_random_packets) {
+  RandomBytes random(5);
+  for (int i = 0; i < 20000; i++) {
+    Bytes packet = random.number(3) == 0 ? answer(static_cast<uint8_t>(random.number(8)))
+                                         : unicast(static_cast<uint8_t>(random.number(8)));
+    if (random.number(4) == 0) packet = random.bytes(1 + random.number(77));
+    if (!radio.sending()) radio.arrive(packet, {}, javino::Trailer::NONE, static_cast<uint8_t>(random.number(3)));
+    pass(random.number(300));
+  }
+  for (const Bytes &packet : radio.sent) EXPECT_TRUE(packet.size() == 40 || packet.size() == 18);
+}
+
+TEST(RelayRadio, must_tell_hops) {
+  FakeClock clock;
+  FakeRadio radio;
+  EXPECT_FALSE(Relay(radio).begin());
+}
