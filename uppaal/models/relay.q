@@ -6,8 +6,6 @@ E<> One.spent == 2 * (MAX_ATTEMPTS + SHOTS)
 E<> Air.Carries && kind == ACK && by == ONE && !genuine
 /* A24 holds: but it reports nothing delivered. */
 E<> One.Kept && !One.right && Home.GivenUp && given == 0
-/* A25 holds: after four copies of it the packet begins anew. */
-E<> One.Empty && Home.attempt > 0 && One.doubt > NO_DOUBT && given == 0
 /* A26 holds: what is repeated comes to the host once. */
 E<> Thief.shots == 1 && Air.Carries && kind == DATA && by == ATTACKER && genuine && given == 1
 /* A27 holds: what is forged sets off no copy of this packet. */

@@ -43,6 +43,10 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
             Map.of("MESSAGES", "1", "ATTEMPTS", "1"), Map.of(), List.of("rollover.q"));
 
+    /** Numbers with which the scenes of relays have few states, and the same verdicts. */
+    private static final Map<String, String> FASTER = Map.of("ROUNDS_WITH_RELAY", "4", "LATE", "3", "LATE_ROUNDS", "1",
+            "LATE_ATTEMPT", "1");
+
     public static final Scene PIECES =
             new Scene("pieces", "A message in two pieces, of which one is forged", "pieces.xml",
                     Map.of(), Map.of(), List.of("pieces.q"));
@@ -53,6 +57,15 @@ public record Scene(String name, String title, String model, Map<String, String>
             Map.of("BUSY", "12"), Map.of(), List.of("late.q"));
     public static final Scene HOST = new Scene("host", "Messages for a host that dies", "host.xml", Map.of(), Map.of(),
             List.of("host.q"));
+
+    /** With few attempts, as all clocks of two relays run beside each other. */
+    public static final List<Scene> OF_RELAYS = List.of(
+            ofRelays("relay", "One relay, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
+            ofRelays("relays", "Two relays (one attempt only)", Map.of("MAX_ATTEMPTS", "1")),
+            ofRelays("reserve", "One relay in doubt, and one in reserve (two attempts only)",
+                    Map.of("MAX_ATTEMPTS", "2")),
+            new Scene("storm", "Relays: Two relays in air that is busy for long", "relay.xml",
+                    Map.of("MAX_ATTEMPTS", "1", "WITHIN", "12", "CREDIT", "4"), FASTER, List.of("storm.q")));
 
     /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(
@@ -98,9 +111,9 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
                     "28", "ACK_TIME", "19", "DEADLINE", "1760"), SMALL, "bound.q"));
 
-    /** Those of boards and of moves. */
+    /** Those of boards, of relays and of moves. */
     public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST),
-            OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
+            OF_RELAYS, OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
 
@@ -110,6 +123,10 @@ public record Scene(String name, String title, String model, Map<String, String>
             Map<String, String> fewer, String... queries) {
         return new Scene(name, "Delivery: " + title, "delivery.xml", constants, fewer,
                 Stream.concat(Stream.of(queries), Stream.of("air.q")).toList());
+    }
+
+    private static Scene ofRelays(String name, String title, Map<String, String> constants) {
+        return new Scene(name, "Relays: " + title, "relay.xml", constants, FASTER, List.of(name + ".q", "copies.q"));
     }
 
     private static Scene ofMoves(String name, String title, Map<String, String> constants, String... more) {

@@ -172,9 +172,9 @@ final class Copies {
         }
     }
 
-    /** The one before was to be passed over, and was. */
+    /** The board is to keep silent; of the one before it has done so. */
     private void silence(Copied copied) {
-        if (silenced != null && silenced != copied) {
+        if (silenced != null && silenced != copied && silenced.isSilenced()) {
             heedless = 0;
         }
         silenced = copied;

@@ -133,20 +133,13 @@ class CopiesTest {
 
     @Test
     void copy_ofAMulticastABroadcastOrAPiece_isRefused() {
-        for (String[] each : new String[][] {{"broadcast", "2f2f2f2f524f4d4141493031"},
-                {"multicast", "2f2f5355524f4d414277" + "00".repeat(22)},
-                {"piece", "2b464141524f4d414277" + "00".repeat(22)}}) {
+        for (String[] each : new String[][] {{"broadcast", "2f2f2f2f524f4d4141513031"},
+                {"multicast", "2f2f5355524f4d414277" + "00".repeat(14)},
+                {"piece", "2b464141524f4d414277" + "00".repeat(14)}}) {
             Lines before = Lines.of("relays");
             lines.all.clear();
             lines.all.addAll(before.all);
-            lines.add(1, "stranger", "rf-tx", Map.of("payload", each[1], "kind", each[0], "start", AFTER));
-            JsonObject sent = lines.all.get(lines.all.size() - 1);
-            sent.addProperty("t", sent.get("end").getAsDouble());
-            JsonObject heard = sent.deepCopy();
-            heard.addProperty("board", "relay1");
-            heard.addProperty("event", "rf-rx");
-            heard.addProperty("from", "stranger");
-            lines.all.add(heard);
+            heard(each[1], each[0], AFTER);
             sends("relay1", each[1], each[0], AFTER + 2, Map.of("hops", 1));
             assertRefused("relay1 copies a " + each[0] + " of ROMA; expected a unicast in one packet");
         }
@@ -159,12 +152,33 @@ class CopiesTest {
         assertRefused("relay1 copies a unicast of ROMA after 7.0 quiet slots; expected 8 or more");
     }
 
+    /** After what it has sent of its own accord: else that is still due, and needs two only. */
     @Test
     void copy_ofWhatItsSenderSendsAgain_needsSixQuietSlots() {
-        int copy = packet("relay1", "unicast", 1);
-        double sent = end(packet("from", "unicast", 1));
-        shift(copy, sent + 5 * SLOT - start(copy));
+        int copy = packet("relay1", "unicast", 2);
+        int sent = packet("from", "unicast", 2);
+        again(copy, end(copy) + 40 * SLOT);
+        double soon = end(copy) + 100 * SLOT;
+        again(sent, soon);
+        double over = soon + end(sent) - start(sent);
+        List<JsonObject> before = List.copyOf(lines.all);
+        again(copy, over + 7 * SLOT);
+        assertEquals("accepted", refusal());
+        lines.all.clear();
+        lines.all.addAll(before);
+        again(packet("relay1", "unicast", 2), over + 5 * SLOT);
         assertRefused("relay1 copies a unicast of ROMA after 5.0 quiet slots; expected 6 or more");
+    }
+
+    @Test
+    void copy_ofWhatBeginsAnew_needsEightQuietSlots() {
+        int copy = packet("relay1", "unicast", 2);
+        again(copy, end(copy) + 40 * SLOT);
+        int sent = packet("from", "unicast", 2);
+        double late = end(copy) + 300 * SLOT;
+        again(sent, late);
+        again(copy, late + end(sent) - start(sent) + 7 * SLOT);
+        assertRefused("relay1 copies a unicast of ROMA after 7.0 quiet slots; expected 8 or more");
     }
 
     @Test
@@ -199,12 +213,11 @@ class CopiesTest {
 
     @Test
     void acknowledgement_ofWhatItHasNotCopied_isRefused() {
-        for (int copy : List.of(packet("relay2", "unicast", 1), packet("relay2", "unicast", 0))) {
-            List<Integer> dropped = of(copy);
-            dropped.sort(Comparator.reverseOrder());
-            dropped.forEach(line -> lines.all.remove(line - 1));
-        }
-        assertRefused("relay2 copies an acknowledgement of ROMA; expected one that has come to it, for a packet that it "
+        heard("53555a5a524f4d414277" + "00".repeat(14), "unicast", AFTER);
+        String answer = "2b4b414153555a5a4241" + "00".repeat(8);
+        heard(answer, "acknowledgement", AFTER + 0.5);
+        sends("relay1", answer, "acknowledgement", AFTER + 1, Map.of("hops", 1));
+        assertRefused("relay1 copies an acknowledgement of SUZZ; expected one that has come to it, for a packet that it "
                 + "has copied");
     }
 
@@ -240,26 +253,17 @@ class CopiesTest {
 
     @Test
     void copies_ofWhatNobodyAcknowledges_takeATenthOfTheAir() {
-        String payload = lines.text(packet("from", "unicast", 0), "payload");
-        String last = "00".repeat(40);
         int copied = 0;
         String refusal = "accepted";
         for (int packet = 0; refusal.equals("accepted") && packet < 20; packet++) {
-            String each = "53555a5a524f4d414544" + String.format("%012x", packet) + "00".repeat(54);
+            String each = "53555a5a524f4d414867" + String.format("%012x", packet) + "00".repeat(54);
             double start = AFTER + 2 * packet;
-            lines.add(start, "stranger", "rf-tx", Map.of("payload", each, "kind", "unicast", "start", start));
-            JsonObject sent = lines.all.get(lines.all.size() - 1);
-            sent.addProperty("t", sent.get("end").getAsDouble());
-            JsonObject heard = sent.deepCopy();
-            heard.addProperty("board", "relay1");
-            heard.addProperty("event", "rf-rx");
-            heard.addProperty("from", "stranger");
-            lines.all.add(heard);
+            heard(each, "unicast", start);
             sends("relay1", each, "unicast", start + 1, Map.of("hops", 1));
             copied++;
             refusal = refusal();
         }
-        assertTrue(payload.length() > last.length() / 2 && copied > 8 && copied < 20, "" + copied);
+        assertTrue(copied > 8 && copied < 20, copied + ": " + refusal);
         assertTrue(refusal.contains("of the air are left for what nobody acknowledges"), refusal);
     }
 
@@ -270,7 +274,7 @@ class CopiesTest {
         int packet = 0;
         for (; refusal.equals("accepted") && packet < 4; packet++) {
             double start = AFTER + 4 * packet;
-            String each = "53555a5a524f4d414277" + String.format("%012x", packet) + "00".repeat(16);
+            String each = "53555a5a524f4d414277" + String.format("%012x", packet) + "00".repeat(8);
             String answer = "2b4b41" + "4142434445".substring(2 * packet, 2 * packet + 2) + "53555a5a" + "4241"
                     + "00".repeat(8);
             heard(each, "unicast", start);
@@ -292,46 +296,20 @@ class CopiesTest {
         lines.all.add(heard);
     }
 
-    /** The sender hears relay1's copy, and would wait for 3 s. */
+    /** The sender hears relay1's copy each time, and must wait for 3 s. */
     @Test
     void attempt_soonAfterACopyWasHeard_isAcceptedTwiceAndRefusedTheThirdTime() {
-        int second = packet("from", "unicast", 3);
-        double copied = end(packet("relay1", "unicast", 2));
-        assertTrue(start(second) - copied > 3);
-        // It need not have heard the copy; then its second attempt may come at once.
-        double early = copied + 20 * SLOT - start(second);
-        lines.where(line -> lines.get(line).get("t").getAsDouble() >= start(second))
-                .forEach(line -> shift(lines.get(line), early));
-        for (int line : lines.where(each -> lines.is(each, "host-transmit"))) {
-            JsonObject asked = lines.get(line);
-            double late = asked.get("t").getAsDouble() - asked.get("asked").getAsDouble();
-            asked.addProperty("asked", late > 1 ? asked.get("asked").getAsDouble() + early
-                    : asked.get("asked").getAsDouble());
+        int sent = packet("from", "unicast", 0);
+        int copy = packet("relay1", "unicast", 0);
+        double over = end(copy);
+        lines.all.subList(lines.where(line -> lines.get(line).get("t").getAsDouble() <= over + SLOT).size(),
+                lines.all.size()).clear();
+        for (int time = 0; time < 3; time++) {
+            assertEquals("accepted", refusal());
+            double next = end(packet("relay1", "unicast", time)) + 90 * SLOT;
+            again(packet("from", "unicast", time), next);
+            again(packet("relay1", "unicast", time), next + end(sent) - start(sent) + 10 * SLOT);
         }
-        assertEquals("accepted", refusal());
-    }
-
-    @Test
-    void attempts_soonAfterCopies_areRefusedTheThirdTime() {
-        Lines partners = Lines.of("partners");
-        lines.all.clear();
-        lines.all.addAll(partners.all);
-        // Another board copies each packet to who is not there, so that police hears it.
-        for (int sent : partners.where(line -> partners.is(line, "police", "rf-tx")
-                && partners.text(line, "destination").equals("SUAM"))) {
-            JsonObject copy = partners.copy(sent);
-            double seconds = copy.get("end").getAsDouble() - copy.get("start").getAsDouble() + 9 * SLOT;
-            shift(copy, seconds);
-            copy.addProperty("board", "stranger");
-            copy.addProperty("hops", 1);
-            copy.remove("trailer");
-            JsonObject heard = copy.deepCopy();
-            heard.addProperty("event", "rf-rx");
-            heard.addProperty("board", "police");
-            heard.addProperty("from", "stranger");
-            lines.all.add(copy);
-            lines.all.add(heard);
-        }
-        assertRefused("police does not wait for a relay");
+        assertRefused("from does not wait for a relay (ROMA to SUPO");
     }
 }
