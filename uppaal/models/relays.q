@@ -22,5 +22,3 @@ E<> Two.answered && Two.doubt == NO_DOUBT
 E<> Two.answered && Two.doubt == MOST && Two.copied
 /* A42 holds: one that was not needed doubts more. */
 E<> Two.answered && Two.doubt == FIRST + 1 && !Two.copied
-/* A43 holds: where an acknowledgement has been carried four times and its packet comes again, that begins anew. */
-E<> Two.Empty && Two.doubt == NO_DOUBT

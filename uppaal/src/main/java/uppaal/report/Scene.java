@@ -44,8 +44,8 @@ public record Scene(String name, String title, String model, Map<String, String>
             Map.of("MESSAGES", "1", "ATTEMPTS", "1"), Map.of(), List.of("rollover.q"));
 
     /** Numbers with which the scenes of relays have few states, and the same verdicts. */
-    private static final Map<String, String> FASTER = Map.of("ROUNDS_WITH_RELAY", "4", "LATE", "3", "LATE_ROUNDS", "1",
-            "LATE_ATTEMPT", "1");
+    private static final Map<String, String> FASTER = Map.of("ROUNDS_WITH_RELAY", "4", "LATE", "4", "LATE_ROUNDS", "1",
+            "LATE_ATTEMPT", "1", "WITHIN", "1");
 
     public static final Scene PIECES =
             new Scene("pieces", "A message in two pieces, of which one is forged", "pieces.xml",
@@ -61,11 +61,13 @@ public record Scene(String name, String title, String model, Map<String, String>
     /** With few attempts, as all clocks of two relays run beside each other. */
     public static final List<Scene> OF_RELAYS = List.of(
             ofRelays("relay", "One relay, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
+            ofRelays("attempts", "One relay in doubt, with all attempts", Map.of("SHOTS", "0")),
             ofRelays("relays", "Two relays (one attempt only)", Map.of("MAX_ATTEMPTS", "1")),
             ofRelays("reserve", "One relay in doubt, and one in reserve (two attempts only)",
                     Map.of("MAX_ATTEMPTS", "2")),
             new Scene("storm", "Relays: Two relays in air that is busy for long", "relay.xml",
-                    Map.of("MAX_ATTEMPTS", "1", "WITHIN", "12", "CREDIT", "4"), FASTER, List.of("storm.q")));
+                    Map.of("MAX_ATTEMPTS", "1", "WITHIN", "12", "CREDIT", "4"),
+                    with(FASTER, Map.of("WITHIN", "5", "CREDIT", "3")), List.of("storm.q")));
 
     /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(
