@@ -256,6 +256,12 @@ static void write_radio(serial_sniffer *s, bool open, cycles_t at) {
   trace_end(s->out);
 }
 
+static void write_relaying(serial_sniffer *s, bool on, cycles_t at) {
+  begin(s, at, "host-relaying");
+  trace_text(s->out, "relaying", on ? "on" : "off");
+  trace_end(s->out);
+}
+
 // What the board has performed; `body` is the reply's, behind its status.
 static void performed(serial_sniffer *s, const serial_request *request, const uint8_t *body, size_t length,
                       cycles_t at) {
@@ -283,6 +289,9 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
     case 'D': write_key_step(s, request, "delete", body, length, at); break;
     case 'V': write_key_step(s, request, "session", body, length, at); break;
     case 'R': write_radio(s, request->open, at); break;
+    case 'W':
+      if (length == 1) write_relaying(s, body[0] != 0, at);
+      break;
     case 'Y':
       if (length == 1) write_relay(s, request, body[0], at);
       break;

@@ -64,8 +64,8 @@ class Line {
   std::vector<Event> events(const std::string &event) { return run.events(event); }
   size_t all() {
     size_t count = 0;
-    for (const char *event : {"host-id", "host-key", "host-radio", "host-transmit", "host-relay", "host-handed",
-                              "host-taking", "host-taken", "host-outcome"})
+    for (const char *event : {"host-id", "host-key", "host-radio", "host-relaying", "host-transmit", "host-relay",
+                              "host-handed", "host-taking", "host-taken", "host-outcome"})
       count += events(event).size();
     return count;
   }
@@ -142,6 +142,21 @@ TEST(SerialSniffer, tells_whether_the_host_opens_or_blocks_the_radio) {
   ASSERT_EQ(radio.size(), 2u);
   EXPECT_EQ(radio[0].text("radio"), "open");
   EXPECT_EQ(radio[1].text("radio"), "blocked");
+}
+
+TEST(SerialSniffer, tells_whether_the_board_is_a_relay) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'W', 1});
+  line.board(2, {0, 1});
+  line.host(3, TO_BOARD, {'W'});
+  line.board(3, {0, 0});
+  line.host(4, TO_BOARD, {'W', 1});
+  line.board(4, {0x0A});
+  auto relaying = line.events("host-relaying");
+  ASSERT_EQ(relaying.size(), 2u);
+  EXPECT_EQ(relaying[0].text("relaying"), "on");
+  EXPECT_EQ(relaying[1].text("relaying"), "off");
 }
 
 TEST(SerialSniffer, tells_the_id_that_a_board_says_and_that_it_is_given) {

@@ -37,7 +37,7 @@ class RelayTest {
 
     /** Boards on a line; those between the first and the last one are relays with a host, or run the sketch Relay. */
     private void line(int hops, String sketch, Map<String, Object> more) throws Exception {
-        Emulator.Scenario scenario = new Emulator.Scenario().unmodelled();
+        Emulator.Scenario scenario = new Emulator.Scenario();
         scenario.board("from", "Station", at(0));
         for (int hop = 1; hop < hops; hop++) {
             Map<String, Object> board = new HashMap<>(at(hop));
@@ -129,7 +129,7 @@ class RelayTest {
 
     @Test
     void relays_inEarshot_sendNoMoreThanOneWould() throws Exception {
-        Emulator.Scenario scenario = new Emulator.Scenario().unmodelled().board("from", "Station", at(0))
+        Emulator.Scenario scenario = new Emulator.Scenario().board("from", "Station", at(0))
                 .board("one", "Station", at(1)).board("other", "Station", Map.of("position", List.of(STEP_METRES, 5)))
                 .board("to", "Station", at(2));
         emulator = scenario.start(folder);

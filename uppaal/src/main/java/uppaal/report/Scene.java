@@ -43,6 +43,10 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene ROLLOVER = new Scene("rollover", "The same, where nobody sends for ever", "renewal.xml",
             Map.of("MESSAGES", "1", "ATTEMPTS", "1"), Map.of(), List.of("rollover.q"));
 
+    /** Numbers with which the scenes of relays have few states, and the same verdicts. */
+    private static final Map<String, String> FASTER = Map.of("ROUNDS_WITH_RELAY", "4", "LATE", "4", "LATE_ROUNDS", "1",
+            "LATE_ATTEMPT", "1", "WITHIN", "1");
+
     public static final Scene PIECES =
             new Scene("pieces", "A message in two pieces, of which one is forged", "pieces.xml",
                     Map.of(), Map.of(), List.of("pieces.q"));
@@ -57,6 +61,17 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene HANDSHAKE = new Scene("handshake", "Two hosts that never met come to a key",
             "handshake.xml", Map.of(), Map.of(), List.of("handshake.q"));
 
+    /** With few attempts, as all clocks of two relays run beside each other. */
+    public static final List<Scene> OF_RELAYS = List.of(
+            ofRelays("relay", "One relay, and an attacker (two attempts only)", Map.of("MAX_ATTEMPTS", "2")),
+            ofRelays("attempts", "One relay in doubt, with all attempts", Map.of("SHOTS", "0")),
+            ofRelays("relays", "Two relays (one attempt only)", Map.of("MAX_ATTEMPTS", "1")),
+            ofRelays("reserve", "One relay in doubt, and one in reserve (two attempts only)",
+                    Map.of("MAX_ATTEMPTS", "2")),
+            new Scene("storm", "Relays: Two relays in air that is busy for long", "relay.xml",
+                    Map.of("MAX_ATTEMPTS", "1", "WITHIN", "12", "CREDIT", "4"),
+                    with(FASTER, Map.of("WITHIN", "5", "CREDIT", "3")), List.of("storm.q")));
+
     /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(
             ofMoves("handover", "An agent moves, and again if that has failed", Map.of(), "move.q"),
@@ -68,13 +83,14 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofMoves("silence", "An agent is offered, and its first piece never comes",
                     Map.of("FAIR", "true", "LOSSES", "0")));
 
+    private static final Map<String, String> FEW = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW", "1",
+            "LAST_WINDOW", "2", "LATE_ATTEMPT", "1", "MOST_PUT_OFF_SLOTS", "3");
     /** Numbers with which the scenes of delivery have few states, and the same verdicts. */
-    private static final Map<String, String> SMALL = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW",
-            "1", "LAST_WINDOW", "2", "PATIENCE", "3", "MOST_PUT_OFF_SLOTS", "3", "LOSSES", "1", "DEADLINE", "111");
+    private static final Map<String, String> SMALL = with(FEW, Map.of("PATIENCE", "3", "LATE_PATIENCE", "4",
+            "RELAY_PATIENCE", "5", "LOSSES", "1", "DEADLINE", "112"));
     /** For one end of a message, as a trace is replayed in it: others do what they like, one of them at a time. */
-    private static final Map<String, String> END = Map.of("MAX_ATTEMPTS", "2", "FIRST_SLOTS", "2", "LEAST_WINDOW", "1",
-            "LAST_WINDOW", "2", "PATIENCE", "2", "MOST_PUT_OFF_SLOTS", "3", "CARRIERS", "1", "FAIR", "true", "LOSSES",
-            "0");
+    private static final Map<String, String> END = with(FEW, Map.of("PATIENCE", "2", "LATE_PATIENCE", "3",
+            "RELAY_PATIENCE", "4", "CARRIERS", "1", "FAIR", "true", "LOSSES", "0"));
 
     /**
      * Those of delivery. With all attempts and an attacker there are 11.5 million states, and more of two boards that
@@ -98,12 +114,11 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofDelivery("group", "The sender of a multicast in pieces, likewise", END, Map.of(), "group.q"),
             ofDelivery("receiver", "A receiver, likewise", with(END, Map.of("MORE", "false")), Map.of(), "receiver.q"),
             ofDelivery("bound", "How long a unicast may take", Map.of("TWICE", "false", "PATIENCE", "19", "DATA_TIME",
-                    "28", "ACK_TIME", "19", "DEADLINE", "1424"), SMALL, "bound.q"));
+                    "28", "ACK_TIME", "19", "DEADLINE", "1760"), SMALL, "bound.q"));
 
-    /** Those of boards and of moves. */
-    public static final List<Scene> OURS =
-            Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST, HANDSHAKE),
-                    OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
+    /** Those of boards, of relays and of moves. */
+    public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST, HANDSHAKE),
+            OF_RELAYS, OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
 
@@ -113,6 +128,10 @@ public record Scene(String name, String title, String model, Map<String, String>
             Map<String, String> fewer, String... queries) {
         return new Scene(name, "Delivery: " + title, "delivery.xml", constants, fewer,
                 Stream.concat(Stream.of(queries), Stream.of("air.q")).toList());
+    }
+
+    private static Scene ofRelays(String name, String title, Map<String, String> constants) {
+        return new Scene(name, "Relays: " + title, "relay.xml", constants, FASTER, List.of(name + ".q", "copies.q"));
     }
 
     private static Scene ofMoves(String name, String title, Map<String, String> constants, String... more) {

@@ -20,7 +20,7 @@ final class Airtime {
 
     /** A packet of ours has as many bits as its bytes need (SPEC 6); a reset or the end may break off a trailer. */
     static void check(Event event, Payload payload, Station board) throws RefusedException {
-        if (!board.isNamed()) {
+        if (!board.isNamed() && !board.copies.isOn()) {
             return;
         }
         double bits = event.number("bits");

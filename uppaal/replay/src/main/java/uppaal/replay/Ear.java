@@ -86,6 +86,26 @@ final class Ear {
                 : latest.isEmpty() ? Double.NEGATIVE_INFINITY : latest.getLast().seconds();
     }
 
+    /**
+     * How long the air has been quiet, in slots, before the board begins to send; what has begun less than so many slots
+     * ago it does not hear.
+     */
+    double quietBefore(double seconds, double unheard) {
+        int open = 0;
+        double since = Double.NEGATIVE_INFINITY;
+        for (Sound sound : latest) {
+            if (sound.begins()) {
+                if (open > 0 || sound.seconds() < seconds - unheard * slot()) {
+                    open++;
+                }
+            } else if (open > 0) {
+                open--;
+                since = sound.seconds();
+            }
+        }
+        return open > 0 ? 0 : (seconds - since) / slot();
+    }
+
     List<Sound> latest() {
         return List.copyOf(latest);
     }

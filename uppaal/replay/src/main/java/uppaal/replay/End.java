@@ -17,8 +17,8 @@ final class End {
     private static final double HEARD = 1.25;
     /** Quiet slots after which more change nothing. */
     private static final int LONG_QUIET = 20;
-    /** The model counts no further. */
-    private static final int MOST = 300;
+    /** The model counts no further: the patience while a relay carries it, and the widest window. */
+    private static final int MOST = 700;
     /** Slots that a packet takes in the model. */
     private static final int PACKET = 2;
     private static final String TAKING = "taking";

@@ -53,6 +53,11 @@ record Event(int index, double seconds, String board, String name, JsonObject fi
         }
     }
 
+    /** Relays behind a packet, modulo 3; a sender's own packet has none. */
+    int hops() {
+        return fields.has("hops") ? (int) number("hops") : 0;
+    }
+
     /** What one agent says to another; nothing where it does not tell. */
     Optional<byte[]> said() {
         return fields.has("hex") ? Optional.of(HexFormat.of().parseHex(text("hex")))

@@ -145,6 +145,11 @@ record Payload(String hex, String kind, String destination, String origin, byte[
         return isPiece() ? "piece " + origin + pieceId() + "/" + index() + HexFormat.of().formatHex(message) : hex;
     }
 
+    /** Whether it goes to a device, in one packet, and is long enough for a nonce. */
+    boolean isForDevice() {
+        return kind.equals("unicast") && message.length >= SharedKey.NONCE;
+    }
+
     /** Whether devices with this address are meant. */
     static boolean concerns(String destination, String id) {
         return destination.equals(ALL) || destination.equals(id)

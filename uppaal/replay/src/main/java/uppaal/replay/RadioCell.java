@@ -37,7 +37,10 @@ final class RadioCell {
     /** What a board tells only where no message waits for its host. */
     static final Set<String> NOTHING_WAITS = Set.of("percepts", "host-nothing");
     /** So often what comes undamaged may be lost: to an interrupt that was late, or a full queue. */
-    private static final int LOST = 2;
+    static final int LOST = 2;
+    /** So long a sender waits at least once it has heard a copy of its message, in seconds; and some less. */
+    private static final double WITH_RELAY = 2.9;
+    private static final String COPIED = "copied";
 
     private final Map<String, Station> boards = new LinkedHashMap<>();
     private final Map<String, Message> messages = new Recent<>();
@@ -114,6 +117,11 @@ final class RadioCell {
         Station board = board(event.board());
         board.open(event.text("radio").equals("open"));
         forgetHeard(board);
+    }
+
+    /** A board tells whether it is a relay. */
+    void relaying(Event event) {
+        board(event.board()).copies.set(event.text("relaying").equals("on"));
     }
 
     /** A host has done something with a key. */
@@ -194,10 +202,13 @@ final class RadioCell {
                     board.name() + " begins to send; expected that its last packet ends first");
         }
         boolean relayed = !board.hasBeen(payload.origin()) && board.relays(payload.hex()).isPresent();
-        boolean own = board.isNamed() && !relayed;
-        if (own && !board.hasBeen(payload.origin())) {
+        boolean copy = !relayed && !board.hasBeen(payload.origin()) && (board.isNamed() || board.copies.isOn());
+        boolean own = board.isNamed() && !relayed && !copy;
+        if (copy) {
+            board.copies.sends(event, payload, board.ear);
+        } else if (own && event.hops() != 0) {
             throw new RefusedException(
-                    board.name() + " sends as '" + payload.origin() + "'; expected its own id");
+                    board.name() + " sends its own packet with " + event.hops() + " hops behind it; expected none");
         }
         Airtime.check(event, payload, board);
         board.ear.learn(event.number("bits"), start, event.number("end"));
@@ -221,10 +232,10 @@ final class RadioCell {
                     board.name() + " sends a packet of no known kind; expected a message or an acknowledgement");
         }
         board.questions.pass(start, board.ear);
-        board.ear.begin(start, payload.isData() ? "own_message" : "own_answer", owner);
+        board.ear.begin(start, payload.isData() && !copy ? "own_message" : "own_answer", owner);
         board.send(
                 new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message, answered,
-                        answer, owner));
+                        answer, event.hops(), owner));
     }
 
     /** It has ended to send. */
@@ -316,9 +327,24 @@ final class RadioCell {
             throw new RefusedException(board.name() + " sends again a piece that has come, though it was told "
                     + (LOST + 1) + " times that others have not: " + message);
         }
+        checkPatience(start, board, message);
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
         message.sender(start, attempt ? "send" : "part");
         return message;
+    }
+
+    /** A sender that has heard a copy of its only message waits for the relays. */
+    private void checkPatience(double seconds, Station board, Message message) throws RefusedException {
+        if (message == null || !message.wasCopied()) {
+            return;
+        }
+        if (message.copied() < seconds - WITH_RELAY) {
+            missed.remove(COPIED);
+        } else if (board.open().count() == 1 && board.ear.isTimed() && missed.merge(COPIED, 1, Integer::sum) > LOST) {
+            throw new RefusedException(board.name() + " does not wait for a relay (" + message + "); expected 3 s: of "
+                    + "the last " + (LOST + 1) + " times that a copy came undamaged no board has waited");
+        }
+        message.copied(Double.NEGATIVE_INFINITY);
     }
 
     /** The message that this is, or is a piece of; null where it is a new one. */
@@ -468,6 +494,10 @@ final class RadioCell {
         if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
+        if (event.fields().has("payload") && event.hops() != packet.hops()) {
+            throw new RefusedException(board.name() + " hears a packet with " + event.hops()
+                    + " hops behind it; expected " + packet.hops() + ", as it was sent");
+        }
         Airtime.checkArrival(event, packet);
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
             throw new RefusedException(board.name()
@@ -476,6 +506,8 @@ final class RadioCell {
         boolean undamaged = event.fields().has("payload") && board.lastEnd() < packet.start()
                 && board.ear.isSure(packet.start(), event.number("end") - DISORDER);
         hear(packet, board, undamaged, seconds);
+        board.copies.hears(packet, undamaged, seconds);
+        copied(packet, board, undamaged, seconds);
         if (packet.message() != null && packet.message().concerns(board)) {
             for (String step : packet.message().arrivals(board, packet.payload())) {
                 packet.message().perhaps(seconds, board, step);
@@ -492,6 +524,18 @@ final class RadioCell {
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
+            }
+        }
+    }
+
+    /** A sender may hear a copy of what it has sent itself: a relay carries it. */
+    private void copied(Packet packet, Station board, boolean undamaged, double seconds) throws RefusedException {
+        String nonce = packet.payload().kind().equals("unicast") ? packet.payload().nonce() : "";
+        for (Message message : messages.values()) {
+            if (!nonce.isEmpty() && message.nonce.equals(nonce) && board.hasBeen(message.origin)
+                    && message.sender() != null) {
+                message.perhaps(seconds, "copy_comes");
+                message.copied(undamaged ? seconds : Double.NEGATIVE_INFINITY);
             }
         }
     }
@@ -716,6 +760,7 @@ final class RadioCell {
         }
         if (outcome.equals("undelivered")) {
             checkUndelivered(board, transmission.message);
+            checkPatience(event.seconds(), board, transmission.message);
         }
         if (transmission.message == null) {
             unsent(board, transmission);

@@ -216,7 +216,7 @@ public final class Replay {
                             event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
                 }
             }
-            case "host-id", "host-key", "host-radio", "counters", "crash", "host-handed", "host-taking", "host-taken",
+            case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed", "host-taking", "host-taken",
                     "host-outcome", "host-nothing", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
             default -> {} // nothing that the model speaks of
@@ -326,6 +326,7 @@ public final class Replay {
             }
             case "host-key" -> cell.key(event);
             case "host-radio" -> cell.radio(event);
+            case "host-relaying" -> cell.relaying(event);
             case "counters" -> cell.over(event);
             case "host-transmit" -> {
                 cell.transmit(event);

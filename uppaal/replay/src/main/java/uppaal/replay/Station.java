@@ -86,10 +86,13 @@ final class Station {
     final Ear ear;
     /** What it is to answer. */
     final Questions questions = new Questions();
+    /** What it may send as a relay. */
+    final Copies copies;
 
     Station(String name, Ear ear) {
         this.name = name;
         this.ear = ear;
+        copies = new Copies(name, ids);
     }
 
     /** Its transmissions that have not been told to have ended. */
@@ -388,6 +391,7 @@ final class Station {
         sessions.clear();
         had.clear();
         open = false;
+        copies.reset();
         last = LAST_NUMBER;
         came.clear();
         taking.clear();

@@ -32,7 +32,7 @@ class EdgesTest {
 
     @Test
     void edges_areThoseThatTracesTake() {
-        assertEquals(128, Replay.edges().size());
+        assertEquals(132, Replay.edges().size());
         assertEquals(67, Replay.edgesOfMoves().size());
     }
 }

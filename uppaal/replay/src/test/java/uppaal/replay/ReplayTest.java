@@ -24,7 +24,8 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Genuine traces and spoilt ones. {@code highway.jsonl} is what {@code gradle highway} has left in its build folder,
  * {@code pieces.jsonl} what two boards did of which one sent 200 bytes three times at a bit error rate of 1e-3,
  * {@code partners.jsonl} what a board did that sent to two who were there and to two who were not
- * ({@code test/system}'s {@code PartnersTest}); all without the events that the model does not speak of.
+ * ({@code test/system}'s {@code PartnersTest}), {@code relays.jsonl} what came of three unicasts over two relays (as in
+ * {@code RelayTest}); all without the events that the model does not speak of.
  */
 class ReplayTest {
     private static final int RATE = 2000;
@@ -58,7 +59,7 @@ class ReplayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"highway", "pieces", "partners"})
+    @ValueSource(strings = {"highway", "pieces", "partners", "relays"})
     void replay_genuineTrace_isAcceptedHoweverEarlyItEnds(String name) {
         Lines lines = Lines.of(name);
         assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());

@@ -354,10 +354,10 @@ class TimesTest {
     void times_whatIsAskedAndNeverSent_isRefusedAfterTwentySeconds() {
         Lines lines = Lines.of("partners");
         Lines silent = lines.without(line -> lines.text(line, "event").matches("rf-.*|host-(handed|tak.*|outcome)"));
-        assertEquals("accepted", refusal(endless(silent, "police", 19)));
+        assertEquals("accepted", refusal(endless(silent, "police", 27)));
         assertTrue(
-                refusal(endless(silent, "police", 30))
-                        .contains("police does not send what its host has asked at 1.410 s to be"),
+                refusal(endless(silent, "police", 38))
+                        .contains("police does not send what its host has asked at 9.215 s to be"),
                 refusal(silent));
     }
 
@@ -365,8 +365,8 @@ class TimesTest {
     void times_ofABoardWithoutPower_areOver() {
         Lines lines = Lines.of("partners");
         Lines silent = lines.without(line -> lines.text(line, "event").matches("rf-.*|host-(handed|tak.*|outcome)"));
-        silent.add(2, "police", "fault", Map.of("do", "power-cut", "until", 40.0));
-        assertEquals("accepted", refusal(endless(silent, "police", 30)));
+        silent.add(10, "police", "fault", Map.of("do", "power-cut", "until", 48.0));
+        assertEquals("accepted", refusal(endless(silent, "police", 38)));
     }
 
     /** A board that is not in the trace hears each packet of the police to an absent partner. */
@@ -395,7 +395,7 @@ class TimesTest {
     @Test
     void undelivered_thoughItCameOftenToABoardThatListensAndHasTheKey_isRefused() {
         String refusal = refusal(heard("open", "010203", false));
-        assertTrue(refusal.contains("police reports undelivered what came undamaged to deaf 6 times"), refusal);
+        assertTrue(refusal.contains("police reports undelivered what came undamaged to deaf 5 times"), refusal);
         assertEquals("accepted", refusal(heard("blocked", "010203", false)));
         assertEquals("accepted", refusal(heard("open", "010204", false)));
         assertEquals("accepted", refusal(heard("open", "010203", true)));
