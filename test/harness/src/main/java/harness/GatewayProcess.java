@@ -10,7 +10,10 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
-/** A {@code javino gateway} in a process of its own, which can be killed. */
+/**
+ * A {@code javino gateway} in a process of its own, which can be killed. It has to do with 32 MB of heap, and ends where
+ * it needs more.
+ */
 public final class GatewayProcess implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 60;
@@ -26,11 +29,14 @@ public final class GatewayProcess implements AutoCloseable {
         reader.start();
     }
 
-    /** Starts one at a board, for a broker that may be reached by another port, and waits until it works. */
+    /**
+     * Starts one at a board, for a broker that may be reached by another port, and waits until it works. Its user is
+     * named as its cell.
+     */
     public static GatewayProcess join(Emulator emulator, String board, String cell, Mosquitto broker, int port,
             String... options) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of("--port", emulator.port(board), "--broker",
-                "mqtts://localhost:" + port, "--cell", cell, "--user", Mosquitto.USER, "--ca", broker.ca().toString()));
+                "mqtts://localhost:" + port, "--cell", cell, "--user", cell, "--ca", broker.ca().toString()));
         words.addAll(List.of(options));
         GatewayProcess gateway = start(words);
         gateway.await(line -> line.endsWith("is joined"));
@@ -39,7 +45,8 @@ public final class GatewayProcess implements AutoCloseable {
 
     /** Starts one, with the password of the test's broker in its environment. */
     public static GatewayProcess start(List<String> options) throws IOException {
-        List<String> command = new ArrayList<>(List.of(ProcessHandle.current().info().command().orElse("java"), "-cp",
+        List<String> command = new ArrayList<>(List.of(ProcessHandle.current().info().command().orElse("java"),
+                "-Xmx32m", "-XX:+UseSerialGC", "-XX:+ExitOnOutOfMemoryError", "-cp",
                 System.getProperty("java.class.path"), "javino.cli.Main", "gateway"));
         command.addAll(options);
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
@@ -77,6 +84,11 @@ public final class GatewayProcess implements AutoCloseable {
                 lines.wait(left);
             }
         }
+    }
+
+    /** To see what it takes. */
+    public ProcessHandle process() {
+        return process.toHandle();
     }
 
     /** What it said, and at last its exit status; waits until it has ended. */
