@@ -1,8 +1,12 @@
 package harness;
 
+import com.google.gson.Gson;
+import com.google.gson.reflect.TypeToken;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -11,12 +15,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
 /**
- * A {@code javino gateway} in a process of its own, which can be killed. It has to do with 32 MB of heap, and ends where
+ * A {@code javino gateway} in a process of its own, which can be killed. It has to do with 16 MB of heap, and ends where
  * it needs more.
  */
 public final class GatewayProcess implements AutoCloseable {
 
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 180;
+    private static final long PAGE_BYTES = 4096;
 
     private final Process process;
     private final List<String> lines = Collections.synchronizedList(new ArrayList<>());
@@ -24,6 +29,8 @@ public final class GatewayProcess implements AutoCloseable {
 
     private GatewayProcess(Process process) {
         this.process = process;
+        // For a run that is broken off: nothing stays behind.
+        Runtime.getRuntime().addShutdownHook(new Thread(process::destroyForcibly));
         reader = new Thread(this::read, "gateway output");
         reader.setDaemon(true);
         reader.start();
@@ -46,7 +53,7 @@ public final class GatewayProcess implements AutoCloseable {
     /** Starts one, with the password of the test's broker in its environment. */
     public static GatewayProcess start(List<String> options) throws IOException {
         List<String> command = new ArrayList<>(List.of(ProcessHandle.current().info().command().orElse("java"),
-                "-Xmx32m", "-XX:+UseSerialGC", "-XX:+ExitOnOutOfMemoryError", "-cp",
+                "-Xmx16m", "-XX:+UseSerialGC", "-XX:+ExitOnOutOfMemoryError", "-cp",
                 System.getProperty("java.class.path"), "javino.cli.Main", "gateway"));
         command.addAll(options);
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
@@ -76,7 +83,7 @@ public final class GatewayProcess implements AutoCloseable {
     public void await(int times, Predicate<String> wanted) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         synchronized (lines) {
-            while (lines.stream().filter(wanted).count() < times) {
+            while (said(wanted) < times) {
                 long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
                 if (left <= 0) {
                     throw new AssertionError("the gateway has said only " + lines);
@@ -86,9 +93,22 @@ public final class GatewayProcess implements AutoCloseable {
         }
     }
 
+    /** How many such lines it has said. */
+    public long said(Predicate<String> wanted) {
+        synchronized (lines) {
+            return lines.stream().filter(wanted).count();
+        }
+    }
+
     /** To see what it takes. */
     public ProcessHandle process() {
         return process.toHandle();
+    }
+
+    /** What it has in memory. */
+    public long residentBytes() throws IOException {
+        String pages = Files.readString(Path.of("/proc/" + process.pid() + "/statm")).split(" ")[1];
+        return Long.parseLong(pages) * PAGE_BYTES;
     }
 
     /** What it said, and at last its exit status; waits until it has ended. */
@@ -102,17 +122,14 @@ public final class GatewayProcess implements AutoCloseable {
         return all;
     }
 
-    /** Ends it as Ctrl-C does; tells one of its counters. */
-    public long end(String counter) throws InterruptedException {
+    /** Ends it as Ctrl-C does; tells what it has counted (docs/mqtt.md). */
+    public Map<String, Long> end() throws InterruptedException {
         // By its handle: the other way would drop what it has yet to say.
         process.toHandle().destroy();
         ended();
-        String last = lines.stream().filter(line -> line.contains("{\"heard\"")).findFirst().orElse("");
-        String value = last.replaceAll(".*\"" + counter + "\":(\\d+).*", "$1");
-        if (value.equals(last)) {
-            throw new AssertionError("no " + counter + " in " + lines);
-        }
-        return Long.parseLong(value);
+        String last = lines.stream().filter(line -> line.contains("{\"heard\"")).findFirst()
+                .orElseThrow(() -> new AssertionError("no counters in " + lines));
+        return new Gson().fromJson(last.substring(last.indexOf('{')), new TypeToken<Map<String, Long>>() {}.getType());
     }
 
     /** Ends it as a loss of power does. */
