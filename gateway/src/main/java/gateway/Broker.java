@@ -33,6 +33,10 @@ final class Broker implements AutoCloseable {
     private static final long[] PAUSES_MILLIS = {250, 500, 1000, 2000, 4000};
     /** Messages that the network has not taken yet. */
     private static final int MOST_UNDER_WAY = 64;
+    /** Messages that have come and are not worked off. The broker waits with those of QoS 1; others are dropped. */
+    private static final int MOST_ARRIVED = 1024;
+    /** Anybody may publish 256 MB; the broker drops what is longer than this. */
+    private static final int LONGEST = 4096;
 
     private final BrokerConfig config;
     private final List<Mqtt5Subscription> subscriptions;
@@ -133,8 +137,9 @@ final class Broker implements AutoCloseable {
             throws JavinoException, InterruptedException {
         Broker broker = new Broker(config, name, topics, will, listener);
         try {
-            broker.client.connectWith().keepAlive(KEEP_ALIVE_SECONDS).send().thenCompose(entered -> broker.subscribed)
-                    .get(CONNECT_SECONDS, TimeUnit.SECONDS);
+            broker.client.connectWith().keepAlive(KEEP_ALIVE_SECONDS)
+                    .restrictions().receiveMaximum(MOST_ARRIVED).maximumPacketSize(LONGEST).applyRestrictions().send()
+                    .thenCompose(entered -> broker.subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
             return broker;
         } catch (ExecutionException e) {
             broker.close();

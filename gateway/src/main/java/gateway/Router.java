@@ -147,8 +147,9 @@ final class Router {
         if (!sighting.lacks(nth)) {
             return Optional.of(Tally.DUPLICATES);
         }
+        long airtime = (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + frame.message().length())) / BITS_A_MILLI;
         if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
-            return conversations.isAwaited(frame) ? Optional.empty() : Optional.of(Tally.ELSEWHERE);
+            return !conversations.isAwaited(frame) ? Optional.of(Tally.ELSEWHERE) : within(all.take(airtime, now));
         }
         if (conversations.isAnswered(frame, now)) {
             return Optional.of(Tally.ANSWERED);
@@ -162,9 +163,11 @@ final class Router {
         if (!known && !isSearched(destination.get(), frame.origin(), nth, now)) {
             return Optional.of(Tally.ELSEWHERE);
         }
-        long airtime = (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + frame.message().length())) / BITS_A_MILLI;
-        return (known || searches.take(airtime, now)) && all.take(airtime, now) ? Optional.empty()
-                : Optional.of(Tally.OVER_BUDGET);
+        return within((known || searches.take(airtime, now)) && all.take(airtime, now));
+    }
+
+    private static Optional<Tally> within(boolean budget) {
+        return budget ? Optional.empty() : Optional.of(Tally.OVER_BUDGET);
     }
 
     private boolean isHere(Address destination, long now) {

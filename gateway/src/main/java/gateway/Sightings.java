@@ -25,10 +25,13 @@ final class Sightings {
         /** What came from another cell is on the air here within so long: a gateway keeps nothing for longer. */
         private static final long ECHO_MILLIS = Router.LIFE_MILLIS + 3000;
 
+        private static final long NEVER = Long.MIN_VALUE / 2;
+
         private final Map<String, Integer> arrivals = new HashMap<>();
         private int onAir;
         private long last;
-        private long lastArrival = Long.MIN_VALUE / 2;
+        private long lastArrival = NEVER;
+        private long lastOwn = NEVER;
 
         private void seen(long now) {
             if (now - last > ROUND_MILLIS) {
@@ -38,9 +41,16 @@ final class Sightings {
             last = now;
         }
 
-        /** Whether it has just come from another cell, so that what is heard here is a gateway. */
+        /**
+         * It was heard here. Tells whether that is a gateway's doing: it has just come from another cell, and its
+         * origin was not heard with it before that. (Who copies frames could stop all repeats otherwise.)
+         */
         boolean isEcho(long now) {
-            return now - lastArrival < ECHO_MILLIS;
+            if (now - lastArrival < ECHO_MILLIS && now - lastOwn >= ECHO_MILLIS) {
+                return true;
+            }
+            lastOwn = now;
+            return false;
         }
 
         /** It is on the air here once more. */

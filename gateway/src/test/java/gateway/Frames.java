@@ -22,7 +22,12 @@ final class Frames {
 
     /** The acknowledgement of such a one, by the device that it was for. */
     static Bytes acknowledgement(String by, int nonce) {
-        return of(numbered("+K", nonce & 0xFFF), by, Bytes.ofNumber(nonce * 13L + 1, 8));
+        return acknowledgement(by, nonce, nonce * 13L + 1);
+    }
+
+    /** One with that proof. */
+    static Bytes acknowledgement(String by, int nonce, long proof) {
+        return of(numbered("+K", nonce & 0xFFF), by, Bytes.ofNumber(proof, 8));
     }
 
     /** A piece of a sealed message. */

@@ -227,6 +227,40 @@ class RouterTest {
     }
 
     @Test
+    void forgedAcknowledgements_areRelayedWithinTheBudget() {
+        heard(Frames.sealed("ROMA", "SUPO", 1));
+        int forged = 0;
+        for (int i = 0; i < 1000; i++) {
+            now -= STEP;
+            forged += relays(Frames.acknowledgement("ROMA", 1, i)) ? 1 : 0;
+        }
+        // 10 s at once; a packet of 18 bytes takes 0.15 s.
+        assertEquals(10_000 / 150, forged);
+        assertEquals(1000 - forged, tallies.of(Tally.OVER_BUDGET));
+    }
+
+    @Test
+    void repeats_ofAFrameThatAFalseGatewayCopies_areStillPublished() {
+        Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
+        for (int i = 0; i < 8; i++) {
+            assertTrue(heard(frame));
+            assertFalse(relays("false", "f1", frame));
+        }
+        assertEquals(0, tallies.of(Tally.ECHOES));
+    }
+
+    @Test
+    void repeats_ofADeviceThatTwoCellsHear_arePublishedByBoth() {
+        Bytes frame = Frames.sealed("ROMA", "SUPO", 1);
+        Bytes earlier = Frames.sealed("ROMA", "SUPO", 2);
+        relays("east", "e1", earlier);
+        assertFalse(heard(earlier), "perhaps it is a relay");
+        assertTrue(heard(frame));
+        relays("east", "e1", frame);
+        assertTrue(heard(frame));
+    }
+
+    @Test
     void pieces_goWhereTheirFirstOneGoes() {
         heard(Frames.sealed("ROMA", "SUPO", 1));
         assertTrue(relays(Frames.piece("SUPO", "ROMA", 7, 8, 2)));

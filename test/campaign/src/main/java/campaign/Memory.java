@@ -38,18 +38,19 @@ final class Memory {
         System.gc();
         System.gc();
         Runtime runtime = Runtime.getRuntime();
-        Sample sample = new Sample(runtime.totalMemory() - runtime.freeMemory(), resident());
+        Sample sample = new Sample(runtime.totalMemory() - runtime.freeMemory(), resident(emulator));
         samples.add(sample);
         return sample;
     }
 
-    private long resident() throws IOException {
-        for (String line : Files.readAllLines(Path.of("/proc/" + emulator.pid() + "/status"))) {
+    /** What a process has in memory, in bytes. */
+    static long resident(ProcessHandle process) throws IOException {
+        for (String line : Files.readAllLines(Path.of("/proc/" + process.pid() + "/status"))) {
             if (line.startsWith("VmRSS:")) {
                 return Long.parseLong(line.replaceAll("\\D", "")) * 1024;
             }
         }
-        throw new IOException("the emulator has ended");
+        throw new IOException(process.pid() + " has ended");
     }
 
     /** The sample at a share of all samples, 0…1. */

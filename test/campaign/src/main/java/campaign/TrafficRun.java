@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 
 /**
  * Cells of boards in one emulator, each with its traffic.
@@ -109,7 +110,7 @@ record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRu
             long[] before = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
             await(timetable, begin + seconds, field);
             long[] then = all.stream().mapToLong(traffic -> traffic.sum().delivered()).toArray();
-            awaitEnds(all);
+            awaitEnds(() -> all.stream().allMatch(traffic -> traffic.sum().open() == 0));
             List<Result> results = new ArrayList<>();
             for (int cell = 0; cell < plans.size(); cell++) {
                 Traffic traffic = all.get(cell);
@@ -122,15 +123,17 @@ record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRu
         }
     }
 
-    private static void await(Timetable timetable, double second, Field field) throws Exception {
+    /** Waits until an emulated time. */
+    static void await(Timetable timetable, double second, Field field) throws IOException, InterruptedException {
         if (!timetable.await(second, field.emulator().process())) {
             throw new IOException("the emulator ended: " + field.emulator().complaints());
         }
     }
 
-    private static void awaitEnds(List<Traffic> all) throws InterruptedException {
+    /** Waits until all that was sent has ended, unless that takes far too long. */
+    static void awaitEnds(BooleanSupplier ended) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (System.nanoTime() - end < 0 && all.stream().anyMatch(traffic -> traffic.sum().open() > 0)) {
+        while (System.nanoTime() - end < 0 && !ended.getAsBoolean()) {
             TimeUnit.MILLISECONDS.sleep(100);
         }
     }

@@ -1,8 +1,12 @@
 package harness;
 
+import com.google.gson.Gson;
+import com.google.gson.reflect.TypeToken;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -10,10 +14,14 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
-/** A {@code javino gateway} in a process of its own, which can be killed. */
+/**
+ * A {@code javino gateway} in a process of its own, which can be killed. It has to do with 16 MB of heap, and ends where
+ * it needs more.
+ */
 public final class GatewayProcess implements AutoCloseable {
 
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long PATIENCE_SECONDS = 180;
+    private static final long PAGE_BYTES = 4096;
 
     private final Process process;
     private final List<String> lines = Collections.synchronizedList(new ArrayList<>());
@@ -21,16 +29,21 @@ public final class GatewayProcess implements AutoCloseable {
 
     private GatewayProcess(Process process) {
         this.process = process;
+        // For a run that is broken off: nothing stays behind.
+        Runtime.getRuntime().addShutdownHook(new Thread(process::destroyForcibly));
         reader = new Thread(this::read, "gateway output");
         reader.setDaemon(true);
         reader.start();
     }
 
-    /** Starts one at a board, for a broker that may be reached by another port, and waits until it works. */
+    /**
+     * Starts one at a board, for a broker that may be reached by another port, and waits until it works. Its user is
+     * named as its cell.
+     */
     public static GatewayProcess join(Emulator emulator, String board, String cell, Mosquitto broker, int port,
             String... options) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of("--port", emulator.port(board), "--broker",
-                "mqtts://localhost:" + port, "--cell", cell, "--user", Mosquitto.USER, "--ca", broker.ca().toString()));
+                "mqtts://localhost:" + port, "--cell", cell, "--user", cell, "--ca", broker.ca().toString()));
         words.addAll(List.of(options));
         GatewayProcess gateway = start(words);
         gateway.await(line -> line.endsWith("is joined"));
@@ -39,7 +52,8 @@ public final class GatewayProcess implements AutoCloseable {
 
     /** Starts one, with the password of the test's broker in its environment. */
     public static GatewayProcess start(List<String> options) throws IOException {
-        List<String> command = new ArrayList<>(List.of(ProcessHandle.current().info().command().orElse("java"), "-cp",
+        List<String> command = new ArrayList<>(List.of(ProcessHandle.current().info().command().orElse("java"),
+                "-Xmx16m", "-XX:+UseSerialGC", "-XX:+ExitOnOutOfMemoryError", "-cp",
                 System.getProperty("java.class.path"), "javino.cli.Main", "gateway"));
         command.addAll(options);
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
@@ -69,7 +83,7 @@ public final class GatewayProcess implements AutoCloseable {
     public void await(int times, Predicate<String> wanted) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         synchronized (lines) {
-            while (lines.stream().filter(wanted).count() < times) {
+            while (said(wanted) < times) {
                 long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
                 if (left <= 0) {
                     throw new AssertionError("the gateway has said only " + lines);
@@ -77,6 +91,24 @@ public final class GatewayProcess implements AutoCloseable {
                 lines.wait(left);
             }
         }
+    }
+
+    /** How many such lines it has said. */
+    public long said(Predicate<String> wanted) {
+        synchronized (lines) {
+            return lines.stream().filter(wanted).count();
+        }
+    }
+
+    /** To see what it takes. */
+    public ProcessHandle process() {
+        return process.toHandle();
+    }
+
+    /** What it has in memory. */
+    public long residentBytes() throws IOException {
+        String pages = Files.readString(Path.of("/proc/" + process.pid() + "/statm")).split(" ")[1];
+        return Long.parseLong(pages) * PAGE_BYTES;
     }
 
     /** What it said, and at last its exit status; waits until it has ended. */
@@ -90,17 +122,14 @@ public final class GatewayProcess implements AutoCloseable {
         return all;
     }
 
-    /** Ends it as Ctrl-C does; tells one of its counters. */
-    public long end(String counter) throws InterruptedException {
+    /** Ends it as Ctrl-C does; tells what it has counted (docs/mqtt.md). */
+    public Map<String, Long> end() throws InterruptedException {
         // By its handle: the other way would drop what it has yet to say.
         process.toHandle().destroy();
         ended();
-        String last = lines.stream().filter(line -> line.contains("{\"heard\"")).findFirst().orElse("");
-        String value = last.replaceAll(".*\"" + counter + "\":(\\d+).*", "$1");
-        if (value.equals(last)) {
-            throw new AssertionError("no " + counter + " in " + lines);
-        }
-        return Long.parseLong(value);
+        String last = lines.stream().filter(line -> line.contains("{\"heard\"")).findFirst()
+                .orElseThrow(() -> new AssertionError("no counters in " + lines));
+        return new Gson().fromJson(last.substring(last.indexOf('{')), new TypeToken<Map<String, Long>>() {}.getType());
     }
 
     /** Ends it as a loss of power does. */

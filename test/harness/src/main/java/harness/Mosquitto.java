@@ -9,10 +9,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** An MQTT broker on this computer, with TLS by a CA of its own and one user. */
+/**
+ * An MQTT broker on this computer, with TLS by a CA of its own. Each cell is a user that publishes for itself only, as
+ * docs/how-to/join-two-cells.md has it; only {@link #OWNER} may do all.
+ */
 public final class Mosquitto implements AutoCloseable {
 
-    public static final String USER = "cells";
+    public static final String OWNER = "owner";
+    /** Of all users. */
     public static final String PASSWORD = "together";
     private static final long PATIENCE_SECONDS = 60;
     private static final long PAUSE_MILLIS = 20;
@@ -26,23 +30,31 @@ public final class Mosquitto implements AutoCloseable {
         this.port = port;
     }
 
-    /** Starts one whose files are in that folder. */
-    public static Mosquitto start(Path folder) throws IOException, InterruptedException {
+    /** Starts one whose files are in that folder, for its owner and these cells. */
+    public static Mosquitto start(Path folder, String... cells) throws IOException, InterruptedException {
         Files.createDirectories(folder);
         Mosquitto broker = new Mosquitto(folder, freePort());
         broker.certify();
-        broker.run("mosquitto_passwd", "-b", "-c", broker.path("passwords"), USER, PASSWORD);
-        Files.writeString(folder.resolve("mosquitto.conf"), """
+        broker.run("mosquitto_passwd", "-b", "-c", broker.path("passwords"), OWNER, PASSWORD);
+        for (String cell : cells) {
+            broker.run("mosquitto_passwd", "-b", broker.path("passwords"), cell, PASSWORD);
+        }
+        Files.writeString(folder.resolve("acl"),
+                "user " + OWNER + "\ntopic readwrite #\npattern read javino/#\npattern write javino/%u/#\n");
+        Files.writeString(folder.resolve("mosquitto.conf"),
+                """
                 user %s
                 listener %d 127.0.0.1
                 allow_anonymous false
                 password_file %s
+                acl_file %s
                 certfile %s
                 keyfile %s
                 persistence true
                 persistence_location %s/
                 """.formatted(System.getProperty("user.name"), broker.port, broker.path("passwords"),
-                broker.path("broker.pem"), broker.path("broker.key"), folder));
+                        broker.path("acl"),
+                        broker.path("broker.pem"), broker.path("broker.key"), folder));
         broker.start();
         return broker;
     }
@@ -106,6 +118,16 @@ public final class Mosquitto implements AutoCloseable {
         process.waitFor();
     }
 
+    /** Removes what it has kept, as if it kept nothing over its end. */
+    public void forget() throws IOException {
+        Files.deleteIfExists(folder.resolve("mosquitto.db"));
+    }
+
+    /** To see what it takes. */
+    public ProcessHandle process() {
+        return process.toHandle();
+    }
+
     public int port() {
         return port;
     }
@@ -113,12 +135,6 @@ public final class Mosquitto implements AutoCloseable {
     /** The certificate of its CA. */
     public Path ca() {
         return folder.resolve("ca.pem");
-    }
-
-    /** What any client has to say of it, for {@code mosquitto_sub} and {@code mosquitto_pub}. */
-    public List<String> client(String program) {
-        return List.of(program, "-h", "localhost", "-p", "" + port, "-V", "5", "--cafile", ca().toString(), "-u", USER,
-                "-P", PASSWORD);
     }
 
     @Override

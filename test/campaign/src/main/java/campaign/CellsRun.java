@@ -1,0 +1,251 @@
+package campaign;
+
+import harness.BrokerClient;
+import harness.Emulator;
+import harness.GatewayProcess;
+import harness.Mosquitto;
+import harness.TestKeys;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
+import javino.protocol.Outcome;
+
+/**
+ * Some cells, joined.
+ *
+ * @param boards  of each cell; the last one is its gateway's.
+ * @param seconds emulated, how long messages are offered.
+ */
+record CellsRun(long seed, int cells, int boards, double seconds) implements Callable<CellsRun.Result> {
+
+    /** From one message of a device to its next one to the same partner. */
+    static final double MEAN_SECONDS = 90;
+
+    /**
+     * What it came to. CPU times are in seconds of a core by an emulated second.
+     *
+     * @param near    messages to a neighbour.
+     * @param far     to the next cell, if there is one.
+     * @param speed   emulated time by time on the wall.
+     * @param air     the share of a cell's time in which some board sends.
+     * @param frames  published in an emulated second.
+     * @param gateway of each gateway, as of each emulator and of the hosts of each cell.
+     * @param flood   afterwards.
+     */
+    record Result(int cells, Traffic.Sent near, Traffic.Sent far, double speed, double air, double frames,
+            double broker, long brokerBytes, double gateway, long gatewayBytes, double emulator, double hosts,
+            Flood flood) {}
+
+    /**
+     * What the processes take of a core where frames come as fast as they can, in seconds.
+     *
+     * @param onward  of the broker, for each message that it hands to a gateway.
+     * @param arrived of a gateway, for each message that it gets.
+     * @param rate    messages a second that a gateway got.
+     */
+    record Flood(double onward, double arrived, double rate) {}
+
+    private static final int FLOOD = 20_000;
+    private static final int FLOOD_BYTES = 30;
+    private static final long SETTLE_MILLIS = 2000;
+
+    /** A cell with its hosts; what they send is entered where it is sent. */
+    private record Cell(Timetable timetable, AirUsage air, Field field, List<Flow> flows) {}
+
+    /** From one device to another, and how long its messages waited. */
+    private record Flow(boolean near, Endpoint from, Address to, Ledger ledger, List<Double> waits) {
+
+        CompletableFuture<Outcome> send(Timetable timetable) {
+            double offered = timetable.now();
+            return from.send(to, ledger).whenComplete((outcome, failure) -> {
+                if (outcome == Outcome.DELIVERED) {
+                    synchronized (waits) {
+                        waits.add(timetable.now() - offered);
+                    }
+                }
+            });
+        }
+
+        Traffic.Sent sent() {
+            synchronized (waits) {
+                return new Traffic.Sent(ledger.sum(), List.copyOf(waits));
+            }
+        }
+    }
+
+    private static Address address(int cell, int device) {
+        return Address.parse(Table.text("C%d%02d", cell, device));
+    }
+
+    private static String name(int cell) {
+        return "cell" + cell;
+    }
+
+    @Override
+    public Result call() throws Exception {
+        try (Closing closing = new Closing()) {
+            Map<String, Ledger> ledgers = new HashMap<>();
+            List<Cell> all = new ArrayList<>();
+            for (int cell = 0; cell < cells; cell++) {
+                all.add(start(cell, ledgers, closing));
+            }
+            Mosquitto broker = closing.add(Mosquitto.start(all.get(0).field.folder().resolve("broker"),
+                    IntStream.range(0, cells).mapToObj(CellsRun::name).toArray(String[]::new)));
+            List<GatewayProcess> gateways = new ArrayList<>();
+            for (int cell = 0; cell < cells; cell++) {
+                Field field = all.get(cell).field;
+                gateways.add(closing.add(GatewayProcess.join(field.emulator(), field.cell(0).get(boards - 1).name(),
+                        name(cell), broker, broker.port())));
+            }
+            AtomicLong frames = new AtomicLong();
+            closing.add(BrokerClient.enter(broker, Mosquitto.OWNER)).watch("javino/+/air",
+                    (topic, frame) -> frames.incrementAndGet());
+            CompletableFuture.allOf(flows(all, true).map(flow -> flow.send(all.get(0).timetable))
+                    .toArray(CompletableFuture[]::new)).join();
+            flows(all, true).forEach(flow -> flow.waits.clear());
+            return measure(all, gateways, broker, frames);
+        }
+    }
+
+    private static Stream<Flow> flows(Collection<Cell> all, boolean near) {
+        return all.stream().flatMap(cell -> cell.flows.stream()).filter(flow -> flow.near == near);
+    }
+
+    /** The ledger of what one device sends to another; both of them enter there. */
+    private static Ledger ledger(Map<String, Ledger> ledgers, Address from, Address to) {
+        return ledgers.computeIfAbsent(from + " " + to, any -> new Ledger(TrafficRun.LENGTH));
+    }
+
+    private Cell start(int cell, Map<String, Ledger> ledgers, Closing closing) throws Exception {
+        AirUsage air = new AirUsage();
+        Timetable timetable = closing.add(new Timetable());
+        Emulator.Scenario scenario = timetable.scenario(seed + cell, air).unmodelled();
+        Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", boards))));
+        int devices = boards - 1;
+        List<Flow> flows = new ArrayList<>();
+        for (int device = 0; device < devices; device++) {
+            Address own = address(cell, device);
+            List<Address> from = new ArrayList<>(List.of(address(cell, (device + devices - 1) % devices)));
+            List<Address> to = new ArrayList<>(List.of(address(cell, (device + 1) % devices)));
+            if (cells > 1) {
+                from.add(address((cell + cells - 1) % cells, device));
+                to.add(address((cell + 1) % cells, device));
+            }
+            Map<Address, Ledger> incoming = new HashMap<>();
+            from.forEach(other -> incoming.put(other, ledger(ledgers, other, own)));
+            Map<Address, byte[]> keys = new HashMap<>();
+            Stream.concat(from.stream(), to.stream()).forEach(other -> keys.put(other, TestKeys.PAIR));
+            Endpoint host = closing.add(new Endpoint(field.link(field.cell(0).get(device)), incoming,
+                    ledger(ledgers, own, own)).as(own, keys));
+            for (Address other : to) {
+                flows.add(new Flow(other.equals(to.get(0)), host, other, ledger(ledgers, own, other),
+                        new ArrayList<>()));
+            }
+        }
+        return new Cell(timetable, air, field, flows);
+    }
+
+    private Result measure(List<Cell> all, List<GatewayProcess> gateways, Mosquitto broker, AtomicLong frames)
+            throws Exception {
+        List<ProcessHandle> emulators = all.stream().map(cell -> cell.field.emulator().process()).toList();
+        List<ProcessHandle> joining = gateways.stream().map(GatewayProcess::process).toList();
+        List<List<ProcessHandle>> kinds = List.of(List.of(broker.process()), joining, emulators,
+                List.of(ProcessHandle.current()));
+        double[] before = kinds.stream().mapToDouble(CellsRun::cpuSeconds).toArray();
+        double[] airBefore = all.stream().mapToDouble(CellsRun::airSeconds).toArray();
+        long framesBefore = frames.get();
+        long begun = System.nanoTime();
+        SplittableRandom seeds = new SplittableRandom(seed);
+        double[] ends = new double[all.size()];
+        for (int i = 0; i < all.size(); i++) {
+            Timetable timetable = all.get(i).timetable;
+            ends[i] = timetable.now() + seconds;
+            for (Flow flow : all.get(i).flows) {
+                new Offer(timetable, seeds.nextLong(), MEAN_SECONDS, ends[i], () -> flow.send(timetable));
+            }
+        }
+        for (int i = 0; i < all.size(); i++) {
+            TrafficRun.await(all.get(i).timetable, ends[i], all.get(i).field);
+        }
+        double wall = (System.nanoTime() - begun) / 1e9;
+        double[] cpu = new double[kinds.size()];
+        for (int i = 0; i < cpu.length; i++) {
+            cpu[i] = (cpuSeconds(kinds.get(i)) - before[i]) / seconds;
+        }
+        double published = (frames.get() - framesBefore) / seconds;
+        double air = IntStream.range(0, all.size()).mapToDouble(i -> airSeconds(all.get(i)) - airBefore[i]).sum()
+                / seconds / all.size();
+        TrafficRun.awaitEnds(() -> flows(all, true).noneMatch(CellsRun::isOpen) && flows(all, false)
+                .noneMatch(CellsRun::isOpen));
+        return new Result(cells, sent(all, true), sent(all, false), seconds / wall, air, published, cpu[0],
+                Memory.resident(broker.process()), cpu[1] / cells,
+                Math.round(average(joining)), cpu[2] / cells, cpu[3] / cells, flood(gateways, broker, frames));
+    }
+
+    /** Publishes frames for nobody as fast as the broker takes them, and ends the gateways. */
+    private static Flood flood(List<GatewayProcess> gateways, Mosquitto broker, AtomicLong frames) throws Exception {
+        List<ProcessHandle> joining = gateways.stream().map(GatewayProcess::process).toList();
+        List<ProcessHandle> alone = List.of(broker.process());
+        long framesBefore = frames.get();
+        double joiningBefore = cpuSeconds(joining);
+        double aloneBefore = cpuSeconds(alone);
+        long begun = System.nanoTime();
+        try (BrokerClient client = BrokerClient.enter(broker, Mosquitto.OWNER)) {
+            Address nobody = Address.parse("NONE");
+            for (int i = 0; i < FLOOD; i++) {
+                client.air("none", "flood",
+                        new Frame(nobody, nobody, Bytes.ofNumber(i, FLOOD_BYTES)).encode().toArray());
+            }
+        }
+        double wall = (System.nanoTime() - begun) / 1e9;
+        Thread.sleep(SETTLE_MILLIS);
+        double joiningSeconds = cpuSeconds(joining) - joiningBefore;
+        double aloneSeconds = cpuSeconds(alone) - aloneBefore;
+        long arrived = -framesBefore * gateways.size();
+        for (GatewayProcess gateway : gateways) {
+            Map<String, Long> counted = gateway.end();
+            arrived += counted.get("arrived") + counted.get("published");
+        }
+        // One more, who counts the frames, gets them from the broker too.
+        return new Flood(aloneSeconds / (arrived + frames.get() - framesBefore), joiningSeconds / arrived,
+                arrived / wall / gateways.size());
+    }
+
+    private static double average(List<ProcessHandle> processes) throws IOException {
+        double sum = 0;
+        for (ProcessHandle process : processes) {
+            sum += Memory.resident(process);
+        }
+        return sum / processes.size();
+    }
+
+    private static boolean isOpen(Flow flow) {
+        return flow.ledger.sum().open() > 0;
+    }
+
+    private static Traffic.Sent sent(List<Cell> all, boolean near) {
+        return flows(all, near).map(Flow::sent).reduce(Traffic.Sent.NONE, Traffic.Sent::plus);
+    }
+
+    private static double airSeconds(Cell cell) {
+        return cell.air.of(cell.field.cell(0)).seconds();
+    }
+
+    private static double cpuSeconds(List<ProcessHandle> processes) {
+        return processes.stream()
+                .mapToDouble(process -> process.info().totalCpuDuration().orElseThrow().toNanos() / 1e9)
+                .sum();
+    }
+}

@@ -1,0 +1,221 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.BrokerClient;
+import harness.Host;
+import harness.Mosquitto;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import javino.protocol.ProtocolException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** Who has a user at the broker, the broker itself, or a radio in a cell, and what he cannot do (SECURITY.md). */
+class FalseGatewayTest extends JoinedCells {
+
+    private static final double BIT_RATE = 2000;
+    private static final HexFormat HEX = HexFormat.of();
+    private static final String AIR = "javino/+/air";
+
+    private final Random random = new Random(18);
+    private BrokerClient intruder;
+
+    @BeforeEach
+    void enter() throws Exception {
+        intruder = BrokerClient.enter(broker, FALSE);
+    }
+
+    @AfterEach
+    void leave() {
+        intruder.close();
+    }
+
+    private static Frame frame(byte[] packet) {
+        try {
+            return Frame.decode(Bytes.copyOf(packet));
+        } catch (ProtocolException none) {
+            throw new AssertionError(none);
+        }
+    }
+
+    /** An acknowledgement of a frame, with an invented proof. */
+    private byte[] forgedAcknowledgement(Frame frame) {
+        byte[] proof = new byte[8];
+        random.nextBytes(proof);
+        String kind = "+K" + new Address((int) frame.message().number(4, 6) & 0xFFF).toString().substring(2);
+        return new Frame(Address.parse(kind), frame.destination(), Bytes.copyOf(proof)).encode().toArray();
+    }
+
+    /** A frame of which one bit behind the header is another one. */
+    private byte[] changed(byte[] packet) {
+        byte[] other = packet.clone();
+        other[Frame.HEADER_LENGTH + random.nextInt(packet.length - Frame.HEADER_LENGTH)] ^=
+                (byte) (1 << random.nextInt(8));
+        return other;
+    }
+
+    /** Has somebody answer each unicast that a gateway publishes. */
+    private void onUnicast(BrokerClient who, Consumer<byte[]> answer) {
+        who.watch(AIR, (topic, packet) -> {
+            if (!topic.contains(FALSE) && frame(packet).destination().kind() == Address.Kind.DEVICE) {
+                answer.accept(packet);
+            }
+        });
+    }
+
+    private List<String> relayedOfNobody() {
+        Map<String, Long> genuine = count("police", "bus");
+        return count("west", "east").keySet().stream().filter(payload -> !genuine.containsKey(payload)).toList();
+    }
+
+    @Test
+    void falseGateway_thatForgesAndChanges_deliversNothing() throws Exception {
+        exchange(0, 1);
+        onUnicast(intruder, packet -> {
+            intruder.air(FALSE, "f1", forgedAcknowledgement(frame(packet)));
+            intruder.air(FALSE, "f1", changed(packet));
+            intruder.air(FALSE, "f1", packet);
+        });
+        exchange(1, 4);
+        assertEquals(Outcome.UNDELIVERED, deliver(police, ABSENT, "tell;nobody"));
+        assertTrue(relayedOfNobody().size() > 4, "its frames were on the air: " + relayedOfNobody());
+        exchange(4, 5);
+    }
+
+    @Test
+    void falseGateway_thatRepeatsWhatItHasRecorded_hasNothingDeliveredTwice() throws Exception {
+        List<byte[]> recorded = new CopyOnWriteArrayList<>();
+        intruder.watch(AIR, (topic, packet) -> recorded.add(packet));
+        exchange(0, 3);
+        String last = emulator.sentBy("police").get(emulator.sentBy("police").size() - 1).text("payload");
+        long before = count("east").getOrDefault(last, 0L);
+        double since = now();
+        emulator.await("silence", event -> event.seconds() > since + 9);
+        for (byte[] packet : List.copyOf(recorded)) {
+            intruder.air(FALSE, "f1", packet);
+        }
+        emulator.await("its repeat", (int) before + 1, event -> event.is("rf-tx", "east")
+                && event.text("payload").equals(last));
+        exchange(3, 5);
+    }
+
+    @Test
+    void falseGateway_thatClaimsADevice_holdsUpItsMessagesOnly() throws Exception {
+        exchange(0, 1);
+        intruder.keep("javino/false/heard/ROMA", "f1");
+        east.kill();
+        west.kill();
+        west = join("west");
+        east = join("east");
+        claim();
+        assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", "tell;go(1)"));
+        assertEquals("tell;go(1)", bus.message().content().toString());
+        List<TraceEvent> sent = emulator.sentBy("police");
+        assertTrue(count("police").get(sent.get(sent.size() - 1).text("payload")) >= 4, "it was drawn away");
+        exchange(2, 4);
+    }
+
+    /** Says that the bus is in the cell without boards, by a frame in its name. */
+    private void claim() {
+        byte[] message = new byte[20];
+        random.nextBytes(message);
+        intruder.air(FALSE, "f1",
+                new Frame(Address.parse("SUPO"), Address.parse("ROMA"), Bytes.copyOf(message)).encode().toArray());
+    }
+
+    @Test
+    @Tag("verify")
+    void falseGateway_thatFloods_getsHalfOfTheAirAndNoMore() throws Exception {
+        try (Host near = Host.patient(emulator, "spare").as("NEAR", Map.of("ROMA", TestKeys.PAIR))) {
+            Host.get(bus.board.setKey(Address.parse("NEAR"), Key.of(Bytes.copyOf(TestKeys.PAIR))));
+            exchange(0, 1);
+            double since = now();
+            while (now() < since + 40) {
+                byte[] message = new byte[67];
+                random.nextBytes(message);
+                Frame forged = new Frame(Address.parse("ROMA"), Address.parse("SUPO"), Bytes.copyOf(message));
+                intruder.air(FALSE, "f1", forged.encode().toArray());
+                Thread.sleep(10);
+            }
+            double until = now();
+            assertEquals(Outcome.DELIVERED, deliver(bus, "NEAR", "tell;here"));
+            assertEquals("tell;here", near.message().content().toString());
+            double seconds = emulator.sentBy("east").stream().filter(sent -> sent.seconds() > since
+                    && sent.seconds() < until).mapToDouble(sent -> sent.number("bits") / BIT_RATE).sum();
+            assertTrue(seconds > 10 && seconds < 10 + (until - since) / 2 + 1, seconds + " of " + (until - since));
+            exchange(1, 2);
+        }
+    }
+
+    @Test
+    void owner_ofTheBroker_readsNothing() throws Exception {
+        List<String> seen = new CopyOnWriteArrayList<>();
+        try (BrokerClient owner = BrokerClient.enter(broker, Mosquitto.OWNER)) {
+            owner.watch("#", (topic, payload) -> seen.add(topic + " " + HEX.formatHex(payload)));
+            exchange(0, 2);
+            police.send("//RO", "tell;toTheGroup");
+            assertEquals("tell;toTheGroup", bus.message().content().toString());
+        }
+        assertTrue(seen.contains("javino/west/air " + emulator.sentBy("police").get(0).text("payload")), "" + seen);
+        assertTrue(seen.stream().anyMatch(line -> line.startsWith("javino/east/heard/ROMA ")), "who is where he sees");
+        for (byte[] secret : List.of(bytes("go("), bytes("done("), bytes("toTheGroup"), TestKeys.PAIR,
+                TestKeys.GROUP)) {
+            assertTrue(seen.stream().noneMatch(line -> line.contains(HEX.formatHex(secret))), "" + seen);
+        }
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void owner_ofTheBroker_canStopAGatewayAndDeliversNothing() throws Exception {
+        exchange(0, 1);
+        try (BrokerClient owner = BrokerClient.enter(broker, Mosquitto.OWNER)) {
+            onUnicast(owner, packet -> {
+                for (String cell : List.of("west", "east")) {
+                    owner.air(cell, "f1", forgedAcknowledgement(frame(packet)));
+                    owner.air(cell, "f1", changed(packet));
+                }
+            });
+            owner.keep("javino/east/gateway/0", "first by name");
+            assertEquals(Outcome.UNDELIVERED, deliver(police, "ROMA", "tell;stopped"));
+            owner.keep("javino/east/gateway/0", "");
+        }
+        exchange(1, 3);
+    }
+
+    @Test
+    void stranger_onTheAirWhoPlaysGateway_deliversNothingAndNothingTwice() throws Exception {
+        exchange(0, 2);
+        List<TraceEvent> recorded = emulator.sentBy("police");
+        for (TraceEvent sent : recorded) {
+            say(EAST, HEX.parseHex(sent.text("payload")));
+            say(WEST, changed(HEX.parseHex(sent.text("payload"))));
+        }
+        exchange(2, 3);
+        onUnicast(intruder, packet -> say(WEST, forgedAcknowledgement(frame(packet))));
+        assertEquals(Outcome.UNDELIVERED, deliver(police, ABSENT, "tell;nobody"));
+        exchange(3, 4);
+    }
+
+    private void say(List<Double> where, byte[] packet) {
+        emulator.command(Map.of("do", "send", "position", where, "payload", HEX.formatHex(packet)));
+    }
+}

@@ -1,0 +1,107 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.GatewayProcess;
+import harness.Host;
+import harness.Mosquitto;
+import harness.TestKeys;
+import harness.TraceEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Outcome;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Two cells out of each other's range, joined by gateways over a broker with TLS. */
+abstract class JoinedCells {
+
+    /** A cell without boards. */
+    static final String FALSE = "false";
+    /** A device that is nowhere. */
+    static final String ABSENT = "ROMB";
+    static final List<Double> WEST = List.of(0.0, 0.0);
+    static final List<Double> EAST = List.of(100_000.0, 0.0);
+
+    Mosquitto broker;
+    Emulator emulator;
+    Host police;
+    Host bus;
+    GatewayProcess west;
+    GatewayProcess east;
+
+    @BeforeEach
+    void switchOn(@TempDir Path folder) throws Exception {
+        broker = Mosquitto.start(folder.resolve("broker"), "west", "east", FALSE);
+        emulator = new Emulator.Scenario()
+                .board("police", "Station", Map.of("position", WEST)).board("west", "Station", Map.of("position", WEST))
+                .board("bus", "Station", Map.of("position", EAST)).board("east", "Station", Map.of("position", EAST))
+                .board("spare", "Station", Map.of("position", EAST))
+                .start(folder);
+        Map<String, byte[]> groups = Map.of("//RO", TestKeys.GROUP, "//SU", TestKeys.GROUP);
+        police = Host.patient(emulator, "police").as("SUPO", Map.of("ROMA", TestKeys.PAIR, ABSENT, TestKeys.PAIR))
+                .as("SUPO", groups);
+        bus = Host.patient(emulator, "bus").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).as("ROMA", groups);
+        west = join("west");
+        east = join("east");
+    }
+
+    @AfterEach
+    void switchOff() {
+        west.close();
+        east.close();
+        police.close();
+        bus.close();
+        emulator.close();
+        broker.close();
+    }
+
+    GatewayProcess join(String cell, String... options) throws Exception {
+        return GatewayProcess.join(emulator, cell, cell, broker, broker.port(), options);
+    }
+
+    static Outcome deliver(Host from, String to, String content) {
+        return Host.get(from.board.transmit(Address.parse(to), Content.parse(content)).end());
+    }
+
+    /** Messages there and back, of which each is delivered, once, and nothing else is. */
+    void exchange(int from, int to) throws Exception {
+        for (int i = from; i < to; i++) {
+            assertEquals(Outcome.DELIVERED, deliver(police, "ROMA", "tell;go(" + i + ")"));
+            assertEquals("tell;go(" + i + ")", bus.message().content().toString());
+            assertEquals(Outcome.DELIVERED, deliver(bus, "SUPO", "tell;done(" + i + ")"));
+            assertEquals("tell;done(" + i + ")", police.message().content().toString());
+        }
+        assertNothingElse();
+    }
+
+    void assertNothingElse() {
+        assertEquals(List.of(), bus.messages());
+        assertEquals(List.of(), police.messages());
+    }
+
+    /** How often each frame was sent in the other cell, and no more often than here. */
+    void assertNothingTwice(String origin, String... relays) {
+        Map<String, Long> sent = count(origin);
+        Map<String, Long> relayed = count(relays);
+        sent.forEach((frame, times) -> assertTrue(relayed.getOrDefault(frame, 0L) <= times, frame));
+    }
+
+    Map<String, Long> count(String... boards) {
+        return List.of(boards).stream().flatMap(board -> emulator.sentBy(board).stream())
+                .collect(Collectors.groupingBy(event -> event.text("payload"), Collectors.counting()));
+    }
+
+    /** Emulated seconds. */
+    double now() {
+        List<TraceEvent> trace = emulator.trace();
+        return trace.get(trace.size() - 1).seconds();
+    }
+}
