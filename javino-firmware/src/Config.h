@@ -75,7 +75,7 @@
 #define JAVINO_OVERHEARD_BYTES JAVINO_BY_CHIP(256, 0)
 #endif
 
-/// Whether a host can make the board a relay, 0 or 1 (SPEC 7.5): 510 bytes of RAM. With 0 the command W is UNKNOWN_COMMAND; a
+/// Whether a host can make the board a relay, 0 or 1 (SPEC 7.5): 502 bytes of RAM. With 0 the command W is UNKNOWN_COMMAND; a
 /// sketch's own javino::Relay does not depend on it.
 #ifndef JAVINO_RELAY
 #define JAVINO_RELAY JAVINO_BY_CHIP(1, 0)
