@@ -262,6 +262,9 @@ public final class FakeBoard {
     }
 
     private Bytes relaying(Bytes wish) {
+        if (refusal != null) {
+            return status(refusal);
+        }
         relays = wish.length() == 0 ? relays : wish.at(0);
         return record("relaying " + relays, Bytes.of(0, relays));
     }

@@ -272,7 +272,8 @@ class CommandTest {
 
     @Test
     void writesEeprom_command_isWhatChangesAnAddressAnEpochOrAKey() {
-        assertEquals(EnumSet.of(Request.Command.SET_RF_ID, Request.Command.RAISE_EPOCH, Request.Command.SET_KEY,
+        assertEquals(EnumSet.of(Request.Command.SET_RF_ID, Request.Command.RELAYING, Request.Command.RAISE_EPOCH,
+                Request.Command.SET_KEY,
                 Request.Command.RENEW_KEY, Request.Command.USE_KEY, Request.Command.FINISH_RENEWAL,
                 Request.Command.DELETE_KEY),
                 Stream.of(Request.Command.values()).filter(Request.Command::writesEeprom).collect(Collectors.toSet()));

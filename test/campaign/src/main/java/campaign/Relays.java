@@ -104,7 +104,8 @@ final class Relays implements Campaign {
             AirUsage.Sum air = some.stream().map(TrafficRun.Result::air).reduce(AirUsage.Sum.NONE, AirUsage.Sum::plus);
             double delivered = Math.max(1, sent.sum().delivered());
             table.row(each.name, sent.sum().offered(), Table.percent(sent.sum().delivered(), sent.sum().offered()),
-                    spread("%.0f", some, run -> 100.0 * run.sum().delivered() / Math.max(1, run.sum().offered())) + " %",
+                    spread("%.0f", some, run -> 100.0 * run.sum().delivered() / Math.max(1, run.sum().offered()))
+                            + " %",
                     Table.text("%.2f s", sent.longestWait(MEDIAN)),
                     spread("%.1f", some, run -> sent(List.of(run)).longestWait(MEDIAN)) + " s",
                     Table.text("%.1f s", sent.longestWait(MOST)), Table.text("%.1f", air.packets() / delivered),

@@ -102,7 +102,8 @@ record TrafficRun(long seed, double seconds, double bitErrorRate, List<TrafficRu
             Field field = closing.add(Field.start(scenario, plans.stream().map(Plan::cell).toList()));
             List<Traffic> all = new ArrayList<>();
             for (int cell = 0; cell < plans.size(); cell++) {
-                all.add(closing.add(new Traffic(field, cell, plans.get(cell).cell.relays(), plans.get(cell).flows, LENGTH)));
+                all.add(closing
+                        .add(new Traffic(field, cell, plans.get(cell).cell.relays(), plans.get(cell).flows, LENGTH)));
             }
             double begin = timetable.now();
             all.forEach(traffic -> traffic.offer(timetable, seeds, begin + seconds));

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {
-        return List.of(new Delivery(), new Range(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Moves(),
-                new Strangers(), new Cells(), new Soak());
+        return List.of(new Delivery(), new Range(), new Load(), new Relays(), new Faults(), new Attacks(),
+                new Fuzzing(), new Moves(), new Strangers(), new Cells(), new Soak());
     }
 
     @ParameterizedTest
