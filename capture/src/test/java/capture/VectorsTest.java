@@ -22,6 +22,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Packet;
 import javino.protocol.Status;
+import javino.vectors.Crypto;
 import javino.vectors.RadioVectors;
 import org.junit.jupiter.api.Test;
 
@@ -378,6 +379,24 @@ class VectorsTest {
                         vector.has("floor") ? new String[] {text(vector, "floor")} : new String[0]);
             });
         });
+    }
+
+    @Test
+    void staleNotice_ofAMember_answersTheGroupsFrame() throws Exception {
+        Bytes key = Bytes.ofHex("000102030405060708090a0b0c0d0e0f");
+        share("//SU", "", key.hex());
+        Bytes nonce = Bytes.ofNumber(0x1000005, 6);
+        int multicast = air(PARTS_PAYLOAD, frame("//SU", "ROMA", Bytes.join(nonce, Bytes.of(new int[9]))));
+        Bytes floor = Bytes.join(nonce, Bytes.of(0, 9));
+        byte[] proof = Crypto.cmac(Crypto.kdf(key.toArray(), "JavinoMac"),
+                Bytes.join(Bytes.of(8), nonce, Bytes.ofText("ROMASUPO"), floor).toArray());
+        int stale = air(PARTS_PAYLOAD,
+                frame("+KAF", "SUPO", Bytes.join(floor, Bytes.copyOf(proof).slice(0, 8))));
+        check("stale", () -> {
+            shows(stale, "acknowledgement.of", multicast + 1);
+            shows(stale, "acknowledgement.proof.right", 1);
+        });
+        dissect();
     }
 
     @Test
