@@ -59,7 +59,11 @@ class Mender {
 
   /// Whether it may be another than the one that was sent, so that only a tag or a proof can tell. One mended symbol
   /// leaves no doubt. But a copy does: relays copy nothing that has neither.
-  bool isDoubtful() const { return hops_ != 0 || (config::MENDING && doubtful_); }
+#if JAVINO_MENDING
+  bool isDoubtful() const { return hops_ != 0 || doubtful_; }
+#else
+  bool isDoubtful() const { return hops_ != 0; }
+#endif
 
   /// Keeps the packet that is whole, as long as there is room: a damaged copy that comes later is taken for it.
   void keep();
@@ -117,6 +121,7 @@ class Mender {
 #if JAVINO_PARITY
   reedsolomon::Decoder parity_;
 #endif
+  bool doubtful_ JAVINO_ZEROED;
 #if JAVINO_DAMAGED_COPIES
   RadioPacket copies_[config::DAMAGED_COPIES] JAVINO_ZEROED;
 #endif
@@ -127,7 +132,6 @@ class Mender {
   Trailer lastTrailer_ JAVINO_ZEROED;
   uint8_t hops_ JAVINO_ZEROED;
   bool mended_ JAVINO_ZEROED;
-  bool doubtful_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

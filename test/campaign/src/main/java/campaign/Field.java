@@ -16,7 +16,7 @@ import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
 
-/** Emulated boards in cells: those of one cell may hear each other, and nobody else. In a folder that goes when it ends. */
+/** Emulated boards in cells: those of one cell may hear each other, and nobody else. In a folder that ends with it. */
 final class Field implements AutoCloseable {
 
     /** What one emulator takes beside a metronome. */
