@@ -139,6 +139,7 @@ final class Copies {
                 // It may be here as before.
                 System.arraycopy(copied.came, 0, again.came, 0, MODULUS);
                 again.answers.putAll(copied.answers);
+                again.copied = copied.copied;
                 again.carried = copied.carried;
                 again.quiet = Math.min(NEW, copied.left > 0 ? copied.quiet : NEW);
             } else if (undamaged) {
