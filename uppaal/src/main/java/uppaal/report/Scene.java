@@ -66,8 +66,9 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofRelays("reserve", "One relay in doubt, and one in reserve (two attempts only)",
                     Map.of("MAX_ATTEMPTS", "2")),
             new Scene("storm", "Relays: Two relays in air that is busy for long (small numbers)", "relay.xml",
-                    with(FASTER, Map.of("MAX_ATTEMPTS", "1", "ROUNDS_WITH_RELAY", "1", "LATE", "2", "WITHIN", "3", "CREDIT",
-                            "3")),
+                    with(FASTER,
+                            Map.of("MAX_ATTEMPTS", "1", "ROUNDS_WITH_RELAY", "1", "LATE", "2", "WITHIN", "3", "CREDIT",
+                                    "3")),
                     Map.of(), List.of("storm.q")));
 
     /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */

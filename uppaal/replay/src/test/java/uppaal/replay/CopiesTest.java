@@ -217,8 +217,9 @@ class CopiesTest {
         String answer = "2b4b414153555a5a4241" + "00".repeat(8);
         heard(answer, "acknowledgement", AFTER + 0.5);
         sends("relay1", answer, "acknowledgement", AFTER + 1, Map.of("hops", 1));
-        assertRefused("relay1 copies an acknowledgement of SUZZ; expected one that has come to it, for a packet that it "
-                + "has copied");
+        assertRefused(
+                "relay1 copies an acknowledgement of SUZZ; expected one that has come to it, for a packet that it "
+                        + "has copied");
     }
 
     /** A relay keeps four packets; the fifth has come, and may be in its place all the same. */
