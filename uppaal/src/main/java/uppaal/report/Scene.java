@@ -68,9 +68,11 @@ public record Scene(String name, String title, String model, Map<String, String>
             ofRelays("relays", "Two relays (one attempt only)", Map.of("MAX_ATTEMPTS", "1")),
             ofRelays("reserve", "One relay in doubt, and one in reserve (two attempts only)",
                     Map.of("MAX_ATTEMPTS", "2")),
-            new Scene("storm", "Relays: Two relays in air that is busy for long", "relay.xml",
-                    Map.of("MAX_ATTEMPTS", "1", "WITHIN", "12", "CREDIT", "4"),
-                    with(FASTER, Map.of("WITHIN", "5", "CREDIT", "3")), List.of("storm.q")));
+            new Scene("storm", "Relays: Two relays in air that is busy for long (small numbers)", "relay.xml",
+                    with(FASTER,
+                            Map.of("MAX_ATTEMPTS", "1", "ROUNDS_WITH_RELAY", "1", "LATE", "2", "WITHIN", "3", "CREDIT",
+                                    "3")),
+                    Map.of(), List.of("storm.q")));
 
     /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(

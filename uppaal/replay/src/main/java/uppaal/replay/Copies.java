@@ -139,6 +139,7 @@ final class Copies {
                 // It may be here as before.
                 System.arraycopy(copied.came, 0, again.came, 0, MODULUS);
                 again.answers.putAll(copied.answers);
+                again.copied = copied.copied;
                 again.carried = copied.carried;
                 again.quiet = Math.min(NEW, copied.left > 0 ? copied.quiet : NEW);
             } else if (undamaged) {
@@ -165,11 +166,12 @@ final class Copies {
             copied.hops = late && !copied.copied ? -1 : copied.hops;
         } else if (copied.hops >= 0 && undamaged
                 && (hops == next(copied.hops) || hops == copied.hops && !copied.copied)) {
-            copied.handedOn = true;
-            silence(copied);
-        } else if (!undamaged && !copied.copied) {
-            copied.hops = -1;
-        }
+                    copied.handedOn = true;
+                    silence(copied);
+                } else
+            if (!undamaged && !copied.copied) {
+                copied.hops = -1;
+            }
     }
 
     /** The board is to keep silent; of the one before it has done so. */
@@ -220,7 +222,8 @@ final class Copies {
         checkForm(event, payload, copied.came);
         boolean mayBeNew = copied.carried == 0 || copied.carried >= MOST_ANSWERS || mayBeForgotten(copied);
         if (!mayBeNew) {
-            throw new RefusedException(name + " copies " + what(payload) + " though it has carried its acknowledgement");
+            throw new RefusedException(
+                    name + " copies " + what(payload) + " though it has carried its acknowledgement");
         }
         if (copied.left == 0) {
             throw new RefusedException(name + " copies " + what(payload) + " once more than it may; expected that it "
@@ -232,8 +235,9 @@ final class Copies {
         }
         checkQuiet(what(payload), copied.quiet, start, ear);
         if (copied.isSilenced() && ++heedless > RadioCell.LOST) {
-            throw new RefusedException(name + " copies " + what(payload) + ", which was answered or handed on; expected "
-                    + "silence: of the last " + heedless + " such packets it has heeded none");
+            throw new RefusedException(
+                    name + " copies " + what(payload) + ", which was answered or handed on; expected "
+                            + "silence: of the last " + heedless + " such packets it has heeded none");
         }
         pay(event, payload, copied);
         copied.left--;
@@ -297,7 +301,8 @@ final class Copies {
         filled = start;
         if (credit * ROUNDED < cost) {
             throw new RefusedException(String.format(Locale.ROOT, "%s copies %s; expected that it keeps silent: %.1f s "
-                    + "of the air are left for what nobody acknowledges, and it takes %.1f s", name, what(payload), credit,
+                    + "of the air are left for what nobody acknowledges, and it takes %.1f s", name, what(payload),
+                    credit,
                     cost));
         }
         credit = Math.max(0, credit - cost);

@@ -216,7 +216,8 @@ public final class Replay {
                             event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
                 }
             }
-            case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed", "host-taking", "host-taken",
+            case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed",
+                    "host-taking", "host-taken",
                     "host-outcome", "host-nothing", "percepts" ->
                 enter(event.seconds(), event, Part.EVENT);
             default -> {} // nothing that the model speaks of

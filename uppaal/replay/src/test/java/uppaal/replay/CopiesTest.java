@@ -217,8 +217,25 @@ class CopiesTest {
         String answer = "2b4b414153555a5a4241" + "00".repeat(8);
         heard(answer, "acknowledgement", AFTER + 0.5);
         sends("relay1", answer, "acknowledgement", AFTER + 1, Map.of("hops", 1));
-        assertRefused("relay1 copies an acknowledgement of SUZZ; expected one that has come to it, for a packet that it "
-                + "has copied");
+        assertRefused(
+                "relay1 copies an acknowledgement of SUZZ; expected one that has come to it, for a packet that it "
+                        + "has copied");
+    }
+
+    /** A relay keeps four packets; the fifth has come, and may be in its place all the same. */
+    @Test
+    void acknowledgement_ofWhatMayHaveLostItsPlace_isAccepted() {
+        for (int packet = 1; packet < 6; packet++) {
+            heard("53555a5a524f4d414277" + String.format("%012x", packet) + "00".repeat(8), "unicast", AFTER + packet);
+        }
+        String last = "53555a5a524f4d414277" + "0".repeat(11) + "5" + "00".repeat(8);
+        sends("relay1", last, "unicast", AFTER + 6, Map.of("hops", 1));
+        sends("stranger", last, "unicast", AFTER + 7, Map.of("hops", 2));
+        hears("relay1");
+        String answer = "2b4b414653555a5a4241" + "00".repeat(8);
+        heard(answer, "acknowledgement", AFTER + 8);
+        sends("relay1", answer, "acknowledgement", AFTER + 9, Map.of("hops", 1));
+        assertEquals("accepted", refusal());
     }
 
     @Test
@@ -289,8 +306,13 @@ class CopiesTest {
     /** A stranger sends a packet that relay1 hears. */
     private void heard(String payload, String kind, double start) {
         sends("stranger", payload, kind, start, Map.of());
+        hears("relay1");
+    }
+
+    /** A board hears the last packet. */
+    private void hears(String board) {
         JsonObject heard = lines.all.get(lines.all.size() - 1).deepCopy();
-        heard.addProperty("board", "relay1");
+        heard.addProperty("board", board);
         heard.addProperty("event", "rf-rx");
         heard.addProperty("from", "stranger");
         lines.all.add(heard);
