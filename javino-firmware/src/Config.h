@@ -46,7 +46,7 @@
 
 /// Bytes of RAM for received messages that wait for the host: each takes its content and 17 bytes more.
 #ifndef JAVINO_RECEIVE_BYTES
-#define JAVINO_RECEIVE_BYTES JAVINO_BY_CHIP(640, 96)
+#define JAVINO_RECEIVE_BYTES JAVINO_BY_CHIP(640, 92)
 #endif
 
 /// Bytes of RAM for messages that wait for the air: each takes its content and 27 bytes more, a broadcast 13.
@@ -211,7 +211,8 @@ static_assert(JAVINO_OVERHEARD_BYTES == 0 || (JAVINO_OVERHEARD_BYTES >= 84 && JA
 static_assert(JAVINO_OVERHEARD_BYTES == 0 || JAVINO_MAX_MESSAGE >= 87,
               "JAVINO_OVERHEARD_BYTES: a reply of JAVINO_MAX_MESSAGE bytes tells the longest packet, 87 at least");
 static_assert(JAVINO_RELAY == 0 || JAVINO_RELAY == 1, "JAVINO_RELAY must be 0 or 1");
-static_assert(JAVINO_RELAY == 0 || JAVINO_REASSEMBLIES > 0, "JAVINO_RELAY takes the place of one of JAVINO_REASSEMBLIES");
+static_assert(JAVINO_RELAY == 0 || JAVINO_REASSEMBLIES > 0,
+              "JAVINO_RELAY takes the place of one of JAVINO_REASSEMBLIES");
 static_assert(JAVINO_RADIO_PACKETS >= 2 && JAVINO_RADIO_PACKETS <= 8, "JAVINO_RADIO_PACKETS must be 2…8");
 static_assert(JAVINO_MENDING == 0 || JAVINO_MENDING == 1, "JAVINO_MENDING must be 0 or 1");
 static_assert(JAVINO_MENDING == 1 || (JAVINO_PARITY == 0 && JAVINO_DAMAGED_COPIES == 0),

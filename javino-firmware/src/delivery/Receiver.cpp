@@ -46,8 +46,9 @@ void Receiver::forget() {
 #endif
 }
 
-static_assert(!config::RELAY || sizeof(BoardsForwarding::Memory) <= Reassembly::PLACE_LENGTH,
-              "JAVINO_RELAY: a relay's memory is that of one message in pieces: JAVINO_MAX_MESSAGE is too small for it");
+static_assert(
+    !config::RELAY || sizeof(BoardsForwarding::Memory) <= Reassembly::PLACE_LENGTH,
+    "JAVINO_RELAY: a relay's memory is that of one message in pieces: JAVINO_MAX_MESSAGE is too small for it");
 
 void Receiver::relay(bool on) {
   forwarding_.relay(on ? static_cast<BoardsForwarding::Memory *>(pieces_.lend()) : nullptr);

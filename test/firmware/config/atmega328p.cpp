@@ -13,7 +13,7 @@ static_assert(config::SESSION_KEYS == 0, "");
 static_assert(config::REPLAY_ENTRIES == 6, "");
 static_assert(config::FLOOR_SLOTS == 23, "");
 static_assert(config::MAX_MESSAGE == 84, "");
-static_assert(config::RECEIVE_BYTES == 96, "");
+static_assert(config::RECEIVE_BYTES == 92, "");
 static_assert(config::TRANSMIT_BYTES == 97, "");
 static_assert(config::PARTNERS == 1, "");
 static_assert(config::REASSEMBLIES == 0, "");

@@ -29,7 +29,7 @@ class Decoder {
   // Its payload, where its CRC is right without mending.
   Bytes takeIntact() {
     javino::RadioPacket packet = take();
-    if (packet.symbols == 0 || !packet.isIntact()) return Bytes();
+    if (packet.symbols == 0 || packet.hops() >= javino::RadioPacket::NO_HOPS) return Bytes();
     packet.makeBytes(packet.count());
     return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }

@@ -42,7 +42,7 @@ public final class publish extends ConcurrentInternalAction {
         String intention = suspendInt(ts, "mqtt", PATIENCE_MILLIS);
         startInternalAction(ts, () -> {
             try {
-                publish(text(terms[0]), text(terms[1]));
+                send(text(terms[0]), text(terms[1]));
                 resumeInt(ts, intention);
             } catch (RuntimeException failed) {
                 ts.getLogger().warning(failed.getMessage() + ": the broker does not take " + text(terms[0]));
@@ -61,7 +61,7 @@ public final class publish extends ConcurrentInternalAction {
         return term instanceof StringTerm string ? string.getString() : term.toString();
     }
 
-    private static void publish(String topic, String what) {
+    private static void send(String topic, String what) {
         client().publishWith().topic(topic).payload(what.getBytes(StandardCharsets.UTF_8)).qos(MqttQos.AT_LEAST_ONCE)
                 .retain(true).send();
     }

@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
 /**
- * A {@code javino gateway} in a process of its own, which can be killed. It has to do with 16 MB of heap, and ends where
- * it needs more.
+ * A {@code javino gateway} in a process of its own, which can be killed. It has to do with 16 MB of heap, and ends
+ * where it needs more.
  */
 public final class GatewayProcess implements AutoCloseable {
 

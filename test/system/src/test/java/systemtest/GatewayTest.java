@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.BrokerClient;
 import harness.GatewayProcess;
-import harness.Mosquitto;
 import harness.SlowNetwork;
-import harness.TraceEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** What a board may send as a relay (SPEC 7.5): copies of unicasts that have come to it, and of their acknowledgements. */
+/** What a board may send as a relay (SPEC 7.5): copies of unicasts that came to it, and of their acknowledgements. */
 final class Copies {
     private static final int MODULUS = 3;
     /** Quiet slots before a copy: a new one, one that its sender sends again, and one of its own accord. */

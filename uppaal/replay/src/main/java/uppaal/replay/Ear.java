@@ -87,8 +87,8 @@ final class Ear {
     }
 
     /**
-     * How long the air has been quiet, in slots, before the board begins to send; what has begun less than so many slots
-     * ago it does not hear.
+     * How long the air has been quiet, in slots, before the board begins to send; what has begun less than so many
+     * slots ago it does not hear.
      */
     double quietBefore(double seconds, double unheard) {
         int open = 0;
