@@ -136,9 +136,9 @@ static void host_packet(serial_sniffer *s, const serial_packet *packet, cycles_t
   }
   if (command == 'E' && packet->length == 1 + SERIAL_EPOCH_LENGTH)
     memcpy(s->request.epoch, packet->message + 1, SERIAL_EPOCH_LENGTH);
-  if ((command == 'K' || command == 'N') && packet->length == 1 + ADDRESS_LENGTH + KEY_LENGTH)
+  if ((command == 'K' || command == 'N' || command == 'V') && packet->length == 1 + ADDRESS_LENGTH + KEY_LENGTH)
     write_key(s, packet->message + 1, packet->message + 1 + ADDRESS_LENGTH);
-  if (command != 0 && strchr("IKNUFD", command) && packet->length >= 1 + ADDRESS_LENGTH)
+  if (command != 0 && strchr("IKNUFDV", command) && packet->length >= 1 + ADDRESS_LENGTH)
     memcpy(s->request.address, packet->message + 1, ADDRESS_LENGTH);
   if (command == 'Y') {
     s->request.content_length = packet->length - 1;
@@ -173,6 +173,14 @@ static void write_message(serial_sniffer *s, const uint8_t *value, size_t length
   trace_end(s->out);
 }
 
+static void write_no_key(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at) {
+  if (length != 2 * ADDRESS_LENGTH) return;
+  begin(s, at, "host-no-key");
+  trace_utf8(s->out, "destination", value, ADDRESS_LENGTH);
+  trace_utf8(s->out, "origin", value + ADDRESS_LENGTH, ADDRESS_LENGTH);
+  trace_end(s->out);
+}
+
 static void write_outcome(serial_sniffer *s, const uint8_t *value, size_t length, cycles_t at) {
   static const char *const OUTCOMES[] = {"sent", "delivered", "undelivered"};
   if (length != 2 || value[1] >= sizeof OUTCOMES / sizeof *OUTCOMES) return;
@@ -189,6 +197,7 @@ static void write_records(serial_sniffer *s, const uint8_t *records, size_t leng
     if (size > length - RECORD_HEADER_LENGTH) return;
     if (records[0] == 'M') write_message(s, value, size, at);
     if (records[0] == 'T') write_outcome(s, value, size, at);
+    if (records[0] == 'N') write_no_key(s, value, size, at);
     records = value + size;
     length -= RECORD_HEADER_LENGTH + size;
   }
@@ -272,6 +281,7 @@ static void performed(serial_sniffer *s, const serial_request *request, const ui
     case 'U': write_key_step(s, request, "use", body, length, at); break;
     case 'F': write_key_step(s, request, "finish", body, length, at); break;
     case 'D': write_key_step(s, request, "delete", body, length, at); break;
+    case 'V': write_key_step(s, request, "session", body, length, at); break;
     case 'R': write_radio(s, request->open, at); break;
     case 'Y':
       if (length == 1) write_relay(s, request, body[0], at);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Listens to a board's serial line (SPEC section 4) and writes down what its host has it send, what is handed to the host,
 // how transmissions ended, what the board perceives, and what the host changes: host-id, host-key, host-radio, host-transmit,
-// host-relay, host-handed, host-taking, host-taken, host-outcome, host-nothing and percepts events. Keys that the host gives go to a file
+// host-relay, host-handed, host-no-key, host-taking, host-taken, host-outcome, host-nothing and percepts events. Keys that the host gives go to a file
 // of their own.
 #ifndef JAVINO_SERIAL_SNIFFER_H
 #define JAVINO_SERIAL_SNIFFER_H

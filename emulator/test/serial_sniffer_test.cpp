@@ -101,23 +101,34 @@ TEST(SerialSniffer, tells_what_the_host_does_with_keys_and_the_check_value_that_
   Line line;
   line.greet();
   uint8_t sequence = 2;
-  for (char command : {'K', 'N', 'U', 'F', 'D'}) {
-    const bool given = command == 'K' || command == 'N';
+  for (char command : {'K', 'N', 'U', 'F', 'D', 'V'}) {
+    const bool given = command == 'K' || command == 'N' || command == 'V';
     Bytes request = joined({{static_cast<uint8_t>(command)}, bytes("SUPP"), Bytes(given ? 16 : 0, 7)});
     line.host(sequence, TO_BOARD, request);
     line.board(sequence++, given ? Bytes{0, 1, 2, 3} : Bytes{0});
   }
   line.host(sequence, TO_BOARD, joined({bytes("DSUPO")}));
   line.board(sequence, {11});  // it has none
-  const char *steps[] = {"set", "renew", "use", "finish", "delete"};
+  const char *steps[] = {"set", "renew", "use", "finish", "delete", "session"};
   auto keys = line.events("host-key");
-  ASSERT_EQ(keys.size(), 5u);
+  ASSERT_EQ(keys.size(), 6u);
   for (size_t i = 0; i < keys.size(); i++) {
     EXPECT_EQ(keys[i].text("address"), "SUPP");
     EXPECT_EQ(keys[i].text("step"), steps[i]);
-    EXPECT_EQ(json_object_get(keys[i].fields, "check") != nullptr, i < 2);
+    EXPECT_EQ(json_object_get(keys[i].fields, "check") != nullptr, i < 2 || i == 5);
   }
   EXPECT_EQ(keys[0].text("check"), "010203");
+}
+
+TEST(SerialSniffer, tells_of_frames_for_which_the_board_has_no_key) {
+  Line line;
+  line.greet();
+  line.host(2, TO_BOARD, {'P', 0, 0, 0, 0, 0, 0});
+  line.board(2, poll_reply({joined({{'N', 0, 8}, bytes("ROMASUPP")}), joined({{'N', 0, 7}, bytes("ROMASUP")})}));
+  auto frames = line.events("host-no-key");
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(frames[0].text("destination"), "ROMA");
+  EXPECT_EQ(frames[0].text("origin"), "SUPP");
 }
 
 TEST(SerialSniffer, tells_whether_the_host_opens_or_blocks_the_radio) {

@@ -19,6 +19,12 @@
 #define JAVINO_KEYS JAVINO_BY_CHIP(16, 6)
 #endif
 
+/// Session keys, which are in RAM only, 0…16 (SPEC 4.3, set session key). 40 bytes of RAM each, and 34 for frames without a key
+/// (10 below 4). With 0 the command V is UNKNOWN_COMMAND, and the host is not told of frames without a key.
+#ifndef JAVINO_SESSION_KEYS
+#define JAVINO_SESSION_KEYS JAVINO_BY_CHIP(8, 0)
+#endif
+
 /// Origins, counted once for each key, whose last nonce is remembered: at least as many as keys, at most 253. Each key of
 /// a pair has its own place; groups share the others. 13 bytes of RAM each.
 #ifndef JAVINO_REPLAY_ENTRIES
@@ -153,6 +159,7 @@ namespace javino {
 namespace config {
 
 static const uint8_t KEYS = JAVINO_KEYS;
+static const uint8_t SESSION_KEYS = JAVINO_SESSION_KEYS;
 static const uint8_t REPLAY_ENTRIES = JAVINO_REPLAY_ENTRIES;
 static const uint8_t FLOOR_SLOTS = JAVINO_FLOOR_SLOTS;
 static const uint16_t MAX_MESSAGE = JAVINO_MAX_MESSAGE;
@@ -177,8 +184,9 @@ static const uint8_t EPOCH_SLOTS = JAVINO_EPOCH_SLOTS;
 static const uint16_t EEPROM_START = JAVINO_EEPROM_START;
 
 static_assert(JAVINO_KEYS >= 1 && JAVINO_KEYS <= 63, "JAVINO_KEYS must be 1…63");
-static_assert(8 * JAVINO_KEYS < JAVINO_MAX_MESSAGE,
-              "JAVINO_KEYS: one reply of JAVINO_MAX_MESSAGE bytes lists all keys");
+static_assert(JAVINO_SESSION_KEYS >= 0 && JAVINO_SESSION_KEYS <= 16, "JAVINO_SESSION_KEYS must be 0…16");
+static_assert(8 * (JAVINO_KEYS + JAVINO_SESSION_KEYS) < JAVINO_MAX_MESSAGE,
+              "JAVINO_KEYS, JAVINO_SESSION_KEYS: one reply of JAVINO_MAX_MESSAGE bytes lists all keys");
 static_assert(JAVINO_REPLAY_ENTRIES >= JAVINO_KEYS && JAVINO_REPLAY_ENTRIES <= 253,
               "JAVINO_REPLAY_ENTRIES must be JAVINO_KEYS at least, and at most 253");
 static_assert(JAVINO_FLOOR_SLOTS > JAVINO_REPLAY_ENTRIES && JAVINO_FLOOR_SLOTS <= 254,

@@ -86,6 +86,8 @@ Status Commands::command(char name, const uint8_t *body, uint16_t length, Reply 
     case 'U': return config::KEY_RENEWAL ? keyCommands_.use(body, length, delivery_) : Status::UNKNOWN_COMMAND;
     case 'F': return config::KEY_RENEWAL ? keysChanged(keyCommands_.finish(body, length)) : Status::UNKNOWN_COMMAND;
     case 'D': return keysChanged(keyCommands_.erase(body, length));
+    case 'V':
+      return config::SESSION_KEYS ? keyCommands_.setSession(body, length, delivery_, reply) : Status::UNKNOWN_COMMAND;
     case 'L': return keyCommands_.list(length, reply);
     case 'S': return config::STATISTICS ? statistics(length, reply) : Status::UNKNOWN_COMMAND;
     default: return Status::UNKNOWN_COMMAND;

@@ -1,5 +1,7 @@
 #include "KeyCommands.h"
 
+#include <string.h>
+
 #include "../support/BigEndian.h"
 
 namespace javino {
@@ -8,7 +10,7 @@ namespace {
 
 const uint8_t STORE_LENGTH = Address::TEXT_LENGTH + Aes128::KEY_LENGTH;
 
-enum Role : uint8_t { CURRENT = 0, PREVIOUS = 1, NEXT = 2 };  // SPEC 4.3
+enum Role : uint8_t { CURRENT = 0, PREVIOUS = 1, NEXT = 2, SESSION = 3 };  // SPEC 4.3
 
 const uint8_t EPOCH_LENGTH = 3;
 
@@ -45,7 +47,9 @@ Status KeyCommands::store(bool renews, const uint8_t *body, uint16_t length, Rep
 
 // Whether a change makes one key more of a pair, which needs a place of its own in the replay memory.
 bool KeyCommands::isOneMorePair(bool renews, const Address &address) const {
-  return address.isDevice() && (renews ? keys_.other(address) : keys_.current(address)) == KeyStore::NO_SLOT;
+  if (!address.isDevice()) return false;
+  const uint8_t slot = renews ? keys_.other(address) : keys_.current(address);
+  return slot == KeyStore::NO_SLOT || KeyStore::isSession(slot);
 }
 
 Status KeyCommands::use(const uint8_t *body, uint16_t length, const Delivery &delivery) {
@@ -76,16 +80,55 @@ Status KeyCommands::erase(const uint8_t *body, uint16_t length) {
   return erase(current) ? Status::OK : Status::STORE_FAILED;
 }
 
+Status KeyCommands::setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply) {
+  Address device;
+  if (length != STORE_LENGTH || !parseAddress(body, device) || !device.isDevice()) return Status::BAD_ARGUMENT;
+  const uint8_t *const key = body + Address::TEXT_LENGTH;
+  DerivedKeys derived;
+  derived.derive(key);
+  uint8_t slot = keys_.current(device);
+  if (slot != KeyStore::NO_SLOT && !KeyStore::isSession(slot)) return Status::HAS_KEY;
+  if (slot == KeyStore::NO_SLOT ||
+      memcmp(key, keys_.sessions().keyAt(static_cast<uint8_t>(slot - KeyStore::SLOTS)), Aes128::KEY_LENGTH) != 0) {
+    if (keys_.sessions().had(derived.check)) return Status::BAD_ARGUMENT;
+    if (slot == KeyStore::NO_SLOT) slot = placeForSession(delivery.outbox());
+    if (!keys_.isFree(slot)) {
+      erase(slot);
+      delivery.keysChanged();
+    }
+    keys_.setSession(slot, device, key, derived.check);
+  }
+  reply.add(derived.check, sizeof derived.check);
+  return Status::OK;
+}
+
+// A free one, or that of the key that was used least recently: rather one with which nothing is to be sent.
+uint8_t KeyCommands::placeForSession(const Outbox &outbox) const {
+  uint8_t chosen = KeyStore::SLOTS;
+  uint8_t most = 0;
+  for (uint8_t i = 0; config::SESSION_KEYS > 1 && i < config::SESSION_KEYS; i++) {
+    const uint8_t slot = static_cast<uint8_t>(KeyStore::SLOTS + i);
+    if (keys_.isFree(slot)) return slot;
+    uint8_t age = static_cast<uint8_t>(1 + keys_.sessions().ageOf(i));
+    if (!outbox.hasFor(keys_.addressAt(slot))) age = static_cast<uint8_t>(age + config::SESSION_KEYS);
+    if (age <= most) continue;
+    most = age;
+    chosen = slot;
+  }
+  return chosen;
+}
+
 Status KeyCommands::list(uint16_t length, Reply &reply) {
   if (length != 0) return Status::BAD_ARGUMENT;
-  for (uint8_t slot = 0; slot < KeyStore::SLOTS; slot++) {
+  for (uint8_t slot = 0; slot < KeyStore::PLACES; slot++) {
     const Address &address = keys_.addressAt(slot);
     if (keys_.isFree(slot)) continue;
     uint8_t entry[Address::TEXT_LENGTH + 1];
     address.write(entry);
-    entry[Address::TEXT_LENGTH] = slot == keys_.current(address) ? CURRENT
-                                  : slot == keys_.next(address)  ? NEXT
-                                                                 : PREVIOUS;
+    entry[Address::TEXT_LENGTH] = KeyStore::isSession(slot)        ? SESSION
+                                  : slot == keys_.current(address) ? CURRENT
+                                  : slot == keys_.next(address)    ? NEXT
+                                                                   : PREVIOUS;
     reply.add(entry, sizeof entry);
     addCheckValue(slot, reply);
   }

@@ -12,7 +12,7 @@
 
 namespace javino {
 
-/// The commands that manage keys (SPEC 4.3: E, K, N, U, F, D, L). None of them gives away more of a key than its check value.
+/// The commands that manage keys (SPEC 4.3: E, K, N, U, F, D, V, L). None of them gives away more of a key than its check value.
 /// What the replay memory knows of a key goes after the key itself: else a loss of power between the two would open the
 /// door to replays.
 class KeyCommands {
@@ -40,11 +40,15 @@ class KeyCommands {
   /// D: deletes both.
   Status erase(const uint8_t *body, uint16_t length);
 
+  /// V: sets the session key of a device. What is under way or waits under one that makes room is as with a deleted key.
+  JAVINO_NOINLINE Status setSession(const uint8_t *body, uint16_t length, Delivery &delivery, Reply &reply);
+
   /// L: tells addresses, roles and check values.
   JAVINO_NOINLINE Status list(uint16_t length, Reply &reply);
 
  private:
   bool isOneMorePair(bool renews, const Address &address) const;
+  uint8_t placeForSession(const Outbox &outbox) const;
   JAVINO_NOINLINE bool erase(uint8_t slot);
   JAVINO_NOINLINE void addCheckValue(uint8_t slot, Reply &reply) const;
 

@@ -40,6 +40,7 @@ const uint8_t Poll::DEFAULT_SAMPLE_MILLIS;
 
 void Poll::tellAgain() {
   outcomes_.keepTold();
+  inbox_.noKeys().keepTold();
   overheard_.keepTold();
   told_ = false;
 }
@@ -51,6 +52,7 @@ bool Poll::hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
     tellAgain();
   } else if ((flags & REPLY_COMING) == 0) {
     outcomes_.forgetTold();
+    inbox_.noKeys().forgetTold();
     overheard_.forgetTold();
   }
   flags_ = flags;
@@ -75,20 +77,21 @@ bool Poll::answer(Reply &reply, bool released) {
 }
 
 bool Poll::isWaiting() const {
-  return outcomes_.areUntold() || inbox_.first().bytes != nullptr || overheard_.areUntold();
+  return outcomes_.areUntold() || inbox_.first().bytes != nullptr || inbox_.noKeys().areUntold() ||
+         overheard_.areUntold();
 }
 
 void Poll::addWaiting(Reply &reply) {
   const uint16_t flagsAt = reply.mark();
   reply.add(0);
   addOutcomes(reply);
-  if (!addMessages(reply) || !addOverheard(reply)) reply.replace(flagsAt, MORE_WAITING);
+  if (!addMessages(reply) || !addNoKeys(reply) || !addOverheard(reply)) reply.replace(flagsAt, MORE_WAITING);
 }
 
 // All of them fit: Outcomes::MAX_UNREPORTED sees to that.
 void Poll::addOutcomes(Reply &reply) {
   while (outcomes_.areUntold()) {
-    const Outcomes::End &end = outcomes_.tell();
+    const TransmissionEnd &end = outcomes_.tell();
     Record record(reply, 'T');
     record.add(end.number);
     record.add(static_cast<uint8_t>(end.outcome));
@@ -101,6 +104,21 @@ bool Poll::addMessages(Reply &reply) {
   uint8_t number = inbox_.firstNumber();
   for (ByteQueue::Record record = inbox_.first(); record.bytes != nullptr; record = inbox_.after(record)) {
     if (!addMessage(number++, Inbox::read(record), reply)) return false;
+  }
+  return true;
+}
+
+// Returns whether all fitted.
+bool Poll::addNoKeys(Reply &reply) {
+  while (inbox_.noKeys().areUntold()) {
+    const KeylessFrame &frame = inbox_.noKeys().next();
+    uint8_t addresses[2 * Address::TEXT_LENGTH];
+    frame.destination.write(addresses);
+    frame.origin.write(addresses + Address::TEXT_LENGTH);
+    Record record(reply, 'N');
+    record.add(addresses, sizeof addresses);
+    if (!record.close()) return false;
+    inbox_.noKeys().tell();
   }
   return true;
 }

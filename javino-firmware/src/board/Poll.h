@@ -18,8 +18,7 @@ namespace javino {
 typedef void (*PerceptSource)(Percepts &percepts);
 
 /// Answers a poll, and holds the answer until there is something to tell: outcomes of transmissions, received messages,
-/// packets that were overheard,
-/// or percepts that have changed (SPEC 4.3).
+/// frames without a key, packets that were overheard, or percepts that have changed (SPEC 4.3).
 class Poll {
  public:
   /// How often the sensors are read, where the sketch does not say it.
@@ -63,6 +62,7 @@ class Poll {
   JAVINO_NOINLINE void addWaiting(Reply &reply);
   void addOutcomes(Reply &reply);
   bool addMessages(Reply &reply);
+  bool addNoKeys(Reply &reply);
   bool addOverheard(Reply &reply);
   static bool addMessage(uint8_t number, const Inbox::Message &message, Reply &reply);
   bool isOver(uint32_t now) const { return static_cast<int32_t>(now - endsAt_) >= 0; }

@@ -51,7 +51,13 @@ bool Admission::acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length
     const Envelope envelope(keys);
     if (envelope.isAuthentic(bytes, length)) return acceptUnder(slot, envelope, frame, bytes, length);
   }
-  return drop(hasKey ? Counter::RADIO_BAD_TAG : Counter::RADIO_NO_KEY);
+  return hasKey ? drop(Counter::RADIO_BAD_TAG) : dropWithoutKey(frame);
+}
+
+// Counts a frame that cannot be opened, and has the host told of it.
+bool Admission::dropWithoutKey(const Frame &frame) {
+  inbox_.noKeys().add(frame);
+  return drop(Counter::RADIO_NO_KEY);
 }
 
 bool Admission::isGenuine(const Frame &frame, const uint8_t *bytes, uint16_t length) const {
@@ -81,6 +87,7 @@ bool Admission::acceptUnder(uint8_t slot, const Envelope &envelope, const Frame 
   }
   if (!inbox_.fits(static_cast<uint16_t>(length - Envelope::MIN_FRAME_LENGTH))) return drop(Counter::RADIO_QUEUE_FULL);
   if (!state_.replays.reserve(slot, frame.origin, nonce)) return drop(Counter::RADIO_REPLAY_FULL);
+  state_.keys.used(slot);
   const uint16_t content = envelope.open(bytes, length);
   inbox_.addSealed(slot, frame, nonce, bytes + Envelope::CONTENT_AT, content);
   return true;
@@ -113,7 +120,7 @@ bool Admission::needsMore(const Frame &frame, const uint8_t *nonce, bool wantsAn
     }
     return drop(Counter::RADIO_REPEATS);
   }
-  return hasKey || drop(Counter::RADIO_NO_KEY);
+  return hasKey || dropWithoutKey(frame);
 }
 
 void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t have) {

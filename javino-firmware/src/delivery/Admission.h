@@ -54,6 +54,7 @@ class Admission {
   bool acceptSealed(const Frame &frame, uint8_t *bytes, uint16_t length);
   JAVINO_NOINLINE bool acceptUnder(uint8_t slot, const Envelope &envelope, const Frame &frame, uint8_t *bytes,
                                    uint16_t length);
+  bool dropWithoutKey(const Frame &frame);
   bool refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame &frame, const uint8_t *nonce);
 
   BoardState &state_;

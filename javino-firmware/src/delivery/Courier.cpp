@@ -128,6 +128,7 @@ bool Courier::seal(bool again) {
   const Envelope envelope(keys);
   if (again) envelope.open(record.bytes, record.length);
   state_.nonces.take(message.nonce);
+  state_.keys.used(message.slot);
   const Frame plain = {message.destination, message.sender, record.bytes + Envelope::CONTENT_AT,
                        static_cast<uint16_t>(record.length - Envelope::MIN_FRAME_LENGTH)};
   envelope.seal(plain, message.nonce, record.bytes);
@@ -265,7 +266,7 @@ void Courier::keysChanged() {
   for (Message &message : messages_) {
     if (message.slot != KeyStore::NO_SLOT && state_.keys.isFree(message.slot)) message.slot = KeyStore::NO_SLOT;
   }
-  for (uint8_t slot = 0; config::PARITY && slot < KeyStore::SLOTS; slot++) {
+  for (uint8_t slot = 0; config::PARITY && slot < KeyStore::PLACES; slot++) {
     if (!state_.keys.isFree(slot)) continue;
     parity_.set(slot, false);
     understands_.set(slot, false);

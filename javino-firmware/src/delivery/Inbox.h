@@ -9,6 +9,7 @@
 #include "../support/Inlining.h"
 #include "Acknowledger.h"
 #include "ByteQueue.h"
+#include "NoKeys.h"
 #include "../support/Zeroed.h"
 
 namespace javino {
@@ -48,6 +49,10 @@ class Inbox {
     add(slot, frame, nonce, content, length);
   }
 
+  /// The frames that could not be taken in for want of a key.
+  NoKeys &noKeys() { return noKeys_; }
+  const NoKeys &noKeys() const { return noKeys_; }
+
   Waiting waiting(uint8_t slot, const Address &origin, const uint8_t *nonce) const;
 
   /// The host has taken over the message of this number and all before it; nothing is done where it is not here.
@@ -81,6 +86,7 @@ class Inbox {
   Acknowledger &acknowledger_;
   ByteQueue records_;
   uint8_t firstNumber_ JAVINO_ZEROED;
+  NoKeys noKeys_;
   uint8_t block_[config::RECEIVE_BYTES];
 };
 

@@ -23,7 +23,7 @@ class KeyFlags {
  private:
   static uint8_t bitOf(uint8_t slot) { return static_cast<uint8_t>(1 << (slot & 7)); }
 
-  uint8_t bytes_[config::PARITY ? (KeyStore::SLOTS + 7) / 8 : 1] JAVINO_ZEROED;
+  uint8_t bytes_[config::PARITY ? (KeyStore::PLACES + 7) / 8 : 1] JAVINO_ZEROED;
 };
 
 }  // namespace javino

@@ -40,6 +40,15 @@ ByteQueue::Record Outbox::find(uint8_t number) const {
   return record;
 }
 
+bool Outbox::hasFor(const Address &destination) const {
+  for (ByteQueue::Record record = first(); record.bytes != nullptr; record = after(record)) {
+    Frame frame;
+    Frame::parseHeader(record.bytes, frame);
+    if (frame.destination == destination) return true;
+  }
+  return false;
+}
+
 void Outbox::close(uint8_t number, Outcome outcome) {
   outcomes_.add(number, outcome);
   records_.remove(find(number).bytes);

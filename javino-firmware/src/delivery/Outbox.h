@@ -35,6 +35,9 @@ class Outbox {
   ByteQueue::Record after(const ByteQueue::Record &record) const { return records_.after(record); }
   static uint8_t numberOf(const ByteQueue::Record &record) { return record.bytes[record.length - 1]; }
 
+  /// Whether a message to this address waits or is under way.
+  bool hasFor(const Address &destination) const;
+
   /// The frame of this number, which has not ended.
   JAVINO_NOINLINE ByteQueue::Record find(uint8_t number) const;
 

@@ -140,10 +140,13 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
   TakenNonce *entry = find(key, origin);
   if (entry == nullptr ? !hasRoom(key) : isCovered(*entry, nonce)) return entry != nullptr;
 
-  uint8_t record[FLOOR_LENGTH];
-  packFloor(key, origin, nonce, record);
-  const uint8_t place = store(record);
-  if (place == NO_PLACE) return false;
+  uint8_t place = NO_PLACE;
+  if (!KeyStore::isSession(key)) {
+    uint8_t record[FLOOR_LENGTH];
+    packFloor(key, origin, nonce, record);
+    place = store(record);
+    if (place == NO_PLACE) return false;
+  }
 
   uint8_t before = NO_PLACE;
   if (entry == nullptr) {
@@ -189,7 +192,7 @@ bool ReplayMemory::forget(uint8_t key) {
 
 bool ReplayMemory::forgetLostKeys() {
   bool erased = true;
-  for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
+  for (uint8_t key = 0; key < KeyStore::PLACES; key++) {
     if (keys_.isFree(key) && !forget(key)) erased = false;
   }
   return erased;

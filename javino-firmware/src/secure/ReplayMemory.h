@@ -18,6 +18,8 @@ namespace javino {
 /// Of a pair's key there is one origin, and a place is kept for it. Of a group's key there are as many as its members
 /// claim to be: groups share the other places evenly, so that no member can fill those of pairs or of another group.
 ///
+/// A session key (KeyStore.h) has a place of its own too, and no floor.
+///
 /// The exact nonce is in RAM that a reset leaves alone (Retained.h), behind a CRC and the boot epoch: it is taken over
 /// only by the very next boot, so that no old image, which another sketch has left where it was, makes the board forget.
 /// A floor, never lower than any nonce that was accepted, is in EEPROM: all that counts when the RAM is lost. It is there
@@ -54,7 +56,7 @@ class ReplayMemory {
   JAVINO_NOINLINE Verdict judge(uint8_t key, const Address &origin, const uint8_t *nonce) const;
 
   /// Makes sure that the floor in EEPROM is not below a nonce that was judged NEWER, before anything comes of it: some
-  /// 110 ms for the first of 32, else nothing.
+  /// 110 ms for the first of 32, else nothing. Under a session key it only takes the origin's place.
   /// @return false where there is no room for another origin or EEPROM does not keep it: then the nonce must be refused.
   JAVINO_NOINLINE bool reserve(uint8_t key, const Address &origin, const uint8_t *nonce);
 

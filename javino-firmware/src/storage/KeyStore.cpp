@@ -10,6 +10,7 @@ namespace javino {
 
 const uint8_t KeyStore::SLOTS;
 const uint8_t KeyStore::NO_SLOT;
+const uint8_t KeyStore::PLACES;
 
 static_assert(KeyStore::SLOTS == KEY_PLACES, "the layout's number of places");
 
@@ -80,6 +81,8 @@ struct StoredKey {
 }  // namespace
 
 void KeyStore::begin() {
+  sessions_.begin();
+  for (uint8_t slot = SLOTS; slot < PLACES; slot++) addresses_[slot] = Address::serialLine();
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     StoredKey stored;
     const bool whole = recordAt(slot).begin(stored.bytes, SECRETS_LENGTH);
@@ -99,10 +102,10 @@ bool KeyStore::isReplaced(uint8_t slot) const {
   return false;
 }
 
-// The newest that is in use; where none is, the only one.
+// The newest that is in use; where none is, the only one. A session key is always the only one.
 uint8_t KeyStore::best(const Address &address, uint8_t except) const {
   uint8_t best = NO_SLOT;
-  for (uint8_t slot = 0; slot < SLOTS; slot++) {
+  for (uint8_t slot = 0; slot < PLACES; slot++) {
     if (slot == except || addresses_[slot] != address || isFree(slot)) continue;
     if (best == NO_SLOT || (isNewer(slot, best) ? isUsed(slot) : !isUsed(best))) best = slot;
   }
@@ -114,14 +117,23 @@ uint8_t KeyStore::next(const Address &address) const {
   return other != NO_SLOT && isNewer(other, current(address)) ? other : NO_SLOT;
 }
 
-bool KeyStore::load(uint8_t slot, DerivedKeys &into) const {
+bool KeyStore::loadStored(uint8_t slot, DerivedKeys &into) const {
   StoredKey stored;
   if (slot == NO_SLOT || isFree(slot) || !recordAt(slot).read(stored.bytes)) return false;
   stored.unpack(into);
   return true;
 }
 
+bool KeyStore::loadSession(uint8_t slot, DerivedKeys &into) const {
+  into.derive(sessions_.keyAt(static_cast<uint8_t>(slot - SLOTS)));
+  return !isFree(slot);
+}
+
 void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
+  if (isSession(slot)) {
+    memcpy(check, sessions_.checkAt(static_cast<uint8_t>(slot - SLOTS)), DerivedKeys::CHECK_LENGTH);
+    return;
+  }
   for (uint8_t i = 0; i < DerivedKeys::CHECK_LENGTH; i++) {
     check[i] = eeprom::read(static_cast<uint16_t>(placeAt(slot) + CHECK_AT + i));
   }
@@ -130,11 +142,12 @@ void KeyStore::readCheckValue(uint8_t slot, uint8_t *check) const {
 Status KeyStore::store(const Address &address, const uint8_t *key, bool renews) {
   DerivedKeys keys;
   keys.derive(key);
+  if (sessions_.had(keys.check)) return Status::BAD_ARGUMENT;
   const uint8_t current = this->current(address);
   const uint8_t other = this->other(address);
   const bool isOther = holds(other, keys);
   if (renews) {
-    if (current == NO_SLOT) return Status::NO_KEY;
+    if (current == NO_SLOT || isSession(current)) return Status::NO_KEY;
     const uint8_t next = this->next(address);
     if (isOther ? other == next : holds(current, keys) && next == NO_SLOT) return Status::OK;
     return other == NO_SLOT ? add(address, keys, false) : Status::BAD_ARGUMENT;
@@ -156,6 +169,11 @@ Status KeyStore::use(const Address &address) {
 }
 
 bool KeyStore::erase(uint8_t slot) {
+  if (isSession(slot)) {
+    sessions_.erase(static_cast<uint8_t>(slot - SLOTS));
+    addresses_[slot] = Address::serialLine();
+    return true;
+  }
   const bool erased = recordAt(slot).erase(SECRETS_LENGTH);
   if (erased) addresses_[slot] = Address::serialLine();
   return erased;
@@ -163,12 +181,13 @@ bool KeyStore::erase(uint8_t slot) {
 
 bool KeyStore::holds(uint8_t slot, const DerivedKeys &keys) const {
   DerivedKeys present;
-  return load(slot, present) && keys.equals(present);
+  return !isSession(slot) && loadStored(slot, present) && keys.equals(present);
 }
 
 // Adds the newest key of an address, if there will not be too many when those are gone that it replaces.
 Status KeyStore::add(const Address &address, const DerivedKeys &keys, bool alone) {
-  const uint8_t current = this->current(address);
+  uint8_t current = this->current(address);
+  if (isSession(current)) current = NO_SLOT;
   uint8_t count = this->count();
   if (alone && current != NO_SLOT) count--;
   if (alone && other(address) != NO_SLOT) count--;

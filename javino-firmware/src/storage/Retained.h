@@ -20,7 +20,7 @@ struct TakenNonce {
 /// All of it, as it stays in RAM over a reset.
 struct TakenNonces {
   uint32_t epoch;  ///< the boot that it belongs to
-  TakenNonce entries[config::REPLAY_ENTRIES];
+  TakenNonce entries[config::REPLAY_ENTRIES + config::SESSION_KEYS];
   uint16_t check;  ///< CRC of all before
 };
 

@@ -21,7 +21,8 @@ enum class Status : uint8_t {
   STORE_FULL = 12,       ///< no place for another key: delete one
   STORE_FAILED = 13,     ///< the EEPROM did not keep what was written: it is worn out
   NONCE_EXHAUSTED = 14,  ///< no nonce is left until the next boot, or, after the last epoch, ever
-  BUSY = 15  ///< what is under way is sealed with the key that is to be replaced: try again when it has ended
+  BUSY = 15,    ///< what is under way is sealed with the key that is to be replaced: try again when it has ended
+  HAS_KEY = 16  ///< a key is stored for this address: it gets no session key
 };
 
 }  // namespace javino

@@ -9,6 +9,7 @@
 namespace javino {
 
 static_assert(config::KEYS == 16, "");
+static_assert(config::SESSION_KEYS == 8, "");
 static_assert(config::REPLAY_ENTRIES == 24, "");
 static_assert(config::FLOOR_SLOTS == 96, "");
 static_assert(config::MAX_MESSAGE == 511, "");
@@ -29,7 +30,7 @@ static_assert(config::EPOCH_SLOTS == 16, "");
 static_assert(config::EEPROM_START == 0, "");
 
 static_assert(EEPROM_END == 3354, "");
-static_assert(sizeof(TakenNonces) == 318, "retained RAM, beside the board's");
-static_assert(sizeof(Board) <= 4860, "the protocol's part of static RAM");
+static_assert(sizeof(TakenNonces) == 422, "retained RAM, beside the board's");
+static_assert(sizeof(Board) <= 5080, "the protocol's part of static RAM");
 
 }  // namespace javino

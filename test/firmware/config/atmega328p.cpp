@@ -9,6 +9,7 @@
 namespace javino {
 
 static_assert(config::KEYS == 6, "");
+static_assert(config::SESSION_KEYS == 0, "");
 static_assert(config::REPLAY_ENTRIES == 6, "");
 static_assert(config::FLOOR_SLOTS == 23, "");
 static_assert(config::MAX_MESSAGE == 84, "");

@@ -31,6 +31,7 @@ TEST_F(LeastBoard, does_not_know_the_commands_that_are_left_out) {
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('N', ROMA + OTHER_KEY).status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('U', ROMA).status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('F', ROMA).status);
+  EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('V', ROMA + OTHER_KEY).status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('S').status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('O', {1}).status);
   EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('Y', plain("////", "ROMA", "tell;x")).status);
@@ -53,6 +54,11 @@ TEST_F(LeastBoard, replaces_and_deletes_keys) {
   EXPECT_EQ("tell;y", board.messages()[0].content);
   EXPECT_EQ(Status::OK, board.request('D', ROMA).status);
   EXPECT_TRUE(board.request('L').body.empty());
+}
+
+TEST_F(LeastBoard, tells_nothing_of_frames_without_a_key) {
+  board.receive(sealed(KEY, "LAMP", "SUPP", {0, 0, 5, 0, 1, 2}, "tell;x"));
+  EXPECT_TRUE(board.poll().records.empty());
 }
 
 TEST_F(LeastBoard, drops_pieces_and_sends_them) {

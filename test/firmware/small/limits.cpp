@@ -54,6 +54,21 @@ TEST_F(SmallBoard, tells_the_names_of_its_actions_in_parts) {
   EXPECT_EQ(all, told);
 }
 
+TEST_F(SmallBoard, has_place_for_one_session_key_and_tells_of_one_frame_without_a_key) {
+  EXPECT_EQ(Status::OK, board.request('V', bytesOf("SUPP") + Bytes(16, 1)).status);
+  board.receive(sealed(Bytes(16, 1), "LAMP", "SUPP", {0, 0, 5, 0, 1, 2}, "tell;x"));
+  ASSERT_EQ(1u, board.messages().size());
+  board.pollTaking(0);
+  EXPECT_EQ(Status::OK, board.request('V', bytesOf("SUPO") + Bytes(16, 2)).status);
+  EXPECT_EQ(Status::BAD_ARGUMENT, board.request('V', bytesOf("SUPP") + Bytes(16, 1)).status);
+  EXPECT_EQ(Status::HAS_KEY, board.request('V', bytesOf("ROMA") + Bytes(16, 3)).status);
+  board.receive(sealed(Bytes(16, 1), "LAMP", "SUPP", {0, 0, 5, 0, 1, 3}, "tell;x"));
+  board.receive(sealed(Bytes(16, 1), "LAMP", "SUPQ", {0, 0, 5, 0, 1, 3}, "tell;x"));
+  EXPECT_EQ(std::vector<std::string>{"LAMPSUPP"}, board.poll().texts('N'));
+  board.receive(sealed(Bytes(16, 2), "LAMP", "SUPO", {0, 0, 5, 0, 1, 3}, "tell;y"));
+  ASSERT_EQ(1u, board.messages().size());
+}
+
 TEST_F(SmallBoard, takes_the_longest_content_and_refuses_a_longer_one) {
   EXPECT_EQ(Status::OK, board.transmit("////", "LAMP", text(MAX_CONTENT)).status);
   board.sendNext();

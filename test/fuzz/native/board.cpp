@@ -58,7 +58,7 @@ class Scene {
   void rawBytes() { board_.sendRaw(input_.bytes(200) + Bytes{0}); }
 
   void request() {
-    const char command = "HPARLSZKNFDI"[input_.byte() % 12];
+    const char command = "HPARLSZKNFDIV"[input_.byte() % 13];
     // Too little for those that would change the keys and the id by which the scene knows what is genuine.
     const size_t most = std::string("KNFDI").find(command) == std::string::npos ? 120 : 3;
     board_.request(command, input_.bytes(most));

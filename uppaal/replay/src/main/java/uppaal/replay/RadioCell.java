@@ -117,9 +117,14 @@ final class RadioCell {
     }
 
     /** A host has done something with a key. */
-    void key(Event event) {
+    void key(Event event) throws RefusedException {
         Station board = board(event.board());
-        board.key(event.text("address"), event.text("step").equals("set") ? event.text("check") : "");
+        String step = event.text("step");
+        if (step.equals("session")) {
+            board.session(event.text("address"), event.text("check"));
+        } else {
+            board.key(event.text("address"), step.equals("set") ? event.text("check") : "");
+        }
         forgetHeard(board);
     }
 

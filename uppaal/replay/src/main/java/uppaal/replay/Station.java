@@ -5,6 +5,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +29,7 @@ final class Station {
     private static final int FEW = 5;
     private static final String MEGA = "mega";
     private static final int PLACES = 2;
+    private static final int SESSION_KEYS = 8;
 
     private final String name;
     private final Set<String> ids = new HashSet<>();
@@ -57,6 +59,10 @@ final class Station {
     private boolean open;
     /** The check values of the keys that its host has set and not touched since, by address. */
     private final Map<String, String> checks = new HashMap<>();
+    /** The devices of those of them that are session keys, the one that was set last at the end. */
+    private final Set<String> sessions = new LinkedHashSet<>();
+    /** Session keys that it knows to have had, whatever became of them; the last is the one that was set last. */
+    private final Deque<String> had = new ArrayDeque<>();
     /** What has come since it has last told its host something; null stands for what nobody knows. */
     private final Set<Message> came = new HashSet<>();
     /** What came undamaged and is to be handed over, and when. */
@@ -67,6 +73,8 @@ final class Station {
     private final Map<String, Double> pieces = new Recent<>();
     /** Messages in pieces that it can put together at one time. */
     private int places;
+    /** Session keys that it has place for, at the least. */
+    private int sessionPlaces;
     /** When it has told its host something, the last time and the time before. */
     private double reply = Double.NEGATIVE_INFINITY;
     private double replyBefore = Double.NEGATIVE_INFINITY;
@@ -174,10 +182,42 @@ final class Station {
 
     /** Its host has done something with a key; what only setting leaves is known. */
     void key(String address, String check) {
+        if (sessions.remove(address)) {
+            had.clear(); // it may remember another one instead
+        }
         checks.remove(address);
         waiting.forEach(transmission -> transmission.mayFail = true);
         if (!check.isEmpty()) {
             checks.put(address, check);
+        }
+    }
+
+    /**
+     * Its host has set a session key. It sets none where it has another sort of key, nor one that it had before. Where
+     * it has not enough places, it is not known which one goes; those that go may be all but this.
+     */
+    void session(String device, String check) throws RefusedException {
+        boolean isAgain = sessions.contains(device) && check.equals(checks.get(device));
+        if (!isAgain && had.contains(check) || checks.containsKey(device) && !sessions.contains(device)) {
+            throw new RefusedException(name + " sets a session key for " + device + ", check value " + check
+                    + "; expected that it refuses it: " + (had.contains(check) ? "it had that one before"
+                            : "it has a stored key for that device"));
+        }
+        if (isAgain) {
+            return;
+        }
+        List<String> before = List.copyOf(had);
+        key(device, check);
+        had.addAll(before);
+        sessions.add(device);
+        had.add(check);
+        if (had.size() > sessionPlaces) {
+            had.remove();
+        }
+        if (sessions.size() > sessionPlaces) {
+            Set<String> others = Set.copyOf(sessions);
+            others.stream().filter(each -> !each.equals(device)).forEach(checks::remove);
+            sessions.retainAll(Set.of(device));
         }
     }
 
@@ -232,6 +272,7 @@ final class Station {
     /** A Mega has two places for messages in pieces, and a small chip none. */
     void isOfModel(String model) {
         places = model.equals(MEGA) ? PLACES : 0;
+        sessionPlaces = model.equals(MEGA) ? SESSION_KEYS : 1;
     }
 
     /** A packet comes to it, perhaps damaged, of a message that it may be for; of a strange piece nobody knows. */
@@ -341,8 +382,11 @@ final class Station {
         return before;
     }
 
-    /** It begins anew: what it was to send and what it has not handed over is gone. */
+    /** It begins anew: what it was to send, what it has not handed over and its session keys are gone. */
     void reset() {
+        sessions.forEach(checks::remove);
+        sessions.clear();
+        had.clear();
         open = false;
         last = LAST_NUMBER;
         came.clear();

@@ -714,6 +714,84 @@ class ReplayTest {
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 
+    private static void key(Lines lines, double seconds, String step, String address, String check) {
+        lines.add(seconds, "police", "host-key", Map.of("address", address, "step", step, "check", check));
+    }
+
+    /** The police's board is a Mega, which has place for eight session keys. */
+    private static Lines sessionKeys(String... destinations) {
+        Lines lines = severalAsked(destinations);
+        lines.madeUp = false;
+        lines.all.add(JsonParser.parseString("{'t': 0, 'event': 'scenario', 'boards': [{'name': 'police', "
+                + "'model': 'mega'}]}").getAsJsonObject());
+        sort(lines);
+        return lines;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"session, refused", "none, accepted", "reset, accepted", "delete, accepted"})
+    void replay_undeliveredThoughItWasNeverSent_isRefusedIfItsBoardHasTheSessionKey(String step, String verdict) {
+        Lines lines = sessionKeys();
+        if (!step.equals("none")) {
+            key(lines, 0.5, "session", "SUPP", "010203");
+        }
+        if (step.equals("delete")) {
+            key(lines, 0.6, "delete", "SUPP", "");
+        } else if (step.equals("reset")) {
+            lines.add(0.6, "police", "reset", Map.of("why", "power"));
+        }
+        lines.add(1, "police", "host-transmit",
+                Map.of("number", 0, "destination", "SUPP", "asked", 1, "content", "tell;x"));
+        sort(lines);
+        outcome(lines, 2, 0, "undelivered");
+        assertEquals(verdict, lines.replay().refusal().map(why -> "refused").orElse("accepted"),
+                lines.replay()::verdict);
+    }
+
+    @Test
+    void replay_sessionKeyThatItsBoardHadBefore_isRefused() {
+        Lines lines = sessionKeys();
+        key(lines, 2, "session", "SUPP", "010203");
+        key(lines, 2.1, "session", "SUPP", "010203");
+        key(lines, 2.2, "session", "SUHO", "040506");
+        key(lines, 2.3, "session", "SUPP", "070809");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        key(lines, 2.4, "session", "SUPP", "010203");
+        assertRefused(lines, lines.all.size(), "police sets a session key for SUPP, check value 010203; expected that it"
+                + " refuses it: it had that one before");
+        lines.add(2.35, "police", "reset", Map.of("why", "power"));
+        sort(lines);
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+    }
+
+    @Test
+    void replay_sessionKeyBesideAStoredOne_isRefused() {
+        Lines lines = sessionKeys();
+        key(lines, 2, "session", "SUPP", "010203");
+        key(lines, 2.1, "set", "SUPP", "040506");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        key(lines, 2.2, "session", "SUPP", "070809");
+        assertRefused(lines, lines.all.size(), "it has a stored key for that device");
+    }
+
+    /** Which of nine went is not known, so nothing is demanded of those before. */
+    @Test
+    void replay_moreSessionKeysThanPlaces_anyButTheLastMayBeGone() {
+        Lines lines = sessionKeys();
+        for (int i = 0; i < 9; i++) {
+            key(lines, 0.5 + i * 0.01, "session", "SUP" + (char) ('A' + i), "01020" + i);
+        }
+        for (int i = 0; i < 2; i++) {
+            lines.add(1 + i, "police", "host-transmit", Map.of("number", i, "destination", i == 0 ? "SUPC" : "SUPI",
+                    "asked", 1 + i, "content", "tell;x"));
+        }
+        sort(lines);
+        outcome(lines, 3, 0, "undelivered");
+        assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        outcome(lines, 4, 1, "undelivered");
+        assertRefused(lines, lines.all.size(), "expected that it is sent");
+    }
+
     /** Two carriers together may be none to a board, also where they began while it sent. */
     @ParameterizedTest
     @CsvSource({"2.05, accepted", "2.15, refused"})
