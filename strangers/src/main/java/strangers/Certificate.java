@@ -6,8 +6,8 @@ import javino.protocol.Bytes;
 import strangers.edhoc.HandshakeException;
 
 /**
- * An implicit certificate (SEC 4, ECQV) of 42 bytes: who has it, and the point from which, with the authority's key, all
- * others compute its public key (SPEC 11.1).
+ * An implicit certificate (SEC 4, ECQV) of 42 bytes: who has it, and the point from which, with the authority's key,
+ * all others compute its public key (SPEC 11.1).
  *
  * @param address   whose it is; a device.
  * @param serial    0…65535; the authority gives each once.

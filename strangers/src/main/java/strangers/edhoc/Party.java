@@ -13,10 +13,18 @@ public interface Party {
     ECPrivateKey secret();
 
     /**
-     * Finds the other side's credential, and decides whether that is somebody to talk to.
+     * Finds the other side's credential.
      *
      * @param kid as it came, not yet proved to be the sender's.
-     * @throws HandshakeException if it is nobody to talk to.
+     * @throws HandshakeException if it is none, or of somebody else than who is to be talked to.
      */
-    Credential peer(Bytes kid) throws HandshakeException;
+    Credential find(Bytes kid) throws HandshakeException;
+
+    /**
+     * Decides about the other side, once it has proved that the credential is its own. So nobody can have somebody
+     * else's credential reported as expired.
+     *
+     * @throws HandshakeException if it is not to be talked to.
+     */
+    void admit(Credential proved) throws HandshakeException;
 }
