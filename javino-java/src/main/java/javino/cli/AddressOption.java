@@ -8,7 +8,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 /** Reads addresses on the command line, so that a wrong one is wrong usage. */
-abstract class AddressOption implements ITypeConverter<Address> {
+public abstract class AddressOption implements ITypeConverter<Address> {
 
     private final Set<Kind> kinds;
     private final String expected;
@@ -36,8 +36,9 @@ abstract class AddressOption implements ITypeConverter<Address> {
     }
 
     /** A device's own address. */
-    static final class Device extends AddressOption {
-        Device() {
+    public static final class Device extends AddressOption {
+        /** For picocli. */
+        public Device() {
             super(EnumSet.of(Kind.DEVICE), "a device such as SUPO, which begins with one of A-Z a-z 0-9,");
         }
     }

@@ -20,7 +20,7 @@ import java.util.Set;
 import javino.JavinoException;
 
 /** Files with keys: texts that only their owner can read. Without POSIX permissions they have those of their folder. */
-final class PrivateFile {
+public final class PrivateFile {
 
     private static final boolean POSIX = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
     private static final Set<PosixFilePermission> OWNERS = PosixFilePermissions.fromString("rwx------");
@@ -31,8 +31,9 @@ final class PrivateFile {
     }
 
     /** Makes the new text of a file from the one that it has. */
-    interface Change {
-        String apply(String text);
+    public interface Change {
+        /** @throws JavinoException if it cannot be made; then the file stays as it is. */
+        String apply(String text) throws JavinoException;
     }
 
     /**
@@ -40,7 +41,7 @@ final class PrivateFile {
      *
      * @throws IllegalArgumentException if others may read or write it, or if it is no text in UTF-8.
      */
-    static String read(Path file) throws IOException {
+    public static String read(Path file) throws IOException {
         if (POSIX && !OWNERS.containsAll(Files.getPosixFilePermissions(file))) {
             throw new IllegalArgumentException(file + ": others than you may read or write it; chmod 600 " + file);
         }
@@ -57,7 +58,7 @@ final class PrivateFile {
      *
      * @throws FileAlreadyExistsException if there is something of this name.
      */
-    static void create(Path file, String text) throws IOException, JavinoException {
+    public static void create(Path file, String text) throws IOException, JavinoException {
         Path folder = file.toAbsolutePath().getParent();
         if (folder != null && !Files.isDirectory(folder)) {
             throw new JavinoException(file + ": there is no folder " + folder);
@@ -75,15 +76,22 @@ final class PrivateFile {
      * @throws IllegalArgumentException as {@link #read}.
      * @throws JavinoException          if it cannot be changed.
      */
-    static String change(Path file, Change change) throws IOException, JavinoException, InterruptedException {
+    public static String change(Path file, Change change) throws IOException, JavinoException, InterruptedException {
         Path real = file.toRealPath();
         Path part = real.resolveSibling(real.getFileName() + ".part");
         try (FileChannel created = claim(file, part)) {
+            return replace(real, part, created, change);
+        }
+    }
+
+    private static String replace(Path real, Path part, FileChannel created, Change change)
+            throws IOException, JavinoException {
+        try {
             String text = change.apply(read(real));
             write(created, text);
             Files.move(part, real, StandardCopyOption.ATOMIC_MOVE);
             return text;
-        } catch (IOException | RuntimeException e) {
+        } catch (IOException | JavinoException | RuntimeException e) {
             Files.deleteIfExists(part);
             throw e;
         }
@@ -97,7 +105,7 @@ final class PrivateFile {
                 Thread.sleep(PAUSE_MILLIS);
             } catch (AccessDeniedException e) {
                 throw new JavinoException(
-                        file + " cannot be changed, but must note the keys of boards; make its folder "
+                        file + " cannot be changed, but what boards and devices have must be noted in it; make its folder "
                                 + "writable for you",
                         e);
             }

@@ -7,6 +7,8 @@ import java.security.KeyFactory;
 import java.security.KeyPair;
 import java.security.KeyPairGenerator;
 import java.security.SecureRandom;
+import java.security.Signature;
+import java.security.SignatureException;
 import java.security.interfaces.ECPrivateKey;
 import java.security.interfaces.ECPublicKey;
 import java.security.spec.ECFieldFp;
@@ -31,6 +33,7 @@ public final class P256 {
     /** The number of bytes of a compressed point. */
     public static final int POINT_LENGTH = 33;
 
+    private static final String ECDSA = "SHA256withECDSAinP1363Format";
     private static final ECParameterSpec CURVE = curve();
     private static final BigInteger P = ((ECFieldFp) CURVE.getCurve().getField()).getP();
     private static final BigInteger THREE = BigInteger.valueOf(3);
@@ -160,6 +163,33 @@ public final class P256 {
             throw new HandshakeException(Reason.NOT_CERTIFIED, "the certificate gives no public key");
         }
         return key(sum.affine());
+    }
+
+    /** ECDSA with SHA-256 (FIPS 186-5): 64 bytes, r and s. */
+    public static Bytes sign(ECPrivateKey secret, Bytes text) {
+        try {
+            Signature signature = Signature.getInstance(ECDSA);
+            signature.initSign(secret);
+            signature.update(text.toArray());
+            return Bytes.copyOf(signature.sign());
+        } catch (GeneralSecurityException e) {
+            throw missing(e);
+        }
+    }
+
+    /** Whether a signature is that of this key. */
+    public static boolean verify(ECPublicKey key, Bytes text, Bytes signed) {
+        try {
+            Signature signature = Signature.getInstance(ECDSA);
+            signature.initVerify(key);
+            signature.update(text.toArray());
+            return signature.verify(signed.toArray());
+        } catch (SignatureException e) {
+            // Out of range, or of another length.
+            return false;
+        } catch (GeneralSecurityException e) {
+            throw missing(e);
+        }
     }
 
     private static ECPublicKey key(ECPoint point) {
