@@ -97,7 +97,7 @@ void ReplayMemory::takeOverFloor(uint8_t place, const uint8_t *record) {
   const Address origin = Address::stored(record + ORIGIN_AT);
   TakenNonce *entry = find(record[0], origin);
   if (entry == nullptr) {
-    entry = findFree();
+    entry = findFree(record[0]);
     if (entry == nullptr) return;  // Config.h had room for more when it was written; it stays, and judge() says FULL
     entry->key = record[0];
     entry->origin = origin;
@@ -150,7 +150,7 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
 
   uint8_t before = NO_PLACE;
   if (entry == nullptr) {
-    entry = findFree();
+    entry = findFree(key);
     entry->key = key;
     entry->origin = origin;
     entry->state = NOTHING_TAKEN;
@@ -205,16 +205,22 @@ TakenNonce *ReplayMemory::find(uint8_t key, const Address &origin) {
   return nullptr;
 }
 
-TakenNonce *ReplayMemory::findFree() {
-  for (TakenNonce &entry : memory().entries) {
-    if (entry.state == FREE) return &entry;
+// Each session key has a place of its own, behind those of the others.
+TakenNonce *ReplayMemory::findFree(uint8_t key) {
+  TakenNonce *entry = memory().entries;
+  if (KeyStore::isSession(key)) {
+    entry += config::REPLAY_ENTRIES + (key - KeyStore::SLOTS);
+    return entry->state == FREE ? entry : nullptr;
+  }
+  for (uint8_t left = config::REPLAY_ENTRIES; left != 0; left--, entry++) {
+    if (entry->state == FREE) return entry;
   }
   return nullptr;
 }
 
 // Whether one more origin of a key may be remembered.
 bool ReplayMemory::hasRoom(uint8_t key) const {
-  if (!keys_.addressAt(key).isMulticast()) return findFree() != nullptr;
+  if (!keys_.addressAt(key).isMulticast()) return findFree(key) != nullptr;
   const Groups groups = this->groups();
   uint8_t own = 0;
   for (const TakenNonce &entry : memory().entries) {

@@ -106,7 +106,7 @@ class ReplayMemory {
   void beginRing(uint32_t epoch);
   JAVINO_NOINLINE bool isInForce(uint8_t place) const;
   JAVINO_NOINLINE static TakenNonce *find(uint8_t key, const Address &origin);
-  static TakenNonce *findFree();
+  static TakenNonce *findFree(uint8_t key);
   bool hasRoom(uint8_t key) const;
   JAVINO_NOINLINE Groups groups() const;
   JAVINO_NOINLINE uint8_t store(const uint8_t *record);

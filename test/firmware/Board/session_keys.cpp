@@ -176,7 +176,10 @@ TEST_F(BoardSessionKeys, have_places_of_their_own_in_the_replay_memory) {
     ASSERT_EQ(1u, messages.size());
     board.pollTaking(messages[0].number);
   }
+  board.receive(sealed(KEY, "//SU", "ROBA", nonce(1), "tell;x"));
+  EXPECT_EQ(1u, board.counter(Counter::RADIO_REPLAY_FULL)) << "the group cannot take them";
   fill();
+  EXPECT_EQ(Status::STORE_FULL, board.setKey(device(0), THIRD_KEY).status) << "a pair in EEPROM cannot either";
   for (uint8_t i = 0; i < PLACES; i++) EXPECT_TRUE(accepts(device(i), keyOf(i), 1)) << int(i);
 }
 
@@ -209,6 +212,14 @@ TEST_F(BoardSessionKeys, make_room_where_used_least_recently) {
   for (int kept : {0, 1, 4, 5, 6, 7}) EXPECT_TRUE(accepts(device(kept), keyOf(static_cast<uint8_t>(kept)), 2)) << kept;
   EXPECT_TRUE(accepts("ROMA", KEY, 1));
   EXPECT_TRUE(accepts("ROMB", OTHER_KEY, 1));
+}
+
+TEST_F(BoardSessionKeys, make_no_room_while_a_place_is_free) {
+  fill();
+  ASSERT_EQ(Status::OK, board.request('D', bytesOf(device(PLACES - 1))).status);
+  ASSERT_EQ(Status::OK, set("ROMA", KEY));
+  EXPECT_TRUE(accepts("ROMA", KEY, 1));
+  for (uint8_t i = 0; i + 1 < PLACES; i++) EXPECT_TRUE(accepts(device(i), keyOf(i), 1)) << int(i);
 }
 
 TEST_F(BoardSessionKeys, make_room_last_where_something_is_to_be_sent) {
