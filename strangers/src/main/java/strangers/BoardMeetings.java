@@ -68,6 +68,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     private int bootEpoch;
     private Set<Address> stored = Set.of();
     private boolean refuses;
+    private boolean keepsGroup;
     /** Null while nothing is done. */
     private Meetings meetings;
     /** To whom the board was given session keys; maybe it has lost some. */
@@ -234,9 +235,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             Optional<Identity> identity = Identity.read(folder(), self);
             sharesGroup = identity.isPresent();
             if (identity.isPresent() && !refuses) {
-                Optional<Key> groupKey = identity.get().certificate().keeper() ? keptGroupKey() : Optional.empty();
+                keepsGroup = identity.get().certificate().keeper();
+                Optional<Key> groupKey = keepsGroup ? keptGroupKey() : Optional.empty();
                 meetings = new Meetings(identity.get(), groupKey, this, new SecureRandom());
-                if (identity.get().certificate().keeper()) {
+                if (keepsGroup) {
                     groupKey.filter(key -> !stored.contains(group())).ifPresent(key -> giveGroupKey(group(), key));
                 } else if (!stored.contains(group())) {
                     wantGroupKey();
@@ -371,7 +373,12 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     @Override
     public void setGroupKey(Address group, Key key) {
         // Meetings calls this when it is made, too.
-        execute(() -> inMeetings(all -> giveGroupKey(group, key)));
+        execute(() -> inMeetings(all -> {
+            if (keepsGroup) {
+                keep(key);
+            }
+            giveGroupKey(group, key);
+        }));
     }
 
     private void giveGroupKey(Address group, Key key) {
@@ -428,6 +435,21 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     private Path groupFile() {
         return folder().resolve(self.toString().replace('/', '-') + ".group");
+    }
+
+    private void keep(Key key) {
+        try {
+            if (Files.exists(groupFile())) {
+                PrivateFile.change(groupFile(), before -> key.bytes().hex());
+            } else {
+                PrivateFile.create(groupFile(), key.bytes().hex());
+            }
+        } catch (IOException | JavinoException | IllegalArgumentException e) {
+            host.warn("the key of " + group() + " could not be kept, and will be another at the next start: "
+                    + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private Optional<Key> keptGroupKey() throws IOException {
