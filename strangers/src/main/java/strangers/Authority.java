@@ -105,7 +105,7 @@ final class Authority {
     }
 
     /**
-     * Gives a certificate (SEC 4 section 2.4: the point is R_U + kG, and the contribution r = ek + d).
+     * Gives a certificate (SEC 4 section 3.4: the point is R_U + kG, and the contribution r = ek + d).
      *
      * @return what the device needs: the certificate, its contribution, the keys and the last notice.
      * @throws JavinoException if the device has a valid one, or all serials are given.

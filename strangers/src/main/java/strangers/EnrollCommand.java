@@ -125,7 +125,7 @@ public final class EnrollCommand implements FurtherCommand {
     }
 
     /**
-     * The secret is {@code e · request's secret + contribution} (SEC 4 section 2.4). It is computed once, here, on the
+     * The secret is {@code e · request's secret + contribution} (SEC 4 section 3.6). It is computed once, here, on the
      * device's own computer; the time that this takes reaches nobody.
      */
     private Entries certified(Entries own, Entries answer) throws JavinoException {

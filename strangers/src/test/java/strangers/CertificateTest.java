@@ -59,7 +59,7 @@ class CertificateTest {
         assertEquals(certificate.toBytes(), certificate.credential(authority.keys()).kid());
     }
 
-    /** SEC 4 sections 2.4 to 2.7, by BouncyCastle's points. */
+    /** SEC 4 sections 3.3 to 3.6, by BouncyCastle's points. */
     @Test
     void key_ofAnIssuedCertificate_isThatOfTheRequestsSecret() throws Exception {
         for (int i = 0; i < 20; i++) {
