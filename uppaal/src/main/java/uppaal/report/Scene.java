@@ -54,6 +54,9 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final Scene HOST = new Scene("host", "Messages for a host that dies", "host.xml", Map.of(), Map.of(),
             List.of("host.q"));
 
+    public static final Scene HANDSHAKE = new Scene("handshake", "Two hosts that never met come to a key",
+            "handshake.xml", Map.of(), Map.of(), List.of("handshake.q"));
+
     /** Those of moves. Where contact returns, messages are lost and processes killed a few times at most. */
     public static final List<Scene> OF_MOVES = List.of(
             ofMoves("handover", "An agent moves, and again if that has failed", Map.of(), "move.q"),
@@ -98,7 +101,7 @@ public record Scene(String name, String title, String model, Map<String, String>
                     "28", "ACK_TIME", "19", "DEADLINE", "1424"), SMALL, "bound.q"));
 
     /** Those of boards and of moves. */
-    public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST),
+    public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST, HANDSHAKE),
             OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
