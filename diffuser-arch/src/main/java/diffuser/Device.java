@@ -187,7 +187,7 @@ final class Device implements BoardListener, KeyService.Host {
     /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
     Transmission transmit(Address to, Content content) {
         return surroundings.finder().filter(finder -> keys.lacks(to))
-                .map(finder -> heard(finder.transmit(to, content))).orElseGet(() -> transmitAsIs(to, content));
+                .map(finder -> heard(finder.transmit(this, to, content))).orElseGet(() -> transmitAsIs(to, content));
     }
 
     @Override

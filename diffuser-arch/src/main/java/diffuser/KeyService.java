@@ -61,11 +61,11 @@ public interface KeyService extends BoardService {
     void noKey(PollReply.NoKey frame);
 
     /**
-     * Sends a message to a device, or to the own group, for which the board has no stored key.
+     * Sends a message to a device or group for which the board has no stored key.
      *
      * @return both fail with what {@link Failure#of} reads.
      */
-    Transmission transmit(Address to, Content content);
+    Transmission transmit(Host host, Address to, Content content);
 
     /** Whether strangers can get the key of the own group, if they have the right certificate. */
     boolean sharesGroup();

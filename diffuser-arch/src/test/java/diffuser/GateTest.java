@@ -240,7 +240,7 @@ class GateTest {
             board.receive(ALL, "SUPO", "untell;q(_)");
             board.receive(ALL, "ROMB", "untell;q(_)");
             nothingSoFar(agent, board);
-            assertEquals("q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),source(SUAM),source(SUPO)]",
+            assertEquals("q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
                     belief(agent, "q(_)"));
             assertEquals(1, refused(agent));
             board.receive(ALL, "SUPO", "tell;q(1)");
@@ -264,7 +264,7 @@ class GateTest {
             board.receive(ALL, "SUPO", "tell;q(1,2)");
             board.receive(ALL, "SUPO", "untell;q(A,A)");
             nothingSoFar(agent, board);
-            assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),source(SUPO)]",
+            assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]",
                     belief(agent, "q(1,2)[cast(unicast,SUPO)]"));
         }
     }

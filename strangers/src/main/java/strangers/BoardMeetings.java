@@ -145,20 +145,20 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     @Override
-    public Transmission transmit(Address to, Content content) {
+    public Transmission transmit(Host board, Address to, Content content) {
         Errand errand = new Errand(to, content);
-        execute(() -> begin(errand));
+        execute(() -> begin(board, errand));
         return errand.transmission();
     }
 
-    private void begin(Errand errand) {
-        boolean ofStranger = errand.to().kind() == Address.Kind.DEVICE && !errand.to().equals(self);
-        if (meetings != null && ofStranger) {
+    private void begin(Host board, Errand errand) {
+        boolean isMet = meetings != null && board == host;
+        if (isMet && errand.to().kind() == Address.Kind.DEVICE && !errand.to().equals(self)) {
             meet(errand);
-        } else if (meetings != null && errand.to().equals(group()) && !stored.contains(group())) {
+        } else if (isMet && errand.to().equals(group()) && !stored.contains(group())) {
             awaitGroupKey(errand);
         } else {
-            errand.follow(host.transmitAsIs(errand.to(), errand.content()));
+            errand.follow(board.transmitAsIs(errand.to(), errand.content()));
         }
     }
 
@@ -251,6 +251,9 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     /** Forgets all strangers, and has the board forget them. */
     private void close() {
+        if (meetings == null) {
+            return;
+        }
         meetings = null;
         List.copyOf(errands.values()).forEach(errand -> errand.fail("no_key",
                 "the board has no key for " + errand.to() + ", and strangers are refused now"));
@@ -260,10 +263,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         forGroup.clear();
         given.forEach(host::deleteKey);
         given.clear();
-        if (host != null && !met.isEmpty()) {
-            met.clear();
-            host.met(met);
-        }
+        met.clear();
+        host.met(met);
     }
 
     @Override
