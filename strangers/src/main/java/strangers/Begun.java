@@ -25,6 +25,7 @@ final class Begun extends Talk {
     private HandshakeException reason;
     /** Once message 2 was taken. */
     private Bytes message3;
+    private boolean thirdSaid;
 
     Begun(Shared shared, Peer peer, Round round, int tries, long now) {
         super(shared, peer, round);
@@ -97,12 +98,17 @@ final class Begun extends Talk {
     @Override
     void wasSaid(HostWord word, long now) {
         if (word.kind() == round().third) {
+            thirdSaid = true;
             setDeadline(now + THIRD_KEPT_MILLIS);
             peer().advance(now);
         }
     }
 
     /** Whether message 3 is still to be on the air for the first time. */
+    boolean owesThird() {
+        return message3 != null && !thirdSaid;
+    }
+
     @Override
     boolean wanted(int first, long now) {
         if (isOpen() || first != round().third.first(0)) {

@@ -16,11 +16,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 
 import jason.JasonException;
@@ -56,13 +52,27 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     /** Messages to the own group that wait for its key, and how long in ms: a keeper that is there needs some seconds. */
     private static final int MOST_FOR_GROUP = 8;
     private static final long GROUP_MILLIS = 30_000;
+    private static final long NEVER = Long.MAX_VALUE;
     /** Between two questions for the key of the group. */
     private static final long GROUP_AGAIN_MILLIS = 10_000;
 
-    private final Diffuser diffuser;
-    private final ScheduledExecutorService thread;
+    /** The time, and the one thread on which all is done. */
+    public interface Clock {
 
-    // All that follows is used on that thread only, but for what is volatile.
+        /** Never goes back. */
+        long millis();
+
+        /** Has something done as soon as that time has passed; not if all has been closed. */
+        void after(long millis, Runnable step);
+
+        /** Nothing more is done. */
+        void close();
+    }
+
+    private final Clock clock;
+    private final Consumer<RuntimeException> failed;
+
+    // All that follows is used on the clock's thread only, but for what is volatile.
     private Host host;
     private Address self;
     private int bootEpoch;
@@ -77,7 +87,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     private final Map<Long, Errand> errands = new LinkedHashMap<>();
     private final Queue<Errand> forGroup = new ArrayDeque<>();
     private final Map<Address, Throwable> failures = new HashMap<>();
-    private Future<?> alarm = CompletableFuture.completedFuture(null);
+    private long alarm = NEVER;
     private long groupWanted = -GROUP_AGAIN_MILLIS;
     private volatile boolean sharesGroup;
     private volatile Map<Event, Long> events = Map.of();
@@ -88,17 +98,16 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
         @Override
         public KeyService of(Diffuser diffuser) {
-            return new BoardMeetings(diffuser);
+            return new BoardMeetings(new WallClock("strangers of " + diffuser.getAgName()),
+                    thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
+                            "a step towards a stranger has failed: " + thrown, thrown));
         }
     }
 
-    private BoardMeetings(Diffuser diffuser) {
-        this.diffuser = diffuser;
-        thread = Executors.newSingleThreadScheduledExecutor(step -> {
-            Thread named = new Thread(step, "strangers of " + diffuser.getAgName());
-            named.setDaemon(true);
-            return named;
-        });
+    /** @param failed is told of what must not be. */
+    public BoardMeetings(Clock clock, Consumer<RuntimeException> failed) {
+        this.clock = clock;
+        this.failed = failed;
     }
 
     /**
@@ -317,7 +326,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     @Override
     public void stop() {
-        execute(thread::shutdown);
+        execute(clock::close);
     }
 
     // What the meetings want done
@@ -472,8 +481,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         }
     }
 
-    private static long millis() {
-        return TimeUnit.NANOSECONDS.toMillis(System.nanoTime());
+    private long millis() {
+        return clock.millis();
     }
 
     private void execute(Runnable step) {
@@ -481,11 +490,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     private void after(long millis, Runnable step) {
-        try {
-            thread.schedule(() -> carefully(step), millis, TimeUnit.MILLISECONDS);
-        } catch (RejectedExecutionException e) {
-            // The agent was stopped.
-        }
+        clock.after(millis, () -> carefully(step));
     }
 
     private void carefully(Runnable step) {
@@ -493,13 +498,12 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             step.run();
             follow();
         } catch (RuntimeException e) {
-            diffuser.getTS().getLogger().log(Level.SEVERE, "a step towards a stranger has failed: " + e, e);
+            failed.accept(e);
         }
     }
 
     /** What follows from each step: when the next is due, and with whom there are keys. */
     private void follow() {
-        alarm.cancel(false);
         if (meetings == null) {
             return;
         }
@@ -508,9 +512,12 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             host.met(met);
         }
         long next = meetings.next();
-        if (next != Long.MAX_VALUE && !thread.isShutdown()) {
-            alarm = thread.schedule(() -> carefully(() -> inMeetings(all -> all.tick(millis()))),
-                    Math.max(0, next - millis()), TimeUnit.MILLISECONDS);
+        if (next < alarm) {
+            alarm = next;
+            after(Math.max(0, next - millis()), () -> {
+                alarm = NEVER;
+                inMeetings(all -> all.tick(millis()));
+            });
         }
     }
 }

@@ -158,6 +158,9 @@ final class Peer {
         if (waiting.isEmpty() || underWay != null || setting != null) {
             return;
         }
+        if (begun != null && begun.owesThird()) {
+            return;
+        }
         if (session != Session.NONE) {
             underWay = waiting.poll();
             keysThen = keysSet;
@@ -314,8 +317,9 @@ final class Peer {
         session = talk == begun ? Session.UNPROVEN : Session.PROVEN;
         noticesSaid = false;
         shared.outside().met(address, certificate);
-        handOn(talk == begun, now);
+        // First: the other side can open nothing without message 3.
         talk.keyIsSet(now);
+        handOn(talk == begun, now);
     }
 
     /** A handshake is over. */
