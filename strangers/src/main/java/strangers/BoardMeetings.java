@@ -69,6 +69,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         void close();
     }
 
+    private final Path folder;
     private final Clock clock;
     private final Consumer<RuntimeException> failed;
 
@@ -98,14 +99,23 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
         @Override
         public KeyService of(Diffuser diffuser) {
-            return new BoardMeetings(new WallClock("strangers of " + diffuser.getAgName()),
+            return new BoardMeetings(folder(), new WallClock("strangers of " + diffuser.getAgName()),
                     thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
                             "a step towards a stranger has failed: " + thrown, thrown));
         }
+
+        private static Path folder() {
+            String named = System.getProperty(FOLDER_PROPERTY);
+            return named == null ? Identity.defaultFolder() : Path.of(named);
+        }
     }
 
-    /** @param failed is told of what must not be. */
-    public BoardMeetings(Clock clock, Consumer<RuntimeException> failed) {
+    /**
+     * @param folder where the identities of devices are, as {@code javino enroll} puts them.
+     * @param failed is told of what must not be.
+     */
+    public BoardMeetings(Path folder, Clock clock, Consumer<RuntimeException> failed) {
+        this.folder = folder;
         this.clock = clock;
         this.failed = failed;
     }
@@ -118,11 +128,6 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     public static BoardMeetings of(Diffuser diffuser) throws JasonException {
         return diffuser.service(BoardMeetings.class).orElseThrow(() -> new Failure("no_certificate",
                 "another library finds keys for strangers here").toException());
-    }
-
-    private static Path folder() {
-        String named = System.getProperty(FOLDER_PROPERTY);
-        return named == null ? Identity.defaultFolder() : Path.of(named);
     }
 
     // What the agent wants
@@ -144,7 +149,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             }
             if (certified && meetings == null && host != null) {
                 done.completeExceptionally(new Failure("no_certificate",
-                        "there is no certificate for " + self + " in " + folder() + "; javino enroll --id " + self)
+                        "there is no certificate for " + self + " in " + folder + "; javino enroll --id " + self)
                                 .toException());
             } else {
                 done.complete(null);
@@ -241,7 +246,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     private void open() {
         sharesGroup = false;
         try {
-            Optional<Identity> identity = Identity.read(folder(), self);
+            Optional<Identity> identity = Identity.read(folder, self);
             sharesGroup = identity.isPresent();
             if (identity.isPresent() && !refuses) {
                 keepsGroup = identity.get().certificate().keeper();
@@ -444,7 +449,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     // The key of the group, of its keeper
 
     private Path groupFile() {
-        return folder().resolve(self.toString().replace('/', '-') + ".group");
+        return folder.resolve(self.toString().replace('/', '-') + ".group");
     }
 
     private void keep(Key key) {
