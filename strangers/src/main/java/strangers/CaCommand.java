@@ -26,6 +26,8 @@ import picocli.CommandLine.Spec;
 public final class CaCommand implements FurtherCommand {
 
     private static final String FILE = "The authority's file, which only you can read.";
+    private static final String UNTIL = "The last day on which it is valid, such as 2027-11-30; default: in a year.";
+    private static final String KEEPER = "The device gives out the key of its group.";
 
     @Spec
     private CommandSpec spec;
@@ -60,9 +62,9 @@ public final class CaCommand implements FurtherCommand {
             @Option(names = "--out", required = true, paramLabel = "FILE",
                     description = "Where the certificate goes; must not exist yet.") Path out,
             @Option(names = "--until", paramLabel = "DAY",
-                    description = "The last day on which it is valid, such as 2027-11-30; default: in a year.") LocalDate until,
+                    description = UNTIL) LocalDate until,
             @Option(names = "--keeper",
-                    description = "The device gives out the key of its group, and a new one when a member is revoked.") boolean keeper,
+                    description = KEEPER) boolean keeper,
             @Option(names = "--replace",
                     description = "Revoke the device's certificate that is valid. A device has one.") boolean replace)
             throws IOException, JavinoException, InterruptedException {

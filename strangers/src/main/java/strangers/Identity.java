@@ -148,8 +148,8 @@ public final class Identity {
     }
 
     /**
-     * The latest day ever seen in a notice, or that of the clock if that is later. The clock's is not kept: one that was
-     * years ahead once would end all certificates for ever.
+     * The latest day ever seen in a notice, or that of the clock if that is later. The clock's is not kept: one that
+     * was years ahead once would end all certificates for ever.
      */
     private LocalDate today() {
         LocalDate clock = LocalDate.now();
@@ -219,7 +219,7 @@ public final class Identity {
         return entries;
     }
 
-    /** The key of a session, for the boards of both: the same at both sides (SPEC 11.3). */
+    /** The key of a session, for the boards of both: the same at both sides (SPEC 11.1). */
     public static Key key(Secret secret, Address initiator, Address responder) {
         return Key.of(secret.export(KEY_LABEL, pair(initiator, responder), Key.LENGTH));
     }

@@ -8,7 +8,7 @@ import strangers.edhoc.Kdf;
 import strangers.edhoc.Secret;
 
 /**
- * The messages by which two devices renew a secret that both have kept (SPEC 11.3), each with a proof of 8 bytes.
+ * The messages by which two devices renew a secret that both have kept (SPEC 11.1), each with a proof of 8 bytes.
  *
  * @param pair the addresses of who begins and who answers, 6 bytes.
  */

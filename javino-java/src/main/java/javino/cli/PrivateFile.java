@@ -105,8 +105,8 @@ public final class PrivateFile {
                 Thread.sleep(PAUSE_MILLIS);
             } catch (AccessDeniedException e) {
                 throw new JavinoException(
-                        file + " cannot be changed, but what boards and devices have must be noted in it; make its folder "
-                                + "writable for you",
+                        file + " cannot be changed, but what boards and devices have must be noted in it; "
+                                + "make its folder writable for you",
                         e);
             }
         }

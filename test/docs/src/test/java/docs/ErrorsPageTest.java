@@ -76,6 +76,10 @@ class ErrorsPageTest {
                 .flatMap(file -> texts(
                         "new \\w+Exception\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);|(?m)(?:return|^ +[?:]) (\"[^;]*);",
                         Repository.text(file)));
+        Stream<String> strangers = Stream.of("CaCommand", "EnrollCommand", "Authority", "AuthorityKeys", "Entries",
+                "Identity", "Notice", "Request")
+                .flatMap(name -> texts("new \\w+Exception\\(([^;]*)\\)|wrongUsage\\(([^;]*)\\);",
+                        Repository.text("strangers/src/main/java/strangers/" + name + ".java")));
         Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
                 Repository.text("javino-java/src/main/java/javino/board/Session.java"));
         Stream<String> port = texts("(" + LITERAL + ")",
@@ -85,7 +89,7 @@ class ErrorsPageTest {
         Stream<String> project = texts("new GradleException\\((.*)\\)",
                 Repository.text("javino-java/src/main/resources/javino/cli/project/common/javino.gradle"));
         assertTexts("On the command line",
-                Stream.of(commands, page, gateway, session, port, highway, project).flatMap(texts -> texts));
+                Stream.of(commands, page, gateway, strangers, session, port, highway, project).flatMap(texts -> texts));
     }
 
     @Test
