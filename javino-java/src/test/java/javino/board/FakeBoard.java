@@ -321,10 +321,7 @@ public final class FakeBoard {
             if (sessionKeys.contains(check)) {
                 return status(Status.BAD_ARGUMENT);
             }
-            sessionKeys.add(check);
-            StoredKeys session = new StoredKeys(check);
-            session.isSession = true;
-            keys.put(address, session);
+            setSessionKey(address, check);
         }
         return record("session key " + address, Bytes.join(ACCEPTED, check));
     }
@@ -458,6 +455,14 @@ public final class FakeBoard {
     /** Has its key for SUPO have this check value, 3 bytes. */
     public synchronized void setCheck(Bytes value) {
         keys.put("SUPO", new StoredKeys(value));
+    }
+
+    /** Has it have a session key of this check value, 3 bytes. */
+    public synchronized void setSessionKey(String device, Bytes check) {
+        sessionKeys.add(check);
+        StoredKeys session = new StoredKeys(check);
+        session.isSession = true;
+        keys.put(device, session);
     }
 
     /** Has the board's EEPROM be erased: it knows neither id nor keys, and counts its boots anew. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import javino.protocol.Bytes;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,10 +20,12 @@ class InfoCommandTest extends CommandFixture {
     @Test
     void board_isShown() {
         fake.setActions("lampOn", "lampOff");
+        fake.setSessionKey("ROMA", Bytes.of(4, 5, 6));
         assertEquals(0, run("info", "--port", "fake"), err.toString());
         assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
                 "boot epoch          1", "actions             lampOn, lampOff",
-                "key                 SUPO, check value 010203", "serialRequests      9"), lines());
+                "key                 SUPO, check value 010203", "session key         ROMA, check value 040506",
+                "serialRequests      9"), lines());
         assertEquals(List.of(), radio());
     }
 

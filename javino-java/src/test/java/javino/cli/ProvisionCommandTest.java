@@ -23,6 +23,7 @@ import javino.board.BoardListener;
 import javino.board.FakeBoard;
 import javino.board.FakePort;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -112,6 +113,17 @@ class ProvisionCommandTest {
         assertEquals(boards.get("SUPO").bootEpoch(), note.epoch());
         assertEquals("[ROMA, SUPP, //SU]", note.keys().keySet().toString());
         assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(keys)));
+    }
+
+    @Test
+    void provision_boardWithSessionKeys_takesThemForNoKeys() throws Exception {
+        provision("SUPO");
+        boards.get("SUPO").setSessionKey("CAFE", Bytes.of(4, 5, 6));
+        assertEquals(List.of("RF id SUPO", "key for ROMA, check value " + check("SUPO", "ROMA"),
+                "key for SUPP, check value " + check("SUPO", "SUPP"),
+                "key for //SU, check value " + check("SUPO", "//SU")),
+                provision("SUPO"));
+        assertEquals("[ROMA, SUPP, //SU]", keyring().note(Address.parse("SUPO")).keys().keySet().toString());
     }
 
     @Test
