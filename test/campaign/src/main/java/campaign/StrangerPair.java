@@ -60,7 +60,7 @@ final class StrangerPair implements AutoCloseable {
     void befall(String what, boolean toFirst) {
         String board = (toFirst ? one : other).name();
         field.emulator().command(what.equals("reset") ? Map.of("do", what, "board", board)
-                : Map.of("do", what, "board", board, "milliseconds", 300));
+                : Map.of("do", what, "board", board, "duration", 0.3));
     }
 
     /** That befalls one of the two boards in so many emulated seconds. */
