@@ -247,6 +247,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         sharesGroup = false;
         try {
             Optional<Identity> identity = Identity.read(folder, self);
+            if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {
+                throw new IllegalArgumentException("the identity of " + self + " in " + folder + " is that of "
+                        + identity.get().certificate().address());
+            }
             sharesGroup = identity.isPresent();
             if (identity.isPresent() && !refuses) {
                 keepsGroup = identity.get().certificate().keeper();
