@@ -24,8 +24,9 @@ record HeldKeys(Bytes current, Bytes next, Bytes previous) {
     /** A board's list of keys, by address, but for session keys, which no keyring has. */
     static Map<Address, HeldKeys> of(List<StoredKey> list) {
         Map<Address, HeldKeys> held = new LinkedHashMap<>();
-        list.stream().filter(key -> key.role() != Role.SESSION).forEach(key -> held.merge(key.address(), NONE.with(key.role(), key.check()),
-                (before, added) -> before.with(key.role(), key.check())));
+        list.stream().filter(key -> key.role() != Role.SESSION)
+                .forEach(key -> held.merge(key.address(), NONE.with(key.role(), key.check()),
+                        (before, added) -> before.with(key.role(), key.check())));
         return held;
     }
 

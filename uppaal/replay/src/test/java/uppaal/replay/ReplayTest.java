@@ -757,8 +757,9 @@ class ReplayTest {
         key(lines, 2.3, "session", "SUPP", "070809");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
         key(lines, 2.4, "session", "SUPP", "010203");
-        assertRefused(lines, lines.all.size(), "police sets a session key for SUPP, check value 010203; expected that it"
-                + " refuses it: it had that one before");
+        assertRefused(lines, lines.all.size(),
+                "police sets a session key for SUPP, check value 010203; expected that it"
+                        + " refuses it: it had that one before");
         lines.add(2.35, "police", "reset", Map.of("why", "power"));
         sort(lines);
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
