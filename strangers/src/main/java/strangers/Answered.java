@@ -62,6 +62,7 @@ final class Answered extends Talk {
         if (end == NEVER || now >= end) {
             shared().count(Event.EXPIRED);
             peer().finished(this);
+            peer().advance(now);
         } else if (wantsLeft > 0) {
             wantsLeft--;
             askForThird(now);

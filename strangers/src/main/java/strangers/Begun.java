@@ -18,10 +18,17 @@ final class Begun extends Talk {
     /** However busy the air is. */
     private static final long LIFE_MILLIS = 60_000;
 
+    /** From one fragment of message 2 to the next one, and where it is clear that one is lost. */
+    private static final int NEXT_MILLIS = 700;
+    private static final int SOON_MILLIS = 100;
+
     private final Asking asking;
     private final Fragments second;
     private final long end;
     private int triesLeft;
+    /** The last that was said is a WANT: if nothing comes of it, the other side may have forgotten message 1. */
+    private boolean wanted;
+    private boolean disturbed;
     private HandshakeException reason;
     /** Once message 2 was taken. */
     private Bytes message3;
@@ -43,8 +50,30 @@ final class Begun extends Talk {
         return message3 == null;
     }
 
+    /** Whether message 3 has been on the air: only then the other side can have the key. */
+    boolean hasSaidThird() {
+        return thirdSaid;
+    }
+
+    /** The other side is there: it tries to send something. */
+    void isThere() {
+        triesLeft = TRIES;
+    }
+
+    /** What is tried while others are on the air does not count. */
+    @Override
+    void giveWay(long now) {
+        super.giveWay(now);
+        disturbed = true;
+    }
+
+    private void tried() {
+        triesLeft -= disturbed ? 0 : 1;
+        disturbed = false;
+    }
+
     void start(long now) {
-        triesLeft--;
+        tried();
         sayAll(round().first, asking.message1(), round().secondMillis, now);
     }
 
@@ -56,8 +85,9 @@ final class Begun extends Talk {
             peer().unanswered(this, reason == null ? Ending.NO_ANSWER : Ending.valueOf(reason.reason().name()), now);
         } else {
             OptionalInt lacking = second.lacking();
-            if (lacking.isPresent()) {
-                triesLeft--;
+            wanted = lacking.isPresent() && !wanted;
+            if (wanted) {
+                tried();
                 want(round().second, lacking.getAsInt(), round().secondMillis, now);
             } else {
                 start(now);
@@ -86,8 +116,10 @@ final class Begun extends Talk {
                 reason = e;
             }
         }
-        // The next fragment follows at once.
-        setDeadline(Math.max(deadline(), now + round().secondMillis / 2));
+        wanted = false;
+        // Fragments come in their order: one that lacks before this is lost, and the next one follows at once.
+        setDeadline(now + (second.lacking().orElse(0) < word.fragment() ? SOON_MILLIS : NEXT_MILLIS)
+                + shared().random().nextInt(SOON_MILLIS));
     }
 
     @Override
@@ -104,9 +136,9 @@ final class Begun extends Talk {
         }
     }
 
-    /** Whether message 3 is still to be on the air for the first time. */
-    boolean owesThird() {
-        return message3 != null && !thirdSaid;
+    /** Perhaps the other side lacks message 3. Tells whether it is said again. */
+    boolean wanted(long now) {
+        return wanted(round().third.first(0), now);
     }
 
     @Override

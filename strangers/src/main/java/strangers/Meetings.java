@@ -142,7 +142,10 @@ public final class Meetings {
         return Optional.of(ticket);
     }
 
-    /** Asks the keeper of the own group for its key; what comes of it is {@link Outside#setGroupKey}. */
+    /**
+     * Asks the keeper of the own group for its key, by one broadcast that may be lost; what comes of it is
+     * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
+     */
     public void wantGroupKey(long now) {
         shared.speech().say(new HostWord(HostWord.Kind.GROUP, 0, Bytes.EMPTY), Address.multicast(self.group()), now,
                 (then, took) -> {
@@ -166,7 +169,7 @@ public final class Meetings {
             groupWanted(from, to.orElseThrow(), now);
         } else if (!to.get().equals(self)) {
             shared.count(Event.OVERHEARD);
-            peers.values().forEach(Peer::giveWay);
+            peers.values().forEach(peer -> peer.giveWay(now));
         } else {
             heard(from, read.get(), now);
         }
@@ -194,7 +197,8 @@ public final class Meetings {
             List<Peer> halfOpen = peers.values().stream().filter(Peer::isHalfOpen).toList();
             if (halfOpen.size() > MOST_HALF_OPEN) {
                 shared.count(Event.EXPIRED);
-                halfOpen.stream().min(Comparator.comparingLong(Peer::answeredAt)).orElseThrow().expire();
+                halfOpen.stream().min(Comparator.comparingLong(Peer::answeredAt)).orElseThrow()
+                        .expire(now);
             }
         });
     }
@@ -257,8 +261,9 @@ public final class Meetings {
             shared.count(Event.MALFORMED);
             return;
         }
-        Optional<Peer> peer = known(from).filter(Peer::isSecure);
+        Optional<Peer> peer = Optional.ofNullable(peers.get(from)).filter(Peer::isMet);
         if (peer.isEmpty()) {
+            shared.count(Event.STRAY);
             return;
         }
         switch (read.get().kind()) {

@@ -25,10 +25,12 @@ final class Peer {
     private static final int IDS = 8;
     private static final int ID_LENGTH = 3;
     /** Agreements for one message: then it fails. */
-    private static final int MOST_AGREEMENTS = 2;
+    private static final int MOST_AGREEMENTS = 3;
     /** Who began has said what notices it has, if it has any; the other waits for that. */
     private static final long NOTICES_MILLIS = 3000;
     private static final int SEQUENCE_LENGTH = 2;
+    /** What the board tells so soon after it has got a key may be older than that. */
+    private static final long LATE_MILLIS = 1000;
 
     private final Shared shared;
     private final Address address;
@@ -48,6 +50,7 @@ final class Peer {
 
     private Session session = Session.NONE;
     private int keysSet;
+    private long keySetAt = Long.MIN_VALUE / 2;
     private Begun begun;
     private Answered answered;
     private long answeredAt;
@@ -106,8 +109,14 @@ final class Peer {
     }
 
     /** Forgets the half-open handshake. */
-    void expire() {
+    void expire(long now) {
         answered = null;
+        advance(now);
+    }
+
+    /** Whether it has shown a certificate that counts: what comes sealed is its own. */
+    boolean isMet() {
+        return certificate != null;
     }
 
     boolean isSecure() {
@@ -135,8 +144,8 @@ final class Peer {
     }
 
     /** Others were on the air. */
-    void giveWay() {
-        talks().forEach(Talk::giveWay);
+    void giveWay(long now) {
+        talks().forEach(talk -> talk.giveWay(now));
     }
 
     // What the agent wants.
@@ -158,7 +167,7 @@ final class Peer {
         if (waiting.isEmpty() || underWay != null || setting != null) {
             return;
         }
-        if (begun != null && begun.owesThird()) {
+        if (session == Session.UNPROVEN && begun != null && !begun.isOpen() && !begun.hasSaidThird()) {
             return;
         }
         if (session != Session.NONE) {
@@ -219,7 +228,7 @@ final class Peer {
             answered.answer(now);
             if (begun != null) {
                 // The other side's comes first, if it is genuine.
-                begun.giveWay();
+                begun.giveWay(now);
             }
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
@@ -314,12 +323,13 @@ final class Peer {
         }
         shared.count(Event.KEYS_SET);
         keysSet++;
+        keySetAt = now;
         session = talk == begun ? Session.UNPROVEN : Session.PROVEN;
         noticesSaid = false;
         shared.outside().met(address, certificate);
-        // First: the other side can open nothing without message 3.
+        boolean initiator = talk == begun;
         talk.keyIsSet(now);
-        handOn(talk == begun, now);
+        handOn(initiator, now);
     }
 
     /** A handshake is over. */
@@ -330,12 +340,14 @@ final class Peer {
 
     /** The board has heard a sealed frame of the peer, and has no key for it. */
     void noKey(long now) {
-        if (setting != null) {
+        if (setting != null || now - keySetAt < LATE_MILLIS) {
             return;
         }
         if (answered != null) {
             answered.askForThird(now);
-        } else if (begun == null || !begun.isOpen()) {
+        } else if (begun != null && begun.isOpen()) {
+            begun.isThere();
+        } else {
             session = Session.NONE;
             if (shared.hints().take(address, now)) {
                 begun = null;
@@ -364,7 +376,7 @@ final class Peer {
         if (mail == null) {
             return;
         }
-        boolean sameKey = keysThen == keysSet;
+        boolean sameKey = keysThen == keysSet && setting == null;
         switch (how) {
             case DELIVERED -> {
                 if (sameKey) {
@@ -374,13 +386,13 @@ final class Peer {
                 advance(now);
             }
             case UNDELIVERED -> {
-                if (sameKey && session == Session.PROVEN) {
+                if (sameKey && session == Session.PROVEN && answered == null) {
                     // Perhaps it is only far away; if not, the next one shows it.
                     session = Session.UNPROVEN;
                     end(mail, Ending.UNDELIVERED);
                     advance(now);
                 } else {
-                    if (sameKey) {
+                    if (sameKey && (mail.agreements > 0 || begun == null || !begun.wanted(now))) {
                         session = Session.NONE;
                         kept = null;
                         begun = null;
@@ -434,11 +446,9 @@ final class Peer {
 
     /** A sealed word of the peer. */
     void opened(HostWord word, long now) {
-        if (session == Session.NONE) {
-            shared.count(Event.STRAY);
-            return;
+        if (session != Session.NONE) {
+            prove();
         }
-        prove();
         switch (word.kind()) {
             case CONTENT -> content(word.body());
             case SEQUENCES -> sequences(word.body(), now);
@@ -507,7 +517,7 @@ final class Peer {
 
     /** Whether the peer may give the key of this host's group. */
     boolean isKeeper() {
-        return session != Session.NONE && certificate != null && certificate.keeper()
+        return certificate != null && certificate.keeper()
                 && address.group().equals(shared.identity().certificate().address().group());
     }
 

@@ -10,18 +10,20 @@ abstract class Talk {
 
     static final long NEVER = Long.MAX_VALUE;
     /** The same fragment again: not before, so that no board takes it for a repeat of its own (SPEC 7.2). */
-    static final long AGAIN_MILLIS = 700;
+    static final long AGAIN_MILLIS = 450;
     /** Fragments said again in a handshake, at most. */
     static final int MOST_REPEATS = 12;
     /** For what waits to be on the air. */
     private static final long AIR_MILLIS = 30_000;
-    /** What a fragment of others takes of the air, with the pauses. */
-    private static final long OTHERS_MILLIS = 600;
+    /** So many times what a fragment had to wait for the air, the answer may wait too. */
+    private static final int WAITED_TIMES = 3;
+    /** After a fragment of others, at least, and again as a random part: their next one comes sooner. */
+    private static final int OTHERS_MILLIS = 600;
 
     /** The two ways to agree on a key. */
     enum Round {
         /** By certificates. */
-        FULL(HostWord.Kind.MESSAGE_1, HostWord.Kind.MESSAGE_2, HostWord.Kind.MESSAGE_3, 1500, 2000),
+        FULL(HostWord.Kind.MESSAGE_1, HostWord.Kind.MESSAGE_2, HostWord.Kind.MESSAGE_3, 1200, 1400),
         /** By what both have kept. */
         RENEWAL(HostWord.Kind.RENEWAL_1, HostWord.Kind.RENEWAL_2, HostWord.Kind.RENEWAL_3, 800, 1000);
 
@@ -74,8 +76,9 @@ abstract class Talk {
     }
 
     /** Puts off what is to be done, as others are on the air. */
-    void giveWay() {
-        deadline = deadline == NEVER ? NEVER : deadline + OTHERS_MILLIS;
+    void giveWay(long now) {
+        long quiet = now + OTHERS_MILLIS + shared.random().nextInt(OTHERS_MILLIS);
+        deadline = Math.max(deadline, quiet);
     }
 
     /**
@@ -90,7 +93,8 @@ abstract class Talk {
         }
         boolean taken = shared.speech().say(word, peer.address(), now, (then, took) -> {
             said.put(word.first(), then);
-            deadline = then + wait + shared.random().nextInt((int) wait / 3) + took;
+            deadline = then + wait + shared.random().nextInt((int) wait / 3)
+                    + WAITED_TIMES * Math.max(0, took - word.airMillis());
             wasSaid(word, then);
         });
         if (taken) {

@@ -22,7 +22,7 @@ class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {
         return List.of(new Delivery(), new Range(), new Load(), new Faults(), new Attacks(), new Fuzzing(), new Moves(),
-                new Soak());
+                new Strangers(), new Soak());
     }
 
     @ParameterizedTest

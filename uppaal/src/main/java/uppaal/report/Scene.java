@@ -101,8 +101,9 @@ public record Scene(String name, String title, String model, Map<String, String>
                     "28", "ACK_TIME", "19", "DEADLINE", "1424"), SMALL, "bound.q"));
 
     /** Those of boards and of moves. */
-    public static final List<Scene> OURS = Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST, HANDSHAKE),
-            OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
+    public static final List<Scene> OURS =
+            Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST, HANDSHAKE),
+                    OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
 

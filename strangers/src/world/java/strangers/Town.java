@@ -1,7 +1,5 @@
 package strangers;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -33,19 +31,31 @@ final class Town {
     }
 
     Identity certified(String id, LocalDate until) throws IOException, JavinoException {
+        return certified(id, until, false);
+    }
+
+    /** The device that gives out the key of its group. */
+    Identity keeper(String id) throws IOException, JavinoException {
+        return certified(id, TODAY.plusDays(100), true);
+    }
+
+    private Identity certified(String id, LocalDate until, boolean keeper) throws IOException, JavinoException {
         Path request = folder.resolve(id + ".request");
         enroll(id, "--request", request);
         Request asked = Request.decode(Entries.read(request).get(Request.NAME).orElseThrow());
         Path answer = folder.resolve(id + ".certificate");
-        Files.writeString(answer, authority.issue(asked, until, false, TODAY, RANDOM).format());
+        Files.writeString(answer, authority.issue(asked, until, keeper, TODAY, RANDOM).format());
         enroll(id, "--certificate", answer);
         return Identity.read(folder, Address.parse(id)).orElseThrow();
     }
 
     private void enroll(String id, String option, Path file) {
         StringWriter said = new StringWriter();
-        assertEquals(0, new CommandLine(new EnrollCommand()).setOut(new PrintWriter(said)).execute("--id", id,
-                "--folder", folder.toString(), option, file.toString()));
+        int status = new CommandLine(new EnrollCommand()).setOut(new PrintWriter(said)).execute("--id", id,
+                "--folder", folder.toString(), option, file.toString());
+        if (status != 0) {
+            throw new IllegalStateException("javino enroll ended with " + status + ": " + said);
+        }
     }
 
     Notice revoke(Identity... revoked) throws JavinoException {

@@ -1,0 +1,141 @@
+package strangers;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.IntStream;
+import javino.JavinoException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+
+/** Hears all, and says what he likes in whosoever name: forged, replayed, reflected, mixed. He has no certificate. */
+public final class Attacker {
+
+    private static final int MOST = 400;
+    private static final long PATIENCE_MILLIS = 60_000;
+    /** As many packets as the air takes. */
+    private static final long EVERY_MILLIS = 300;
+
+    private final World world;
+    private final Random random;
+    private final List<Air.Packet> heard = new ArrayList<>();
+    private final List<Address> names;
+    int sent;
+
+    /**
+     * What came of an attack on hosts that have keys with each other.
+     *
+     * @param sent      messages of the attacker.
+     * @param wrong     what was accepted, or is otherwise not as it must be.
+     * @param lost      hosts with other keys than before.
+     * @param keysSet   keys that boards were given.
+     * @param eeprom    writes to EEPROM.
+     * @param delivered whether a message afterwards needed no further key, and came.
+     */
+    public record Siege(int sent, List<String> wrong, long lost, int keysSet, int eeprom, boolean delivered) {
+    }
+
+    /** Lays siege to two hosts that have agreed on a key by certificates, and once more by a renewal. */
+    public static Siege siege(long seed, int messages, Path folder) throws IOException, JavinoException {
+        Town town = new Town(folder);
+        World world = new World(seed);
+        World.Host roma = world.add(town.certified("ROMA"));
+        World.Host supo = world.add(town.certified("SUPO"));
+        Attacker attacker = new Attacker(world, List.of(roma.address, supo.address));
+        world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        world.run(PATIENCE_MILLIS);
+        roma.board.reset();
+        world.run(PATIENCE_MILLIS);
+        world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        world.run(PATIENCE_MILLIS);
+        List<World.Host> hosts = List.of(roma, supo);
+        List<Map<Address, Key>> keys = hosts.stream().map(host -> Map.copyOf(host.board.keys)).toList();
+        int before = roma.keysSet() + supo.keysSet();
+        for (int i = 0; i < messages; i++) {
+            attacker.act();
+            world.run(EVERY_MILLIS);
+        }
+        long lost = IntStream.range(0, hosts.size())
+                .filter(i -> keys.get(i).isEmpty() || !keys.get(i).equals(hosts.get(i).board.keys)).count();
+        World.Letter after = roma.send(supo.address);
+        world.runUntilEnd(after, PATIENCE_MILLIS);
+        return new Siege(attacker.sent, world.wrong, lost, roma.keysSet() + supo.keysSet() - before,
+                roma.board.eepromWrites + supo.board.eepromWrites, after.isDelivered());
+    }
+
+    Attacker(World world, List<Address> names) {
+        this.world = world;
+        this.names = names;
+        random = world.random;
+        world.listener = packet -> {
+            if (heard.size() < MOST) {
+                heard.add(packet);
+            }
+        };
+    }
+
+    /** Sends one message. */
+    void act() {
+        sent++;
+        Address victim = pick(names);
+        Address name = random.nextInt(4) == 0 ? new Address(random.nextInt(0xF00000)) : pick(names);
+        switch (random.nextInt(heard.isEmpty() ? 2 : 6)) {
+            case 0 -> forge(name, victim);
+            case 1 -> world.hosts().forEach(host -> host.board.hear(new Air.Packet(name, victim,
+                    noise(20), World.anyKey(random), Long.MAX_VALUE / 2)));
+            case 2 -> replay(pick(heard));
+            case 3 -> reflect(pick(heard));
+            case 4 -> change(pick(heard));
+            default -> mix(pick(heard), pick(heard));
+        }
+    }
+
+    private <T> T pick(List<T> from) {
+        return from.get(random.nextInt(from.size()));
+    }
+
+    private Bytes noise(int length) {
+        byte[] bytes = new byte[length];
+        random.nextBytes(bytes);
+        return Bytes.copyOf(bytes);
+    }
+
+    private static Bytes address(Address address) {
+        return Bytes.ofNumber(address.value(), 3);
+    }
+
+    private void forge(Address name, Address victim) {
+        HostWord.Kind[] plain = {HostWord.Kind.MESSAGE_1, HostWord.Kind.MESSAGE_2, HostWord.Kind.MESSAGE_3,
+                HostWord.Kind.RENEWAL_1, HostWord.Kind.RENEWAL_2, HostWord.Kind.RENEWAL_3, HostWord.Kind.WANT};
+        HostWord.Kind kind = plain[random.nextInt(plain.length)];
+        int fragment = random.nextInt(kind.fragments());
+        Bytes body = kind == HostWord.Kind.WANT ? Bytes.of(plain[random.nextInt(plain.length)].first(random.nextInt(2)))
+                : HostWord.of(kind, fragment, noise(100)).body();
+        world.inject(name, new HostWord(kind, fragment, body).to(victim).bytes());
+    }
+
+    private void replay(Air.Packet packet) {
+        world.inject(packet.from, packet.message);
+    }
+
+    /** Back to whoever said it, in the name of whom it was for. */
+    private void reflect(Air.Packet packet) {
+        Address to = new Address((int) packet.message.number(1, 4));
+        world.inject(to, Bytes.join(packet.message.slice(0, 1), address(packet.from), packet.message.from(4)));
+    }
+
+    private void change(Air.Packet packet) {
+        byte[] bytes = packet.message.toArray();
+        bytes[4 + random.nextInt(bytes.length - 4)] ^= (byte) (1 << random.nextInt(8));
+        world.inject(packet.from, Bytes.copyOf(bytes));
+    }
+
+    /** The one's words in the other's name, to another. */
+    private void mix(Air.Packet one, Air.Packet other) {
+        world.inject(other.from, Bytes.join(one.message.slice(0, 1), other.message.slice(1, 4), one.message.from(4)));
+    }
+}
