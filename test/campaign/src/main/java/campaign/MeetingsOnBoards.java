@@ -40,7 +40,7 @@ final class MeetingsOnBoards {
         report.text("""
             **On emulated boards.** Hosts with certificates of one authority, whose boards (`Station`) have no key, drive
             emulated Megas as an agent's host does. All times are emulated seconds, from the host's wish to send until
-            the other host has the message, which came sealed. *Again* is after a reset of the sender's board: its key is
+            the other host has the message, which came sealed. *Again* is when the sender's board was reset and is there again: its key is
             gone, and both hosts agree anew from what they have kept. Pairs are out of each other's range.
             """);
         report.table(table);
@@ -118,7 +118,7 @@ final class MeetingsOnBoards {
                 for (int round = 0; round < rounds; round++) {
                     pair.forget();
                     double took = came(pair.speak());
-                    pair.befall("reset", true);
+                    pair.reset();
                     double tookAgain = came(pair.speak());
                     synchronized (this) {
                         first.add(took);

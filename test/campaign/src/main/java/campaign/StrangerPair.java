@@ -63,6 +63,12 @@ final class StrangerPair implements AutoCloseable {
                 : Map.of("do", what, "board", board, "duration", 0.3));
     }
 
+    /** The sender's board is reset, and there again. */
+    void reset() {
+        befall("reset", true);
+        first.awaitOnline();
+    }
+
     /** That befalls one of the two boards in so many emulated seconds. */
     void later(double seconds, String what, boolean toFirst) {
         CompletableFuture<Void> done = new CompletableFuture<>();

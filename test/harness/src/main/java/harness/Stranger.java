@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
 import javino.board.Board;
 import javino.board.BoardConfig;
@@ -29,7 +30,7 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
     private final BoardMeetings meetings;
     private final Consumer<Content> received;
     private final CompletableFuture<Board> board = new CompletableFuture<>();
-    private final CompletableFuture<Void> ready = new CompletableFuture<>();
+    private final Semaphore greetings = new Semaphore(0);
 
     /**
      * @param identities where its certificate is.
@@ -43,7 +44,12 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
         board.complete(Board.open(link, BoardConfig.create(), this));
         Host.get(board.join().setRfId(self));
         Host.get(board.join().radio(true));
-        Host.get(ready);
+        awaitOnline();
+    }
+
+    /** Waits until the board is there, once more than before. */
+    public void awaitOnline() {
+        greetings.acquireUninterruptibly();
     }
 
     /** Sends a message to a device. */
@@ -71,7 +77,7 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
     public void online(BoardInfo info) {
         board.thenCompose(session -> session.setRfId(self).thenCompose(done -> session.keys())).thenAccept(keys -> {
             meetings.online(this, self, info.bootEpoch(), keys);
-            ready.complete(null);
+            greetings.release();
         });
     }
 
