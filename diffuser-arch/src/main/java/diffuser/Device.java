@@ -321,7 +321,8 @@ final class Device implements BoardListener, KeyService.Host {
                 toldKeys = list;
                 keys.told(list);
             } else {
-                surroundings.warnings().once("it is not known which keys the board has: " + Failure.of(thrown).message());
+                surroundings.warnings()
+                        .once("it is not known which keys the board has: " + Failure.of(thrown).message());
             }
             nowOnline(hasAddress);
         });

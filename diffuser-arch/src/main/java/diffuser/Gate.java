@@ -57,7 +57,8 @@ public final class Gate {
     private static final String BROADCAST = "broadcast";
 
     /** Annotations to which this architecture, Jason or CArtAgO gives a meaning; the sender's own are taken off. */
-    private static final Set<String> MEANINGFUL = Set.of("source", CAST, "peer", "error", "error_msg", "signal", "state",
+    private static final Set<String> MEANINGFUL = Set.of("source", CAST, "peer", "error", "error_msg", "signal",
+            "state",
             "hard_deadline", "percept_type", "artifact_id", "aid", "artifact_name", "art", "workspace", "wid", "wsp",
             "env_infra");
 

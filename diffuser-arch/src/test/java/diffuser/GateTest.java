@@ -298,7 +298,8 @@ class GateTest {
             board.receive(ALL, "SUPO", "untell;q(_)");
             board.receive(ALL, "ROMB", "untell;q(_)");
             nothingSoFar(agent, board);
-            assertEquals("q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
+            assertEquals(
+                    "q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
                     belief(agent, "q(_)"));
             assertEquals(1, refused(agent));
             board.receive(ALL, "SUPO", "tell;q(1)");

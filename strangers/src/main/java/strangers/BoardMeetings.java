@@ -150,7 +150,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             if (certified && meetings == null && host != null) {
                 done.completeExceptionally(new Failure("no_certificate",
                         "there is no certificate for " + self + " in " + folder + "; javino enroll --id " + self)
-                                .toException());
+                        .toException());
             } else {
                 done.complete(null);
             }

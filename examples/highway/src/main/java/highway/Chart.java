@@ -80,7 +80,8 @@ final class Chart {
             return time + box(pin.device(), pin.words(), y, "#eee");
         }
         if (seen instanceof Hosts hosts) {
-            return time + arrows(hosts.origin(), hosts.destination(), false, hosts.destination() + "  " + hosts.words(), y);
+            return time
+                    + arrows(hosts.origin(), hosts.destination(), false, hosts.destination() + "  " + hosts.words(), y);
         }
         return seen instanceof Aired aired ? time + arrows(aired.origin(), aired.destination(), aired.sealed(),
                 aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content()), y) : "";

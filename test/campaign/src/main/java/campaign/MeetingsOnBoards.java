@@ -34,7 +34,8 @@ final class MeetingsOnBoards {
     }
 
     void run() throws Exception {
-        Table table = new Table("bit errors", "seeds", "messages", "median", "95 %", "longest", "again: median", "95 %");
+        Table table =
+                new Table("bit errors", "seeds", "messages", "median", "95 %", "longest", "again: median", "95 %");
         List<Double> quiet = times(table, 0);
         List<Double> noisy = times(table, NOISE);
         report.text("""
@@ -51,8 +52,10 @@ final class MeetingsOnBoards {
         together();
         faults();
         double each = cpu / keys;
-        report.aim(Table.text("a host's CPU for one agreement: at most %.0f ms (%.1f ms on average of %d)", MOST_CPU, each,
-                keys), each <= MOST_CPU);
+        report.aim(
+                Table.text("a host's CPU for one agreement: at most %.0f ms (%.1f ms on average of %d)", MOST_CPU, each,
+                        keys),
+                each <= MOST_CPU);
         report.never("on boards: a message that does not come", lost);
     }
 
