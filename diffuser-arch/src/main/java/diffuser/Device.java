@@ -21,13 +21,17 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Counter;
+import javino.protocol.Key;
 import javino.protocol.Outcome;
+import javino.protocol.PollReply;
+import javino.protocol.Reply.StoredKey;
+import javino.protocol.Word;
 
 /**
  * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
  * agent finds it in its next cycle; then the agent is woken.
  */
-final class Device implements BoardListener {
+final class Device implements BoardListener, KeyService.Host {
 
     /** Longer than a session waits and repeats, so that it ends only what the session itself has lost. */
     private static final long ANSWER_SECONDS = 10;
@@ -39,6 +43,9 @@ final class Device implements BoardListener {
     private final Surroundings surroundings;
     private final Percepts percepts;
     private final Communicability communicability;
+    private final BoardKeys keys = new BoardKeys();
+    private volatile List<StoredKey> toldKeys = List.of();
+    private volatile int bootEpoch;
     private final CompletableFuture<Board> session = new CompletableFuture<>();
     private final CompletableFuture<Void> decided = new CompletableFuture<>();
     private volatile BoardSettings settings;
@@ -56,8 +63,9 @@ final class Device implements BoardListener {
      * @param inbox    where its messages go.
      * @param warnings where its user is told what went wrong.
      * @param wake     ends its sleep.
+     * @param finder   finds keys for strangers, if that library is there.
      */
-    record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake) {
+    record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake, Optional<KeyService> finder) {
     }
 
     private Device(ExclusivePort link, Term term, BoardSettings settings, Surroundings surroundings) {
@@ -155,7 +163,10 @@ final class Device implements BoardListener {
 
     /** Sets the board's address. */
     CompletableFuture<Void> setRfId(Address id) {
-        return bounded(session.join().setRfId(id).thenRun(communicability::addressed));
+        return bounded(session.join().setRfId(id).thenRun(() -> {
+            communicability.addressed();
+            tellFinder();
+        }));
     }
 
     /** Opens or blocks the radio. */
@@ -173,10 +184,20 @@ final class Device implements BoardListener {
         return session.thenCompose(board -> board.reading(within));
     }
 
-    /** Has the board transmit. */
+    /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
     Transmission transmit(Address to, Content content) {
+        return surroundings.finder().filter(finder -> keys.lacks(to))
+                .map(finder -> heard(finder.transmit(this, to, content))).orElseGet(() -> transmitAsIs(to, content));
+    }
+
+    @Override
+    public Transmission transmitAsIs(Address to, Content content) {
         Transmission begun = session.join().transmit(to, content);
-        return new Transmission(bounded(begun.taken()), begun.end().thenApply(this::ended));
+        return heard(new Transmission(bounded(begun.taken()), begun.end()));
+    }
+
+    private Transmission heard(Transmission begun) {
+        return new Transmission(begun.taken(), begun.end().thenApply(this::ended));
     }
 
     private Outcome ended(Outcome outcome) {
@@ -212,6 +233,53 @@ final class Device implements BoardListener {
         return answer.copy().orTimeout(ANSWER_SECONDS, TimeUnit.SECONDS);
     }
 
+    /** What a device is from which something came sealed. */
+    Peer peer(Address from) {
+        return keys.peer(from);
+    }
+
+    // What finds keys for strangers wants of the board.
+
+    @Override
+    public Transmission transmit(Address to, Word word) {
+        return session.join().transmit(to, word);
+    }
+
+    @Override
+    public CompletableFuture<?> setSessionKey(Address device, Key key) {
+        keys.addStranger(device);
+        return session.join().setSessionKey(device, key);
+    }
+
+    @Override
+    public CompletableFuture<?> setGroupKey(Address group, Key key) {
+        return session.join().setKey(group, key).thenRun(() -> keys.store(group));
+    }
+
+    @Override
+    public CompletableFuture<?> deleteKey(Address device) {
+        return session.join().deleteKey(device);
+    }
+
+    @Override
+    public void met(Set<Address> peers) {
+        keys.setMet(peers);
+        if (online) {
+            percepts.peers(keys.beliefs());
+            tellAgent();
+        }
+    }
+
+    @Override
+    public void received(Address from, Content content) {
+        address().ifPresent(self -> take(new ReceivedMessage(from, self, 0, content), Peer.CERTIFIED));
+    }
+
+    @Override
+    public void warn(String what) {
+        surroundings.warnings().once(what);
+    }
+
     // On the session's thread:
 
     @Override
@@ -227,18 +295,37 @@ final class Device implements BoardListener {
                     .once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
                             + " radio does not; for that flash a sketch with the Javino library");
         }
+        bootEpoch = info.bootEpoch();
         BoardSettings wanted = settings;
-        boolean stranger = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
-        if (stranger) {
+        boolean hasOther = wanted.rfId().isPresent() && !wanted.rfId().equals(info.rfId());
+        if (hasOther) {
             session.thenCompose(board -> board.setRfId(wanted.rfId().get())).whenComplete((done, thrown) -> {
                 if (thrown != null) {
                     surroundings.warnings().always(Failure.of(thrown).message());
                 }
-                nowOnline(thrown == null || info.rfId().isPresent());
+                askForKeys(thrown == null || info.rfId().isPresent());
             });
         } else {
-            nowOnline(info.rfId().isPresent());
+            askForKeys(info.rfId().isPresent());
         }
+    }
+
+    /** Before the agent may act, it is to be known for whom there are keys. */
+    private void askForKeys(boolean hasAddress) {
+        if (legacy) {
+            nowOnline(hasAddress);
+            return;
+        }
+        session.thenCompose(Board::keys).whenComplete((list, thrown) -> {
+            if (thrown == null) {
+                toldKeys = list;
+                keys.told(list);
+            } else {
+                surroundings.warnings()
+                        .once("it is not known which keys the board has: " + Failure.of(thrown).message());
+            }
+            nowOnline(hasAddress);
+        });
     }
 
     /** Only now may the agent act: its address is set; and the session has opened the radio as wished. */
@@ -246,8 +333,17 @@ final class Device implements BoardListener {
         online = true;
         communicability.online(hasAddress, settings.radio());
         percepts.port(true);
+        percepts.peers(keys.beliefs());
         decided.complete(null);
         tellAgent();
+        tellFinder();
+    }
+
+    private void tellFinder() {
+        if (online && !legacy && !closed) {
+            address().ifPresent(self -> surroundings.finder()
+                    .ifPresent(finder -> finder.online(this, self, bootEpoch, toldKeys)));
+        }
     }
 
     @Override
@@ -270,11 +366,32 @@ final class Device implements BoardListener {
 
     @Override
     public void message(ReceivedMessage message) {
+        boolean shared = message.to().kind() == Address.Kind.MULTICAST
+                && surroundings.finder().map(KeyService::sharesGroup).orElse(false);
+        take(message, shared ? Peer.CERTIFIED : keys.peer(message.from()));
+    }
+
+    private void take(ReceivedMessage message, Peer peer) {
         // After the end it is left to the next session, as the board was not told that it was taken.
         if (!closed) {
             communicability.heard();
-            surroundings.inbox().put(message, surroundings.agent());
+            surroundings.inbox().put(message, peer, surroundings.agent());
             tellAgent();
+        }
+    }
+
+    @Override
+    public void word(Address from, Address to, Word word) {
+        if (!closed) {
+            communicability.heard();
+            surroundings.finder().ifPresent(finder -> finder.word(from, to, word));
+        }
+    }
+
+    @Override
+    public void noKey(PollReply.NoKey frame) {
+        if (!closed) {
+            surroundings.finder().ifPresent(finder -> finder.noKey(frame));
         }
     }
 

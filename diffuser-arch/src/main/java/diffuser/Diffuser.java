@@ -54,6 +54,7 @@ public class Diffuser extends AgArch {
     private transient ActionRouter router;
     private transient Infrastructures infrastructures;
     private transient CombinedPercepts percepts;
+    private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
     private transient BoardSettings settings = BoardSettings.NONE;
     /** The last message from the radio that Jason was given. */
@@ -69,7 +70,8 @@ public class Diffuser extends AgArch {
         outbox = new Outbox(warnings, this::signal);
         intentions = new Intentions(this::getTS);
         questions = new Questions(intentions, outbox);
-        moves = ServiceLoader.load(MoveService.Maker.class).findFirst().map(maker -> maker.of(this));
+        services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
+        moves = service(MoveService.class);
         inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings, moves);
         infrastructures = new Infrastructures();
         percepts = new CombinedPercepts();
@@ -125,7 +127,7 @@ public class Diffuser extends AgArch {
         PlainLines.of(getTS().getAg().getLogger());
         ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
         device = Device.open(link, portTerm(port), boardConfig(), settings,
-                new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent));
+                new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));
         return device.decided();
     }
 
@@ -274,9 +276,14 @@ public class Diffuser extends AgArch {
         return device().flatMap(Device::address);
     }
 
-    /** What moves agents by this board, if that library is there. */
-    public Optional<MoveService> moves() {
-        return moves;
+    /** What a library on the class path does by this board, if it is there. */
+    public <T extends BoardService> Optional<T> service(Class<T> kind) {
+        return services.stream().filter(kind::isInstance).map(kind::cast).findFirst();
+    }
+
+    /** What a device is from which something came sealed; without a board, a stranger. For any thread. */
+    public Peer peer(Address device) {
+        return device().map(board -> board.peer(device)).orElse(Peer.CERTIFIED);
     }
 
     /** Where the board's messages go. */
@@ -360,7 +367,7 @@ public class Diffuser extends AgArch {
     /** {@inheritDoc} Waits until the port is free, so that the agent can be started anew. */
     @Override
     public void stop() {
-        moves.ifPresent(MoveService::stop);
+        services.forEach(BoardService::stop);
         ExclusivePort.await(closeDevice());
         super.stop();
     }
@@ -373,7 +380,7 @@ public class Diffuser extends AgArch {
         status.put("rfMessages", inbox.received());
         status.put("rfMessagesMalformed", inbox.malformed());
         status.put("rfMessagesRefused", inbox.refused());
-        moves.ifPresent(known -> status.putAll(known.status()));
+        services.forEach(service -> status.putAll(service.status()));
         status.put("rfDelivered", outbox.ended(Outcome.DELIVERED));
         status.put("rfUndelivered", outbox.ended(Outcome.UNDELIVERED));
         device().ifPresent(board -> {

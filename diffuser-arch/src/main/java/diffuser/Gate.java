@@ -46,6 +46,10 @@ import javino.protocol.Force;
  * can forge. Each mark names the sender, since Jason keeps one belief for all who say the same and adds up its
  * annotations: otherwise a belief that ROMA has unicast and somebody has broadcast in the name of SUPO would seem to be
  * unicast by both, and SUPO's own unicast would be no event.
+ *
+ * <p>A unicast has a second mark, {@code peer(provisioned,ROMA)} or {@code peer(certified,ROMA)}, which says how the two
+ * devices came to their key. It names the sender for the same reason. A multicast has none: otherwise a unicast of a
+ * stranger and a multicast in the stranger's name would together seem to be a provisioned unicast.
  */
 public final class Gate {
 
@@ -53,7 +57,8 @@ public final class Gate {
     private static final String BROADCAST = "broadcast";
 
     /** Annotations to which this architecture, Jason or CArtAgO gives a meaning; the sender's own are taken off. */
-    private static final Set<String> MEANINGFUL = Set.of("source", CAST, "error", "error_msg", "signal", "state",
+    private static final Set<String> MEANINGFUL = Set.of("source", CAST, "peer", "error", "error_msg", "signal",
+            "state",
             "hard_deadline", "percept_type", "artifact_id", "aid", "artifact_name", "art", "workspace", "wid", "wsp",
             "env_infra");
 
@@ -98,32 +103,69 @@ public final class Gate {
     }
 
     /**
+     * How a message came.
+     *
+     * @param to       whom it went to, or of an answer its question.
+     * @param from     who sent it.
+     * @param peer     what the sender is, if it came sealed.
+     * @param isAnswer whether it answers what the agent has asked.
+     */
+    record Came(Address to, Address from, Peer peer, boolean isAnswer) {
+
+        private boolean byBroadcast() {
+            return to.kind() == Address.Kind.BROADCAST;
+        }
+
+        private String cast() {
+            return switch (to.kind()) {
+                case BROADCAST -> BROADCAST;
+                case MULTICAST -> "multicast";
+                default -> "unicast";
+            };
+        }
+
+        private Structure castMark() {
+            return ASSyntax.createStructure(CAST, ASSyntax.createAtom(cast()), atom(from));
+        }
+
+        private Term[] marks() {
+            return to.kind() == Address.Kind.DEVICE ? new Term[] {castMark(), peer.mark(from)}
+                    : new Term[] {castMark()};
+        }
+
+        /** The mark for which a plan has to ask before what needs a plan's leave may pass. */
+        private Structure decisive() {
+            return to.kind() == Address.Kind.DEVICE ? peer.mark(from) : castMark();
+        }
+    }
+
+    /**
      * What of a message passes.
      *
-     * @param force   what it is meant to do.
-     * @param said    what goes with the force; of a list of literals, one.
-     * @param to      whom the message went to, or of an answer its question.
-     * @param from    who sent it.
+     * @param force what it is meant to do.
+     * @param said  what goes with the force; of a list of literals, one.
      * @return what Jason is to handle; empty if the gate has done itself what there was to do.
      * @throws RefusedException if nothing passes.
      */
-    Optional<Term> pass(Force force, Term said, Address to, Address from) throws RefusedException {
-        boolean broadcast = to.kind() == Address.Kind.BROADCAST;
-        expectDevice(from);
+    Optional<Term> pass(Force force, Term said, Came came) throws RefusedException {
+        boolean broadcast = came.byBroadcast();
+        expectDevice(came.from());
         if (broadcast && force.requiresSeal()) {
             throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name");
         }
         refuseJasonsOwn(said);
         Term clean = clean(said);
-        Term mark = mark(kind(to), from);
         return switch (force) {
-            case TELL, SIGNAL -> Optional.of(marked(clean, mark));
-            case ACHIEVE -> broadcast ? adopt((Literal) marked(clean, mark), from) : Optional.of(marked(clean, mark));
-            case UNTELL -> broadcast ? retract((Literal) clean, mark, from) : Optional.of(clean);
+            case TELL, SIGNAL -> Optional.of(marked(clean, came.marks()));
+            case ACHIEVE -> broadcast ? adopt(force, (Literal) marked(clean, came.marks()), came)
+                    : Optional.of(marked(clean, came.marks()));
+            case UNTELL -> broadcast ? retract((Literal) clean, came) : Optional.of(clean);
             // Jason drops only goals that have all the annotations.
-            case UNACHIEVE -> Optional.of(broadcast ? marked(clean, mark) : clean);
+            case UNACHIEVE -> Optional.of(broadcast ? marked(clean, came.marks()) : clean);
             case ASK_ONE, ASK_ALL -> Optional.of(clean);
-            case ASK_HOW, TELL_HOW, UNTELL_HOW, SORRY, MOVE -> Optional.of(said);
+            case TELL_HOW, UNTELL_HOW -> came.peer() == Peer.PROVISIONED || came.isAnswer() ? Optional.of(said)
+                    : adopt(force, taught(force, said, came), came);
+            case ASK_HOW, SORRY, MOVE -> Optional.of(said);
         };
     }
 
@@ -149,31 +191,42 @@ public final class Gate {
         return mas != null && mas.getAg(name) != null;
     }
 
-    // Broadcasts
+    // What needs a plan's leave
+
+    /** The goal by which Jason has an agent handle a message, with the marks. */
+    private static Literal taught(Force force, Term said, Came came) {
+        Literal goal = ASSyntax.createLiteral(Config.get().getKqmlFunctor(), atom(came.from()),
+                ASSyntax.createAtom(force.toString()), said, ASSyntax.createString(""));
+        goal.addAnnots(came.marks());
+        return goal;
+    }
 
     /**
-     * Has the agent pursue a goal by the first applicable of those plans that ask for goals of broadcasts. The plan is
-     * chosen here, as Jason would go on to plans for the same goal that do not ask for it.
+     * Has the agent pursue a goal by the first applicable of those plans that ask for what came so. The plan is chosen
+     * here, as Jason would go on to plans for the same goal that do not ask for it.
      */
-    private Optional<Term> adopt(Literal goal, Address from) throws RefusedException {
-        goal.addAnnot(source(from));
+    private Optional<Term> adopt(Force force, Literal goal, Came came) throws RefusedException {
+        goal.addAnnot(source(came.from()));
+        Structure mark = came.decisive();
         Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal);
-        List<Option> relevant = Plans.relevant(agent.get().getAg(), trigger, Gate::asksForBroadcasts);
+        List<Option> relevant = Plans.relevant(agent.get().getAg(), trigger, plan -> asksFor(plan, mark));
         Optional<Option> applicable = Plans.applicable(agent.get().getAg(), relevant);
         if (applicable.isPresent()) {
-            adopt(trigger, applicable.get(), from);
+            adopt(force, trigger, applicable.get(), came.from());
             return Optional.empty();
         }
         if (!relevant.isEmpty()) {
-            throw new RefusedException("no plan that asks for it by [cast(broadcast,_)] is applicable now");
+            throw new RefusedException("no plan that asks for it by " + asking(mark, "_") + " is applicable now");
         }
-        throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name; if the agent is to"
-                + " take it, write a plan that asks for it: ", opening(goal));
+        String why = force == Force.ACHIEVE ? "it came as a broadcast, which anyone can send in anyone's name"
+                : "it came from a stranger, or under a key that strangers can get";
+        throw new RefusedException(why + "; if the agent is to take it, write a plan that asks for it: ",
+                opening(goal, force, mark));
     }
 
-    private void adopt(Trigger trigger, Option option, Address from) throws RefusedException {
+    private void adopt(Force force, Trigger trigger, Option option, Address from) throws RefusedException {
         TransitionSystem ts = agent.get();
-        if (!ts.getAg().socAcc(new Message(Force.ACHIEVE.toString(), from.toString(), ts.getAgArch().getAgName(),
+        if (!ts.getAg().socAcc(new Message(force.toString(), from.toString(), ts.getAgArch().getAgName(),
                 trigger.getLiteral()))) {
             throw new RefusedException("the agent's socAcc does not accept it");
         }
@@ -182,25 +235,35 @@ public final class Gate {
         ts.getC().addEvent(event);
     }
 
-    /** Whether a plan's trigger has {@code [cast(broadcast,_)]}. */
-    private static boolean asksForBroadcasts(Plan plan) {
+    /** Whether a plan's trigger has that mark, such as {@code [cast(broadcast,_)]}, whoever is named in it. */
+    public static boolean asksFor(Plan plan, Structure mark) {
         return plan.getTrigger().getLiteral().hasAnnot()
-                && plan.getTrigger().getLiteral().getAnnots().stream().anyMatch(Gate::isBroadcastMark);
+                && plan.getTrigger().getLiteral().getAnnots().stream().anyMatch(each -> isLike(each, mark));
     }
 
-    private static boolean isBroadcastMark(Term annotation) {
-        return annotation instanceof Structure mark && mark.getFunctor().equals(CAST) && mark.getArity() == 2
-                && mark.getTerm(0).isAtom() && mark.getTerm(0).toString().equals(BROADCAST);
+    private static boolean isLike(Term annotation, Structure mark) {
+        return annotation instanceof Structure other && other.getFunctor().equals(mark.getFunctor())
+                && other.getArity() == mark.getArity() && other.getTerm(0).isAtom()
+                && other.getTerm(0).equals(mark.getTerm(0));
     }
 
-    private static String opening(Literal goal) {
+    private static String asking(Structure mark, String sender) {
+        return "[" + mark.getFunctor() + "(" + mark.getTerm(0) + "," + sender + ")]";
+    }
+
+    private static String opening(Literal goal, Force force, Structure mark) {
+        if (force != Force.ACHIEVE) {
+            return "+!" + goal.getFunctor() + "(S," + force + ",X,_)" + asking(mark, "S") + " <- ...";
+        }
         String arguments = IntStream.rangeClosed(1, goal.getArity()).mapToObj(i -> "X" + i)
                 .collect(Collectors.joining(",", "(", ")"));
-        return "+!" + goal.getFunctor() + (goal.getArity() == 0 ? "" : arguments) + "[cast(broadcast,S)] <- ...";
+        return "+!" + goal.getFunctor() + (goal.getArity() == 0 ? "" : arguments) + asking(mark, "S") + " <- ...";
     }
 
     /** Takes back no more than a broadcast of the same sender has told. */
-    private Optional<Term> retract(Literal said, Term mark, Address from) throws RefusedException {
+    private Optional<Term> retract(Literal said, Came came) throws RefusedException {
+        Structure mark = came.castMark();
+        Address from = came.from();
         Agent ag = agent.get().getAg();
         Literal pattern = said.forceFullLiteralImpl().copy();
         pattern.addAnnots(mark, source(from));
@@ -215,7 +278,7 @@ public final class Gate {
         Literal shout = told.copy();
         shout.clearAnnots();
         shout.addAnnot(mark);
-        if (!isAlsoSealed(told, from)) {
+        if (!isAlsoSealed(told, mark)) {
             return Optional.of(shout);
         }
         // What the sender has said sealed stands; so the belief keeps its source, and nothing has happened to it.
@@ -223,9 +286,10 @@ public final class Gate {
         return Optional.empty();
     }
 
-    private static boolean isAlsoSealed(Literal told, Address from) {
-        return told.getAnnots(CAST).stream().anyMatch(mark -> !isBroadcastMark(mark)
-                && mark instanceof Structure cast && cast.getArity() == 2 && cast.getTerm(1).equals(atom(from)));
+    private static boolean isAlsoSealed(Literal told, Structure broadcast) {
+        return told.getAnnots(CAST).stream().anyMatch(mark -> !isLike(mark, broadcast)
+                && mark instanceof Structure cast && cast.getArity() == 2
+                && cast.getTerm(1).equals(broadcast.getTerm(1)));
     }
 
     // Jason's own
@@ -324,21 +388,17 @@ public final class Gate {
 
     // Marks
 
-    /** With the mark on each belief. */
-    private static Term marked(Term said, Term mark) {
+    /** With the marks on each belief. */
+    private static Term marked(Term said, Term... marks) {
         return Texts.each(said, part -> {
             if (!Texts.isBelief(part)) {
                 // An answer may be a list of lists.
-                return part.isList() && part != said ? marked(part, mark) : part;
+                return part.isList() && part != said ? marked(part, marks) : part;
             }
             Literal result = ((Literal) part).forceFullLiteralImpl().copy();
-            result.addAnnots(mark);
+            result.addAnnots(marks);
             return result;
         });
-    }
-
-    private static Structure mark(String kind, Address from) {
-        return ASSyntax.createStructure(CAST, ASSyntax.createAtom(kind), atom(from));
     }
 
     private static Term source(Address from) {
@@ -347,13 +407,5 @@ public final class Gate {
 
     private static Atom atom(Address from) {
         return ASSyntax.createAtom(from.toString());
-    }
-
-    private static String kind(Address to) {
-        return switch (to.kind()) {
-            case BROADCAST -> BROADCAST;
-            case MULTICAST -> "multicast";
-            default -> "unicast";
-        };
     }
 }

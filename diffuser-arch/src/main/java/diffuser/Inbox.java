@@ -33,10 +33,11 @@ final class Inbox {
      * A message whose content could be read, or one literal of a list that it says.
      *
      * @param message  as it came.
+     * @param peer     what its sender is, if it came sealed.
      * @param receiver the agent.
      * @param term     what it says.
      */
-    private record Mail(ReceivedMessage message, String receiver, Term term) {
+    private record Mail(ReceivedMessage message, Peer peer, String receiver, Term term) {
 
         Content content() {
             return message.content();
@@ -62,14 +63,14 @@ final class Inbox {
     }
 
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
-    void put(ReceivedMessage message, String receiver) {
+    void put(ReceivedMessage message, Peer peer, String receiver) {
         if (message.content().force() == Force.MOVE) {
             putMove(message);
             return;
         }
         try {
             Term term = Texts.readContent(message.content());
-            apart(term, message.content()).forEach(said -> mails.add(new Mail(message, receiver, said)));
+            apart(term, message.content()).forEach(said -> mails.add(new Mail(message, peer, receiver, said)));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
@@ -124,7 +125,8 @@ final class Inbox {
     }
 
     private Optional<Message> pass(Mail mail, Address to) throws Gate.RefusedException {
-        return gate.pass(mail.content().force(), mail.term(), to, mail.message().from()).map(mail::saying);
+        Gate.Came came = new Gate.Came(to, mail.message().from(), mail.peer(), mail.content().isAnswer());
+        return gate.pass(mail.content().force(), mail.term(), came).map(mail::saying);
     }
 
     /** The answer as its question went: what anybody in a group could have asked is no more than a group's word. */

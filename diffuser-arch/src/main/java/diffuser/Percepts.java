@@ -12,7 +12,8 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
 
 /**
- * What a board lets its agent perceive: {@code port(P,on)} or {@code port(P,off)}, and its sensors where they are open.
+ * What a board lets its agent perceive: {@code port(P,on)} or {@code port(P,off)}, with which devices it
+ * shares keys, and its sensors where they are open.
  * The board's thread changes it; the agent's reads an immutable snapshot, and so never waits.
  */
 final class Percepts {
@@ -21,6 +22,7 @@ final class Percepts {
     private final Warnings warnings;
     private final AtomicLong malformed = new AtomicLong();
     private List<Literal> state = List.of();
+    private List<Literal> peers = List.of();
     /** By their texts, so that only those that changed are parsed: that takes a third of a millisecond each. */
     private Map<String, Literal> sensors = Map.of();
     /** Of the sensors, what the agent is to believe. */
@@ -44,13 +46,20 @@ final class Percepts {
         return snapshot;
     }
 
-    /** Lets the agent perceive whether its board is there. A board that is not has no sensors. */
+    /** Lets the agent perceive whether its board is there. A board that is not has no sensors, nor keys. */
     synchronized void port(boolean on) {
         state = List.of(ASSyntax.createLiteral("port", port, ASSyntax.createAtom(on ? "on" : "off")));
         if (!on) {
+            peers = List.of();
             sensors = Map.of();
             shown = List.of();
         }
+        compose();
+    }
+
+    /** Lets the agent perceive with which devices the board shares keys. */
+    synchronized void peers(List<Literal> beliefs) {
+        peers = beliefs;
         compose();
     }
 
@@ -100,6 +109,7 @@ final class Percepts {
             case BLOCKED -> List.of();
         };
         List<Literal> all = new ArrayList<>(state);
+        all.addAll(peers);
         all.addAll(shown);
         snapshot = List.copyOf(all);
     }

@@ -25,6 +25,7 @@ import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
+import javino.protocol.Reply;
 import javino.protocol.Status;
 
 /** A board in memory that speaks SPEC 4, does as scripted, and records what it was asked. */
@@ -40,7 +41,7 @@ final class FakeBoard implements LinkOpener {
     /** The most outcomes in a poll reply. */
     private static final int MOST_OUTCOMES = 32;
 
-    /** All requests but polls, hellos and statistics, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
+    /** All requests but polls, hellos, statistics and lists of keys, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
     final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
     private final String port;
     private final Map<String, Status> refusals = new ConcurrentHashMap<>();
@@ -51,6 +52,7 @@ final class FakeBoard implements LinkOpener {
     private volatile List<String> percepts = List.of();
     private volatile List<String> actions = List.of();
     private volatile Address rfId = Address.SERIAL;
+    private final List<Bytes> keys = new CopyOnWriteArrayList<>();
     private volatile boolean plugged = true;
     private volatile boolean silent;
     private volatile String swallowed = "";
@@ -249,6 +251,12 @@ final class FakeBoard implements LinkOpener {
         return this;
     }
 
+    /** It comes with a key. */
+    FakeBoard withKey(String address, Reply.Role role) {
+        keys.add(Bytes.join(Bytes.ofText(address), Bytes.of(role.ordinal(), 1, 2, 3)));
+        return this;
+    }
+
     /** It comes with this address. */
     FakeBoard withRfId(String id) {
         rfId = Address.parse(id);
@@ -368,6 +376,7 @@ final class FakeBoard implements LinkOpener {
             case 'C' -> ok(actions((int) body.number(0, 2)));
             case 'R' -> recorded("R " + (body.at(0) == 1 ? "open" : "block"), Bytes.EMPTY);
             case 'I' -> setRfId(text(body));
+            case 'L' -> ok(Bytes.join(keys.toArray(Bytes[]::new)));
             case 'S' -> statistics();
             default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
         };

@@ -21,6 +21,7 @@ import jason.asSyntax.Literal;
 import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 import javino.protocol.Content;
+import javino.protocol.Reply;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -230,6 +231,63 @@ class GateTest {
         }
     }
 
+    private static FakeBoard withAStranger() {
+        return new FakeBoard("radio").withKey("SUPO", Reply.Role.CURRENT).withKey("ROMB", Reply.Role.SESSION);
+    }
+
+    @Test
+    void pass_unicast_isMarkedByTheSendersKeyAndNothingElse() {
+        String program = PROGRAM + """
+                +r(X)[peer(provisioned,S)] <- diffuser.note(known,X,S).
+                +r(X)[peer(certified,S)] <- diffuser.note(stranger,X,S).
+                +r(X) <- diffuser.note(neither,X).
+                """;
+        FakeBoard board = withAStranger();
+        try (RunningAgent agent = RunningAgent.listening(program, board)) {
+            board.receive(ME, "SUPO", "tell;r(1)[peer(certified,\"SUPO\")]");
+            agent.notes("known 1 SUPO");
+            board.receive(ME, "ROMB", "tell;r(2)[peer(provisioned,\"ROMB\")]");
+            agent.notes("stranger 2 ROMB");
+            // Beside the unicast, it would seem to be a provisioned one of ROMB.
+            board.receive(GROUP, "ROMB", "tell;r(3)[peer(provisioned,\"ROMB\")]");
+            agent.notes("neither 3");
+            board.receive(ALL, "SUPO", "tell;r(4)[peer(provisioned,\"SUPO\")]");
+            agent.notes("neither 4");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"tellHow;{ +!go(2) <- diffuser.note(taught) }", "untellHow;mine"})
+    void pass_plansOfAStranger_refusedUnlessAPlanAsksForThem(String content) throws Exception {
+        FakeBoard board = withAStranger();
+        String force = content.split(";")[0];
+        try (RunningAgent agent = RunningAgent.listening(PROGRAM + "@mine +!own <- true.", board)) {
+            String before = plansOf(agent);
+            board.receive(ME, "ROMB", content);
+            agent.warns("it came from a stranger, or under a key that strangers can get; if the agent is to take it,"
+                    + " write a plan that asks for it: +!kqml_received(S," + force + ",X,_)[peer(certified,S)] <- ...");
+            nothingSoFar(agent, board);
+            assertEquals(before, plansOf(agent));
+            assertEquals(1, refused(agent));
+        }
+        String open = "+!kqml_received(S,%s,X,_)[peer(certified,S)] <- diffuser.note(opened,S).".formatted(force);
+        FakeBoard again = withAStranger();
+        try (RunningAgent agent = RunningAgent.listening(PROGRAM + open, again)) {
+            again.receive(ME, "ROMB", content);
+            agent.notes("opened ROMB");
+            assertEquals(0, refused(agent));
+        }
+    }
+
+    @Test
+    void peers_withStoredKeys_areBelieved() {
+        String program = "!start. +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready)."
+                + "+peer(S,K)[source(percept)] <- diffuser.note(S,K).";
+        try (RunningAgent agent = RunningAgent.run(program, withAStranger())) {
+            agent.notesAll("ready", "SUPO provisioned");
+        }
+    }
+
     @Test
     void pass_untellOfABroadcast_takesBackOnlyWhatABroadcastOfTheSameSenderTold() throws Exception {
         FakeBoard board = new FakeBoard("radio");
@@ -240,14 +298,15 @@ class GateTest {
             board.receive(ALL, "SUPO", "untell;q(_)");
             board.receive(ALL, "ROMB", "untell;q(_)");
             nothingSoFar(agent, board);
-            assertEquals("q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),source(SUAM),source(SUPO)]",
+            assertEquals(
+                    "q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
                     belief(agent, "q(_)"));
             assertEquals(1, refused(agent));
             board.receive(ALL, "SUPO", "tell;q(1)");
             board.receive(ALL, "SUPO", "untell;q(1)");
             board.receive(ALL, "SUAM", "untell;q(1)");
             nothingSoFar(agent, board);
-            assertEquals("q(1)[cast(unicast,SUPO),source(SUPO)]", belief(agent, "q(_)"));
+            assertEquals("q(1)[cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]", belief(agent, "q(_)"));
             board.receive(ME, "SUPO", "untell;q(1)");
             nothingSoFar(agent, board);
             assertEquals("null", belief(agent, "q(_)"));
@@ -264,7 +323,7 @@ class GateTest {
             board.receive(ALL, "SUPO", "tell;q(1,2)");
             board.receive(ALL, "SUPO", "untell;q(A,A)");
             nothingSoFar(agent, board);
-            assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),source(SUPO)]",
+            assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]",
                     belief(agent, "q(1,2)[cast(unicast,SUPO)]"));
         }
     }
@@ -289,7 +348,7 @@ class GateTest {
             for (int i = 0; i < 20; i++) {
                 for (String content : List.of("tell;q(" + i + ")", "untell;q(" + i + ")")) {
                     inbox.put(new ReceivedMessage(Address.parse("ROMB"), Address.BROADCAST, 0, Content.parse(content)),
-                            agent.name());
+                            Peer.PROVISIONED, agent.name());
                 }
             }
             nothingSoFar(agent, board);

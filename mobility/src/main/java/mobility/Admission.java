@@ -24,6 +24,8 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 import diffuser.Diffuser;
+import diffuser.Gate;
+import diffuser.Peer;
 import diffuser.Plans;
 
 import javino.protocol.Address;
@@ -58,7 +60,7 @@ final class Admission {
         TransitionSystem ts = diffuser.getTS();
         ts.runAtBeginOfNextCycle(() -> {
             try {
-                pursue(ts, goal(newcomer, protocol, from), protocol, answer);
+                pursue(ts, newcomer, protocol, from, answer);
             } catch (RefusedException e) {
                 answer.completeExceptionally(e);
             } catch (RuntimeException e) {
@@ -69,24 +71,28 @@ final class Admission {
         return answer;
     }
 
-    private static Literal goal(String newcomer, Protocol protocol, Address from) {
+    private static Literal goal(String newcomer, Protocol protocol, Address from, Peer peer) {
         Literal goal = ASSyntax.createLiteral(GOAL, ASSyntax.createAtom(newcomer),
                 ASSyntax.createAtom(protocol.atom()));
         Term sender = ASSyntax.createAtom(from.toString());
         goal.addAnnots(Pred.createSource(sender),
-                ASSyntax.createStructure("cast", ASSyntax.createAtom("unicast"), sender));
+                ASSyntax.createStructure("cast", ASSyntax.createAtom("unicast"), sender), peer.mark(from));
         return goal;
     }
 
-    private static void pursue(TransitionSystem ts, Literal goal, Protocol protocol, CompletableFuture<Void> answer)
-            throws RefusedException {
+    private void pursue(TransitionSystem ts, String newcomer, Protocol protocol, Address from,
+            CompletableFuture<Void> answer) throws RefusedException {
         Agent agent = ts.getAg();
-        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal);
+        Peer peer = diffuser.peer(from);
+        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve,
+                goal(newcomer, protocol, from, peer));
         List<Option> relevant = Plans.relevant(agent, trigger,
-                plan -> protocol != Protocol.PREDATION || namesPredation(plan));
+                plan -> (protocol != Protocol.PREDATION || namesPredation(plan))
+                        && (peer != Peer.CERTIFIED || Gate.asksFor(plan, peer.mark(from))));
         if (relevant.isEmpty()) {
-            throw new RefusedException("refused", "no plan such as +!moveIn(Agent," + protocol.atom()
-                    + ")[cast(unicast,From)] admits it");
+            String demanded = peer == Peer.CERTIFIED ? ")[peer(certified,From)]" : ")[cast(unicast,From)]";
+            throw new RefusedException("refused", "no plan such as +!moveIn(Agent," + protocol.atom() + demanded
+                    + " admits it");
         }
         Optional<Option> applicable = Plans.applicable(agent, relevant);
         if (applicable.isEmpty()) {

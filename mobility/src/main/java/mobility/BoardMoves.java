@@ -23,6 +23,7 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Pred;
 
+import diffuser.BoardService;
 import diffuser.Diffuser;
 import diffuser.Failure;
 import diffuser.MoveService;
@@ -48,7 +49,7 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     private long looked;
 
     /** Found by Java's {@link java.util.ServiceLoader}. */
-    public static final class Maker implements MoveService.Maker {
+    public static final class Maker implements BoardService.Maker {
 
         @Override
         public MoveService of(Diffuser diffuser) {

@@ -82,7 +82,7 @@ public final class Departures {
 
     private static BoardMoves door(TransitionSystem ts) throws JasonException {
         Optional<Diffuser> door = Inhabitants.door(ts.getAgArch());
-        return door.flatMap(Diffuser::moves).map(moves -> (BoardMoves) moves)
+        return door.flatMap(board -> board.service(BoardMoves.class))
                 .orElseThrow(() -> new Failure("no_diffuser", "no agent of this MAS has a board by which "
                         + ts.getAgArch().getAgName() + " could move; give one the architecture diffuser.Diffuser")
                         .toException());

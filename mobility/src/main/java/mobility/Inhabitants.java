@@ -254,13 +254,13 @@ final class Inhabitants {
     /** The agent with a board that moves another of this MAS: itself, or the first one that has one. */
     static Optional<Diffuser> door(AgArch first) {
         Optional<Diffuser> own = Diffuser.find(first);
-        if (own.isPresent() && own.get().moves().isPresent()) {
+        if (own.isPresent() && own.get().service(BoardMoves.class).isPresent()) {
             return own;
         }
         Map<String, LocalAgArch> all = BaseLocalMAS.getRunner().getAgs();
         return all.entrySet().stream().sorted(Map.Entry.comparingByKey())
                 .flatMap(each -> Diffuser.find(each.getValue().getFirstAgArch()).stream())
-                .filter(each -> each.moves().isPresent() && each.address().isPresent()).findFirst();
+                .filter(each -> each.service(BoardMoves.class).isPresent() && each.address().isPresent()).findFirst();
     }
 
     /** An agent that was awake has ended; where the MAS goes on, it tells those by whose board it may have come. */
@@ -268,12 +268,12 @@ final class Inhabitants {
         BaseLocalMAS mas = BaseLocalMAS.getRunner();
         if (mas != null && mas.isRunning()) {
             mas.getAgs().values().stream().flatMap(each -> Diffuser.find(each.getFirstAgArch()).stream())
-                    .flatMap(each -> each.moves().stream()).forEach(moves -> ((BoardMoves) moves).ended(name));
+                    .flatMap(each -> each.service(BoardMoves.class).stream()).forEach(moves -> moves.ended(name));
         }
     }
 
     /** Whether an agent has a board by which agents move. */
     static boolean isDoor(AgArch first) {
-        return Diffuser.find(first).flatMap(Diffuser::moves).isPresent();
+        return Diffuser.find(first).flatMap(each -> each.service(BoardMoves.class)).isPresent();
     }
 }

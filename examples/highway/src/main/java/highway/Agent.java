@@ -14,6 +14,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import strangers.BoardMeetings;
 
 /** {@code gradle agent}: runs one agent of this folder on its board, by Jason. */
 @Command(name = "agent")
@@ -45,6 +46,7 @@ public final class Agent implements Callable<Integer> {
                                 + "--agent=NAME names the agent: one of " + String.join(", ", names));
             }
         }
+        System.setProperty(BoardMeetings.FOLDER_PROPERTY, Options.IDENTITIES.toString());
         RunLocalMAS.main(new String[] {name + MAS, "--log-conf", "logging.properties", "--no-net"});
         return CommandLine.ExitCode.OK;
     }

@@ -1,6 +1,7 @@
 package highway;
 
 import highway.Observation.Aired;
+import highway.Observation.Hosts;
 import highway.Observation.Pin;
 import highway.Observation.Said;
 import java.io.IOException;
@@ -78,7 +79,12 @@ final class Chart {
         if (seen instanceof Pin pin) {
             return time + box(pin.device(), pin.words(), y, "#eee");
         }
-        return seen instanceof Aired aired ? time + arrows(aired, y) : "";
+        if (seen instanceof Hosts hosts) {
+            return time
+                    + arrows(hosts.origin(), hosts.destination(), false, hosts.destination() + "  " + hosts.words(), y);
+        }
+        return seen instanceof Aired aired ? time + arrows(aired.origin(), aired.destination(), aired.sealed(),
+                aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content()), y) : "";
     }
 
     /** What a device said or did: a box that begins at its lifeline, and the last one's ends there. */
@@ -93,23 +99,22 @@ final class Chart {
     }
 
     /** A packet: an arrow to each device that it is for, and above it what an eavesdropper can read. */
-    private static String arrows(Aired aired, int y) {
-        Device from = Device.withAddress(aired.origin()).orElseThrow();
-        List<Device> receivers = receivers(aired);
+    private static String arrows(String origin, String destination, boolean sealed, String label, int y) {
+        Device from = Device.withAddress(origin).orElseThrow();
+        List<Device> receivers = receivers(origin, destination);
         String tips = receivers.stream().map(to -> String.format("""
             <line x1="%d" y1="%d" x2="%d" y2="%2$d" stroke="%s" stroke-width="2" marker-end="url(#%s)"%s/>
-            """, x(from), y, x(to), from.hue, from.address, aired.sealed() ? "" : " stroke-dasharray=\"6 3\""))
+            """, x(from), y, x(to), from.hue, from.address, sealed ? "" : " stroke-dasharray=\"6 3\""))
                 .collect(Collectors.joining());
         int middle = receivers.stream().mapToInt(Chart::x).filter(x -> x > x(from)).min()
                 .orElseGet(() -> receivers.stream().mapToInt(Chart::x).max().orElse(x(from)));
-        String label = aired.destination() + (aired.sealed() ? "  sealed" : "  " + aired.content());
         return tips + String.format("<text x=\"%d\" y=\"%d\" text-anchor=\"middle\" fill=\"%s\">%s</text>%n",
                 (x(from) + middle) / 2, y - 5, from.hue, escaped(label));
     }
 
-    private static List<Device> receivers(Aired aired) {
-        Address to = Address.parse(aired.destination());
-        return Arrays.stream(Device.values()).filter(device -> !device.address.equals(aired.origin()))
+    private static List<Device> receivers(String origin, String destination) {
+        Address to = Address.parse(destination);
+        return Arrays.stream(Device.values()).filter(device -> !device.address.equals(origin))
                 .filter(device -> to.reaches(Address.parse(device.address))).toList();
     }
 

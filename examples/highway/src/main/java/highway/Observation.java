@@ -18,6 +18,14 @@ sealed interface Observation {
             implements Observation {}
 
     /**
+     * A packet with which one host speaks to another, before they have a key (SPEC 11.3).
+     *
+     * @param destination the address of the other
+     * @param words       what it is
+     */
+    record Hosts(double seconds, String origin, String destination, String words) implements Observation {}
+
+    /**
      * An acknowledgement that was sent (SPEC 7.3).
      *
      * @param answers what it says: delivered, pieces or stale

@@ -8,13 +8,16 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import strangers.BoardMeetings;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
 
     /** The emulator's control socket. */
     private static final String CONTROL = "build/control";
-    /** A way there and back by radio takes half of it; so does a rescue by way of gateways. */
+    /** Certificates and secrets of all devices: on real computers each has its own. */
+    static final Path IDENTITIES = Path.of("build", "identities");
+    /** A way there and back by radio takes half of it; so does a rescue by way of gateways, or among strangers. */
     private static final int LONG_SECONDS = 90;
 
     @Option(names = "--emulator", required = true, hidden = true, description = "The emulator's program.")
@@ -41,6 +44,10 @@ final class Options {
 
     @Option(names = "--headless", description = "With live: open no browser.")
     private String headless;
+
+    @Option(names = "--strangers", description = "Give the boards no keys: the devices have certificates, and agree on "
+            + "keys by radio.")
+    private String strangers;
 
     private int cells;
 
@@ -79,9 +86,14 @@ final class Options {
         return cells == 2;
     }
 
+    /** Whether the devices have certificates, and no keys. */
+    boolean strangers() {
+        return strangers != null;
+    }
+
     /** Seconds. */
     int timeout() {
-        return inspector || twoCells() ? Math.max(timeout, LONG_SECONDS) : timeout;
+        return inspector || twoCells() || strangers() ? Math.max(timeout, LONG_SECONDS) : timeout;
     }
 
     boolean boardsOnly() {
@@ -100,7 +112,8 @@ final class Options {
                 && terminal != null && !terminal.equals("dumb");
     }
 
-    List<String> emulatorCommand() {
+    /** @param keys where it writes the keys that hosts agree on. */
+    List<String> emulatorCommand(Path keys) {
         List<String> command =
                 new ArrayList<>(List.of(emulator.toString(), twoCells() ? "two-cells.json" : "highway.json", "--trace",
                         "-", "--seed", "" + seed));
@@ -112,6 +125,9 @@ final class Options {
         }
         if (live()) {
             command.addAll(List.of("--control", CONTROL));
+        }
+        if (strangers()) {
+            command.addAll(List.of("--keys", keys.toString()));
         }
         return command;
     }
@@ -155,6 +171,33 @@ final class Options {
                 "--id", device.address, "--keyring", keyring.toString());
     }
 
+    /** {@code javino ca init}. */
+    List<String> authorityCommand(Path authority) {
+        return java("javino.cli.Main", "ca", "init", "--ca", authority.toString());
+    }
+
+    /** {@code javino enroll}: a request. */
+    List<String> requestCommand(Device device, Path request) {
+        return java("javino.cli.Main", "enroll", "--id", device.address, "--folder", IDENTITIES.toString(), "--request",
+                request.toString());
+    }
+
+    /** {@code javino ca issue}: a certificate; the support station's says that it gives out the key of the group. */
+    List<String> issueCommand(Path authority, Device device, Path request, Path certificate) {
+        List<String> command = java("javino.cli.Main", "ca", "issue", "--ca", authority.toString(), "--request",
+                request.toString(), "--out", certificate.toString());
+        if (device == Device.SUPPORT) {
+            command.add("--keeper");
+        }
+        return command;
+    }
+
+    /** {@code javino enroll}: takes the certificate in. */
+    List<String> enrollCommand(Device device, Path certificate) {
+        return java("javino.cli.Main", "enroll", "--id", device.address, "--folder", IDENTITIES.toString(),
+                "--certificate", certificate.toString());
+    }
+
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) {
         return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", mas(device), "--log-conf",
@@ -170,6 +213,7 @@ final class Options {
     private List<String> java(String... mainAndArguments) {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
+                "-D" + BoardMeetings.FOLDER_PROPERTY + "=" + IDENTITIES,
                 "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp",
                 System.getProperty("java.class.path") + (live() ? File.pathSeparator + live : "")));
         command.addAll(List.of(mainAndArguments));

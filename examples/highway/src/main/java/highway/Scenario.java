@@ -48,6 +48,11 @@ final class Scenario implements AutoCloseable {
 
     private static final Path KEYRING = Path.of("build", "keyring");
 
+    /** Of the authority: its own file, requests and certificates. */
+    private static final Path AUTHORITY = Path.of("build", "authority");
+
+    private static final Path EEPROM = Path.of("build", "eeprom");
+
     private static final Path BROKER = Path.of("build", "mosquitto.conf");
 
     /** Each cell has the name of its gateway's board. */
@@ -118,10 +123,16 @@ final class Scenario implements AutoCloseable {
             startPage();
         }
         timeline.note("five emulated boards, one radio");
-        Files.createDirectories(Path.of("build", "eeprom"));
+        Files.deleteIfExists(KEYRING);
+        deleteAll(Options.IDENTITIES);
+        if (options.strangers()) {
+            // Boards have the keys of earlier runs.
+            deleteAll(EEPROM);
+        }
+        Files.createDirectories(EEPROM);
         // Of a run that was broken off.
         deleteAll(MOVES);
-        start("emulator", options.emulatorCommand(), this::readTrace);
+        start("emulator", options.emulatorCommand(KEYRING), this::readTrace);
         waitFor("the boards' ports", () -> Arrays.stream(Device.values())
                 .allMatch(device -> Files.exists(Path.of("ports", device.id()))));
     }
@@ -235,12 +246,32 @@ final class Scenario implements AutoCloseable {
 
     /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
     void provision() throws IOException, InterruptedException, BrokenOffException {
+        if (options.strangers()) {
+            certify();
+            return;
+        }
         note("fresh keys, provisioned over serial");
-        Files.deleteIfExists(KEYRING);
         runToEnd("keygen", Map.of("", options.keygenCommand(KEYRING)));
         runToEnd("provision", Arrays.stream(Device.values())
                 .collect(Collectors.toMap(device -> device.title() + ": ",
                         device -> options.provisionCommand(device, KEYRING))));
+    }
+
+    /** Gives each device a certificate, and no board a key, by the commands that a user has. */
+    private void certify() throws IOException, InterruptedException, BrokenOffException {
+        note("fresh certificates, and no keys");
+        deleteAll(AUTHORITY);
+        Files.createDirectories(AUTHORITY);
+        Path file = AUTHORITY.resolve("authority");
+        runToEnd("ca init", Map.of("", options.authorityCommand(file)));
+        for (Device device : Device.values()) {
+            Path request = AUTHORITY.resolve(device.address + ".request");
+            Path certificate = AUTHORITY.resolve(device.address + ".certificate");
+            String title = device.title() + ": ";
+            runToEnd("enroll", Map.of(title, options.requestCommand(device, request)));
+            runToEnd("ca issue", Map.of(title, options.issueCommand(file, device, request, certificate)));
+            runToEnd("enroll", Map.of(title, options.enrollCommand(device, certificate)));
+        }
     }
 
     /** Starts the agents; the bus last, when all others have said that they are ready. */
@@ -331,7 +362,7 @@ final class Scenario implements AutoCloseable {
                 }
             }
         }
-        if (evidence) {
+        if (evidence || observation instanceof Observation.Hosts) {
             chart.add(observation);
         }
         if (observation instanceof Observation.Said said && said.text().equals("Ready")) {

@@ -2,6 +2,7 @@ package highway;
 
 import highway.Observation.Acknowledged;
 import highway.Observation.Aired;
+import highway.Observation.Hosts;
 import highway.Observation.Pin;
 import highway.Observation.Said;
 import highway.Observation.Spoilt;
@@ -44,6 +45,10 @@ final class Timeline {
         }
         if (seen instanceof Aired aired) {
             return who(aired.origin()) + "sends  " + packet(aired);
+        }
+        if (seen instanceof Hosts hosts) {
+            return who(hosts.origin()) + paint(GREY, "hosts  " + hosts.origin() + " → " + hosts.destination() + "  "
+                    + hosts.words());
         }
         if (seen instanceof Acknowledged answer) {
             return who(answer.origin()) + paint(GREY, "acks   " + answer.answers());

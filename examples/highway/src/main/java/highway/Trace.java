@@ -5,12 +5,23 @@ import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import highway.Observation.Acknowledged;
 import highway.Observation.Aired;
+import highway.Observation.Hosts;
 import highway.Observation.Pin;
 import highway.Observation.Spoilt;
+import java.util.List;
 import java.util.Optional;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Word;
 
 /** Reads the emulator's trace, one JSON line an event (emulator/README.md). */
 final class Trace {
+
+    /** In the payload of a packet: header, and then kind and addressee of a word (SPEC 2, 11.3). */
+    private static final int WORD = 10;
+    private static final int BODY = WORD + 4;
+    private static final List<String> WORDS = List.of("handshake 1", "handshake 2", "handshake 3", "renewal 1",
+            "renewal 2", "renewal 3", "asks for a part", "asks for the key of the group");
 
     private double seconds;
 
@@ -32,7 +43,8 @@ final class Trace {
         seconds = event.get("t").getAsDouble();
         return switch (text(event, "event")) {
             case "rf-tx" -> Optional.of(text(event, "kind").equals("acknowledgement")
-                    ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers")) : aired(seconds, event));
+                    ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers"))
+                    : word(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(seconds, event)));
             case "rf-damaged" ->
                 device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
             case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
@@ -40,6 +52,22 @@ final class Trace {
                     .map(device -> new Pin(seconds, device, text(event, "name"), event.get("level").getAsInt()));
             default -> Optional.empty();
         };
+    }
+
+    /** What one host says to another in a broadcast. */
+    private Optional<Hosts> word(JsonObject event) {
+        Bytes frame = Bytes.ofHex(text(event, "payload"));
+        boolean isWord = text(event, "kind").equals("broadcast") && frame.length() >= BODY
+                && Word.isWord(frame.from(WORD));
+        if (!isWord) {
+            return Optional.empty();
+        }
+        Bytes word = frame.from(WORD);
+        Address to = new Address((int) word.number(1, 4));
+        int kind = word.at(0) - 0x80 >> 2;
+        String part = kind == 1 ? ", part " + (1 + word.at(0) % 4) : "";
+        return Optional.of(new Hosts(seconds, text(event, "origin"), to.toString(),
+                (kind < WORDS.size() ? WORDS.get(kind) : "unknown") + part));
     }
 
     private static Aired aired(double seconds, JsonObject event) {

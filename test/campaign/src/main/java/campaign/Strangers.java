@@ -23,6 +23,7 @@ final class Strangers implements Campaign {
         Path folder = Files.createTempDirectory("javino");
         try {
             inMemory(settings, report, folder);
+            new MeetingsOnBoards(settings, report).run();
         } finally {
             try (Stream<Path> files = Files.walk(folder)) {
                 for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {

@@ -124,11 +124,11 @@ public final class GateTarget {
     }
 
     /** One line of the input. */
-    private record Line(Address to, Address from, Bytes content) {
+    private record Line(Address to, Address from, Peer peer, Bytes content) {
 
         static Line of(byte[] bytes) {
             Address to = switch (bytes[0]) {
-                case 'u' -> Address.parse("CAFE");
+                case 'u', 's' -> Address.parse("CAFE");
                 case 'm' -> Address.parse("//CA");
                 default -> Address.BROADCAST;
             };
@@ -137,11 +137,17 @@ public final class GateTarget {
             for (int i = 2; i < bytes.length; i++) {
                 content.append(bytes[i] < 0 ? WORDS.get((bytes[i] & 0x7F) % WORDS.size()) : (char) bytes[i]);
             }
-            return new Line(to, Address.parse(from), Bytes.ofText(content.toString()));
+            return new Line(to, Address.parse(from), bytes[0] == 's' ? Peer.CERTIFIED : Peer.PROVISIONED,
+                    Bytes.ofText(content.toString()));
         }
 
         boolean isSealed() {
             return to.kind() != Address.Kind.BROADCAST;
+        }
+
+        /** Whether it may teach, where no plan asks for that. */
+        boolean teaches() {
+            return isSealed() && peer == Peer.PROVISIONED && has("tellHow");
         }
 
         boolean has(String force) {
@@ -166,7 +172,7 @@ public final class GateTarget {
         for (Line line : lines) {
             try {
                 diffuser.inbox().put(new ReceivedMessage(line.from(), line.to(), 0, Content.decode(line.content())),
-                        "me");
+                        line.peer(), "me");
             } catch (ProtocolException e) {
                 continue;  // The session drops and counts it.
             }
@@ -180,7 +186,7 @@ public final class GateTarget {
             Set<String> beliefs) {
         List<String> plansNow = plans(body);
         holds(plansNow.containsAll(plans), "no plan is lost", plansNow);
-        boolean taught = lines.stream().anyMatch(line -> line.isSealed() && line.has("tellHow"));
+        boolean taught = lines.stream().anyMatch(Line::teaches);
         holds(taught || plansNow.size() == plans.size(), "plans come by a sealed tellHow only", plansNow);
         holds(taught || lines.stream().anyMatch(line -> line.isSealed() && line.has("achieve")) || !diffuser.acted,
                 "actions come by a sealed goal only", lines);
@@ -210,6 +216,10 @@ public final class GateTarget {
         for (Term mark : belief.getAnnots("cast")) {
             holds(lines.stream().anyMatch(line -> line.mark().equals(mark.toString())), "the mark is its cast", belief);
         }
+        for (Term mark : belief.getAnnots("peer")) {
+            holds(lines.stream().anyMatch(line -> line.to().kind() == Address.Kind.DEVICE
+                    && line.peer().mark(line.from()).equals(mark)), "the mark is that of its key", belief);
+        }
         holds(belief.getAnnots().stream().noneMatch(Term::isVar) && belief.getAnnots().getTail() == null,
                 "no annotation stands for all", belief);
     }
@@ -218,6 +228,7 @@ public final class GateTarget {
     private static String untold(Literal belief) {
         Literal own = belief.copy();
         own.delAnnots(own.getAnnots("cast"));
+        own.delAnnots(own.getAnnots("peer"));
         own.delAnnots(own.getAnnots("source").stream()
                 .filter(source -> SENDERS.stream()
                         .anyMatch(sender -> source.toString().equals("source(" + sender + ")")))

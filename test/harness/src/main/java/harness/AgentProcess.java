@@ -60,6 +60,15 @@ public final class AgentProcess implements AutoCloseable {
         return new AgentProcess(command.redirectErrorStream(true).start(), listener);
     }
 
+    /** The same, with options of Java. */
+    public static AgentProcess run(String name, Path folder, List<String> options) throws IOException {
+        ProcessBuilder command = new ProcessBuilder(
+                Platform.USUAL.command(name, ROOT.resolve("examples/highway/logging.properties")))
+                .directory(folder.toFile());
+        command.environment().put("JAVA_TOOL_OPTIONS", String.join(" ", options));
+        return start(command);
+    }
+
     /** Starts it by a command of its own. */
     public static AgentProcess start(ProcessBuilder command) throws IOException {
         return new AgentProcess(command.redirectErrorStream(true).start(), line -> {});

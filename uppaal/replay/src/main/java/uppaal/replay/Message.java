@@ -58,6 +58,8 @@ final class Message {
     private double copied = Double.NEGATIVE_INFINITY;
     /** Null where a stranger is the sender. */
     private End sender;
+    /** The check value of the key that it was sealed with; null where that is not known. */
+    private String seal;
 
     /**
      * @param whole the frame, or as much of it as its first piece holds
@@ -73,8 +75,14 @@ final class Message {
         this.scenes = scenes;
     }
 
+    /** Whether a board that has its sender's key now has the one that it was sealed with: that may be an earlier one. */
+    boolean isSealedFor(Station board) {
+        return seal == null || seal.equals(board.check(isUnicast() ? origin : destination));
+    }
+
     /** A board of ours is its sender. */
     void sentBy(Station board) {
+        seal = seal == null ? board.check(destination) : seal;
         sender = new End(this, origin, scenes, scenes.sender(kind, pieces > 1), board.ear);
     }
 

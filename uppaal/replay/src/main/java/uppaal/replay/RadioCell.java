@@ -604,7 +604,8 @@ final class RadioCell {
         Message message = packet.message();
         String own = message.isUnicast() ? message.origin : message.destination;
         return message.isBroadcast() ? board.isOpen()
-                : board.listensTo(board(packet.board()), own, message.destination);
+                : message.isSealedFor(board)
+                        && board.listensTo(board(packet.board()), own, message.destination);
     }
 
     /** What came so often undamaged to a board that listens and has key and room, that hands it on or answers. */

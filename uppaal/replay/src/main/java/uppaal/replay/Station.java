@@ -229,6 +229,11 @@ final class Station {
         return open && checks.containsKey(from) && checks.get(from).equals(other.checks.get(to));
     }
 
+    /** The check value of its key for an address; null where it has none, or none that is known. */
+    String check(String address) {
+        return checks.get(address);
+    }
+
     /** The oldest transmission of which nothing was on the air. */
     Optional<Transmission> waiting() {
         return waiting.stream().findFirst();

@@ -13,8 +13,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * What relays send. {@code relays.jsonl} is of a line from, relay1, relay2, to, in which each hears its neighbours only:
- * the first message is sent twice, since relay2 does not carry its acknowledgement at first.
+ * What relays send. {@code relays.jsonl} is of a line from, relay1, relay2, to, in which each hears its neighbours
+ * only: the first message is sent twice, since relay2 does not carry its acknowledgement at first.
  */
 class CopiesTest {
     private static final double SLOT = 0.008;

@@ -1,0 +1,66 @@
+package harness;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import picocli.CommandLine;
+import strangers.CaCommand;
+import strangers.EnrollCommand;
+
+/** An authority, and the certificates that it gives, made by the commands that a user has. */
+public final class Certificates {
+
+    private final Path folder;
+    private final String name;
+    private int files;
+
+    /** A new authority, whose files are in a folder and begin with a name. */
+    public Certificates(Path folder, String name) {
+        this.folder = folder;
+        this.name = name;
+        run(new CaCommand(), "init", "--ca", file());
+    }
+
+    private String file() {
+        return folder.resolve(name + ".ca").toString();
+    }
+
+    private String fresh(String kind) {
+        return folder.resolve(name + files++ + "." + kind).toString();
+    }
+
+    private static void run(Object command, String... arguments) {
+        StringWriter said = new StringWriter();
+        CommandLine line = new CommandLine(command).setOut(new PrintWriter(said)).setErr(new PrintWriter(said));
+        if (line.execute(arguments) != 0) {
+            throw new AssertionError(String.join(" ", arguments) + ": " + said);
+        }
+    }
+
+    /**
+     * Gives a device a certificate.
+     *
+     * @param identities where the device's identity goes.
+     * @param issue      what {@code javino ca issue} is told beside.
+     */
+    public void enroll(String device, Path identities, String... issue) {
+        String request = fresh("request");
+        String certificate = fresh("certificate");
+        run(new EnrollCommand(), "--id", device, "--folder", identities.toString(), "--request", request);
+        List<String> issuing =
+                new ArrayList<>(List.of("issue", "--ca", file(), "--request", request, "--out", certificate));
+        issuing.addAll(Arrays.asList(issue));
+        run(new CaCommand(), issuing.toArray(String[]::new));
+        run(new EnrollCommand(), "--id", device, "--folder", identities.toString(), "--certificate", certificate);
+    }
+
+    /** Revokes a device's certificate, and gives another device the notice. */
+    public void revoke(String device, String told, Path identities) {
+        String notice = fresh("notice");
+        run(new CaCommand(), "revoke", "--ca", file(), "--out", notice, "--id", device);
+        run(new EnrollCommand(), "--id", told, "--folder", identities.toString(), "--notice", notice);
+    }
+}
