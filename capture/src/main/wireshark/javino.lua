@@ -10,7 +10,10 @@ local MAX_CONTENT_LENGTH = 494
 local MAX_RADIO_PAYLOAD = 77
 local PIECE_LENGTH = 67
 local NONCE_LENGTH, TAG_LENGTH, PROOF_LENGTH = 6, 8, 8
-local HOPS_STEP = 80  -- the count byte is count + 80 times the hops modulo 3
+local NOTICE_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of a notice without serials, and of that its signature
+local LONGEST_COUNT = 80
+local CRC_OF_HOP = 0x0811  -- each hop, modulo 3, changes the CRC by it
+local HOPS_NOT_KNOWN = 255
 local PIECES_TIME = 5  -- seconds without a new piece after which a message is forgotten
 local ANSWERABLE = 16  -- frames with the same last bits of their nonce among which an answer looks for its own
 
@@ -29,24 +32,31 @@ local TRAILERS = {[0] = "none", [1] = "MARK", [2] = "PARITY", [255] = "not known
 local MARK, PARITY = 0x78, 0x87
 local FROM = {[0] = "host", [1] = "board"}
 local STATUSES = {[0] = "OK", "NOT_GREETED", "UNKNOWN_COMMAND", "BAD_ARGUMENT", "UNKNOWN_ACTION", "ACTION_FAILED", "NO_RF_ID",
-  "WRONG_ORIGIN", "BAD_DESTINATION", "NO_KEY", "TOO_LONG", "QUEUE_FULL", "STORE_FULL", "STORE_FAILED", "NONCE_EXHAUSTED", "BUSY"}
+  "WRONG_ORIGIN", "BAD_DESTINATION", "NO_KEY", "TOO_LONG", "QUEUE_FULL", "STORE_FULL", "STORE_FAILED", "NONCE_EXHAUSTED", "BUSY", "HAS_KEY"}
 local OUTCOMES = {[0] = "sent", "delivered", "undelivered"}
-local ROLES = {[0] = "current", "previous", "next"}
-local RECORDS = {P = "percept", M = "message", T = "transmission", O = "overheard"}
+local ROLES = {[0] = "current", "previous", "next", "session"}
+local RECORDS = {P = "percept", M = "message", T = "transmission", N = "no key", O = "overheard"}
 local COMMANDS = {H = "hello", P = "poll", A = "act", C = "list actions", I = "set RF id", R = "radio", O = "overhear", Y = "relay",
-  E = "raise epoch", K = "set key", N = "renew key", U = "use key", F = "finish renewal", D = "delete key", L = "list keys",
-  S = "statistics", transmit = "transmit"}
+  W = "relaying", E = "raise epoch", K = "set key", N = "renew key", U = "use key", F = "finish renewal", D = "delete key",
+  V = "set session key", L = "list keys", S = "statistics", transmit = "transmit"}
 local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialRepeats", "radioReceived", "radioDamaged",
   "radioMissed", "radioBadFrames", "radioReserved", "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed",
   "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
-  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped"}
+  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped", "relayCopies",
+  "relayAnswers", "relayRefused"}
 -- How a force goes with a conversation.
 local FORCES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
   askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always", move = "never"}
 local MOVES = {O = "offer", W = "want", D = "data", R = "ready", G = "go", A = "awake", C = "cancelled", X = "refused"}
 local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "predation"}
-local WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
+local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
+-- The words of hosts (SPEC 11.3) by their kinds.
+local KINDS = {[0] = "MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
+  "SEQUENCES", "NOTICE", "GROUP_KEY"}
+local FIRST_SEALED = 8
+-- The lengths of their bodies, of the fragments from 0 on; of the others any.
+local BODIES = {[0] = {37}, {63, 25}, {63}, {16}, {16}, {8}, {1}, {0}, [11] = {16}}
 
 -- ---------------------------------------------------------------------------------------------------------------------
 -- Fields
@@ -67,9 +77,9 @@ field(air, "way", "uint8", "Way", base.DEC, WAYS)
 field(air, "how", "uint8", "How it came", base.DEC, HOW)
 field(air, "reason", "string", "Reason")
 field(air, "trailer", "uint8", "Trailer", base.DEC, TRAILERS)
+field(air, "hops", "uint8", "Hops, modulo 3")
 field(air, "parts", "uint8", "Parts that are here", base.HEX)
 field(air, "count", "uint8", "Count")
-field(air, "hops", "uint8", "Hops, modulo 3")
 field(air, "payload", "bytes", "Payload")
 field(air, "crc", "uint16", "CRC", base.HEX)
 field(air, "crc.right", "bool", "CRC is right")
@@ -106,6 +116,21 @@ field(air, "move.part", "uint8", "Part")
 field(air, "move.offset", "uint24", "Offset")
 field(air, "move.packed", "bytes", "Packed bytes")
 field(air, "move.reason", "string", "Error and reason")
+
+field(air, "word", "string", "Word")
+field(air, "word.kind", "uint8", "Kind", base.DEC, KINDS, 0x3C)
+field(air, "word.fragment", "uint8", "Fragment", base.DEC, nil, 0x03)
+field(air, "word.to", "string", "To")
+field(air, "word.body", "bytes", "Body")
+field(air, "word.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
+field(air, "word.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
+field(air, "word.id", "uint24", "Id of the content")
+field(air, "notice.authority", "bytes", "Authority")
+field(air, "notice.sequence", "uint16", "Sequence")
+field(air, "notice.day", "uint16", "Day", base.UNIT_STRING, {" days after 1970-01-01"})
+field(air, "notice.least_until", "uint16", "Least until", base.UNIT_STRING, {" days after 1970-01-01"})
+field(air, "notice.serial", "uint16", "Revoked serial")
+field(air, "notice.signature", "bytes", "Signature")
 
 field(air, "nonce", "bytes", "Nonce N")
 field(air, "epoch", "uint24", "Epoch")
@@ -171,6 +196,8 @@ field(serial, "message.number", "uint8", "Number of the message")
 field(serial, "message.destination", "string", "Destination")
 field(serial, "message.origin", "string", "Origin")
 field(serial, "message.id", "uint24", "Id of the message")
+field(serial, "no_key.destination", "string", "Destination")
+field(serial, "no_key.origin", "string", "Origin")
 field(serial, "transmission.number", "uint8", "Transmission number")
 field(serial, "transmission.outcome", "uint8", "Outcome", base.DEC, OUTCOMES)
 field(serial, "overheard.time", "uint32", "Time", base.UNIT_STRING, {" ms after the board's boot"})
@@ -183,6 +210,7 @@ field(serial, "actions.name", "string", "Name")
 field(serial, "radio", "bool", "Radio open")
 field(serial, "overhear", "bool", "Overhear")
 field(serial, "relay", "bytes", "Frame to be relayed")
+field(serial, "relaying", "bool", "Relaying")
 field(serial, "key.address", "string", "Address of the key")
 field(serial, "key", "bytes", "Key")
 field(serial, "key.role", "uint8", "Role", base.DEC, ROLES)
@@ -208,8 +236,9 @@ local function number(bytes, from, to)
   return value
 end
 
+local BASE64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
 local DIGITS = {}
-for i, digit in ipairs({("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"):byte(1, -1)}) do DIGITS[digit] = i - 1 end
+for i = 1, 64 do DIGITS[BASE64:byte(i)] = i - 1 end
 
 -- The number that some Base64 digits hold, or nil.
 local function digits(bytes, from, to)
@@ -478,7 +507,7 @@ local function class_of(address)
   if address:sub(1, 2) == "//" then return "multicast" end
   if address:sub(1, 2) == "+F" then return "piece" end
   if address:sub(1, 2) == "+K" then return "acknowledgement" end
-  if value >= 62 * 64 ^ 3 or WORDS[address] then return "reserved" end
+  if value >= 62 * 64 ^ 3 or RESERVED_WORDS[address] then return "reserved" end
   return "device"
 end
 
@@ -586,6 +615,76 @@ local function show_content(tree, range)
   return plain(bytes)
 end
 
+-- Shows a notice (SPEC 11.2), or returns false where it is none.
+local function show_notice(tree, range)
+  local serials = range:len() - NOTICE_LENGTH
+  if serials < 0 or serials % 2 ~= 0 then return false end
+  tree:add(f["notice.authority"], range(0, 1))
+  for i, name in ipairs({"sequence", "day", "least_until"}) do tree:add(f["notice." .. name], range(2 * i - 1, 2)) end
+  for at = 7, 5 + serials, 2 do tree:add(f["notice.serial"], range(at, 2)) end
+  tree:add(f["notice.signature"], range(range:len() - SIGNATURE_LENGTH))
+  return true
+end
+
+-- Shows a word of a host (SPEC 11.3), and returns its name for the list.
+local function show_word(tree, range, is_plain)
+  local bytes = range:raw()
+  local kind, fragment = bit.rshift(bit.band(bytes:byte(), 0x3C), 2), bit.band(bytes:byte(), 0x03)
+  local name = KINDS[kind]
+  local item = tree:add(f["word"], range, name or "unknown")
+  item:add(f["word.kind"], range(0, 1))
+  item:add(f["word.fragment"], range(0, 1))
+  local function bad(why)
+    complain(item, e_error, range, "BAD_WORD", why)
+    return "word: " .. (name or "unknown")
+  end
+  if not name then return bad("kind " .. kind) end
+  if is_plain ~= (kind < FIRST_SEALED) then return bad(name .. (is_plain and " in a broadcast" or " in a sealed message")) end
+  local line, head = "word: " .. name, 1
+  if is_plain then
+    head = 4
+    if #bytes < head then return bad("no address") end
+    local to = ""
+    for power = 3, 0, -1 do
+      local digit = math.floor(number(bytes, 2, 4) / 64 ^ power) % 64 + 1
+      to = to .. BASE64:sub(digit, digit)
+    end
+    item:add(f["word.to"], range(1, 3), to)
+    item:add(f["address"], range(1, 3), to):set_hidden()
+    line = line .. " to " .. to
+  end
+  local body = #bytes > head and range(head) or nil
+  local length, lengths = #bytes - head, BODIES[kind] or {#bytes - head}
+  if length ~= lengths[fragment + 1] then return bad(string.format("fragment %d of %d bytes", fragment, length)) end
+  if #lengths > 1 then line = line .. ", fragment " .. fragment end
+  if not body then return line end
+  local shown = item:add(f["word.body"], body)
+  if name == "WANT" then
+    shown:add(f["word.wanted"], body)
+    shown:add(f["word.wanted.fragment"], body)
+  elseif name == "CONTENT" then
+    if length < 4 then return bad("no content") end
+    shown:add(f["word.id"], body(0, 3))
+    return line .. ": " .. show_content(shown, body(3))
+  elseif name == "SEQUENCES" then
+    if length % 3 ~= 0 then return bad(length .. " bytes") end
+    for at = 0, length - 3, 3 do
+      shown:add(f["notice.authority"], body(at, 1))
+      shown:add(f["notice.sequence"], body(at + 1, 2))
+    end
+  elseif name == "NOTICE" and not show_notice(shown, body) then
+    return bad("no notice")
+  end
+  return line
+end
+
+-- Shows a content or a word. `is_plain` says whether it was broadcast.
+local function show_message(tree, range, is_plain)
+  local first = range and range(0, 1):uint() or 0
+  local is_word = first >= 0x80 and first <= 0xBF and range:len() <= MAX_CONTENT_LENGTH
+  return is_word and show_word(tree, range, is_plain) or show_content(tree, range)
+end
+
 local function show_nonce(tree, name, range)
   local item = tree:add(f[name], range)
   item:add(f["epoch"], range(0, 3))
@@ -605,6 +704,17 @@ local function remember_answerable(place, pinfo, frame)
   if #list > ANSWERABLE then table.remove(list, 1) end
 end
 
+-- The latest sending of that frame by this board, if it has sent it: later it may have heard a relay's copy.
+local function own_sending(list, frame)
+  for i = #list, 1, -1 do
+    local one = list[i]
+    if known.packets[one.number].sent and one.nonce == frame.nonce and one.origin == frame.origin and one.destination == frame.destination then
+      return one
+    end
+  end
+  return frame
+end
+
 -- The latest frame that this device may answer so; with keys, the latest whose proof it is.
 local function answered_by(place, acknowledger, bits, answers, message)
   local list = known.answerable[place .. bits] or {}
@@ -614,11 +724,11 @@ local function answered_by(place, acknowledger, bits, answers, message)
     local group = one.destination:sub(1, 2) == "//" and one.destination:sub(3) == acknowledger:sub(1, 2)
     if one.destination == acknowledger or group and answers == "stale" then
       local right, parity = is_proof(one, acknowledger, answers, message)
-      if right then return one, true, parity end
+      if right then return own_sending(list, one), true, parity end
       likely = likely or {one, right}
     end
   end
-  if likely then return likely[1], likely[2] end
+  if likely then return own_sending(list, likely[1]), likely[2] end
 end
 
 local ANSWERS = {[8] = "delivered", [9] = "pieces", [16] = "stale"}
@@ -675,7 +785,7 @@ local function show_sealed(tree, range, frame)
   if right == false then complain(tree, e_secret, body(#message - TAG_LENGTH), "radioBadTag", "no key of the keyring has made this tag") end
   if not content then return string.format("sealed, %d bytes", #message - NONCE_LENGTH - TAG_LENGTH) end
   if content == "" then return show_content(tree, nil) end
-  return show_content(tree, ByteArray.new(content, true):tvb("Content, opened")())
+  return show_message(tree, ByteArray.new(content, true):tvb("Content, opened")(), false)
 end
 
 -- What is wrong with the shape of a piece, or nil (SPEC 7.1).
@@ -795,7 +905,8 @@ show_frame = function(parent, range, pinfo, place, whole)
     complain(tree, e_error, range(0, 4), "radioReserved", frame.destination)
     line = "to a reserved address"
   elseif frame.class == "broadcast" then
-    line = show_content(tree, body)
+    if (this_packet(pinfo).hops or 0) ~= 0 then complain(tree, e_error, range(0, 4), "radioDoubtful", "no relay copies a broadcast") end
+    line = show_message(tree, body, true)
   elseif frame.class == "acknowledgement" then
     line = show_acknowledgement(tree, range, pinfo, frame, place)
   elseif frame.class == "piece" then
@@ -827,10 +938,12 @@ end
 
 local COUNT_HERE, CRC_HERE, TRAILER_HERE = 1, 2, 4
 
--- Shows count, payload, CRC and trailer, as far as they are here, and returns the payload's range, or nil.
+-- Shows count, payload, CRC and trailer, as far as they are here, and returns the payload's range, or nil; and the hops, if
+-- count and CRC tell them.
 local function show_packet(tree, range, parts)
   local bytes = range and range:raw() or ""
   local start, stop = 0, #bytes  -- of the payload, from 0
+  local hops
   if bit.band(parts, COUNT_HERE) ~= 0 then
     if #bytes == 0 then
       complain(tree, e_error, range, "radioDamaged", "no count")
@@ -839,11 +952,10 @@ local function show_packet(tree, range, parts)
     start = 1
     local count = bytes:byte(1)
     local item = tree:add(f["count"], range(0, 1))
-    local length = (count - 1) % HOPS_STEP + 1 - 3
-    if count < 4 or count > 3 * HOPS_STEP or length < 1 then
+    local length = count - 3
+    if length < 1 or count > LONGEST_COUNT then
       complain(item, e_error, range(0, 1), "radioDamaged", "count " .. count)
     else
-      item:add(f["hops"], range(0, 1), math.floor((count - 1) / HOPS_STEP)):set_generated()
       if bit.band(parts, TRAILER_HERE) ~= 0 then stop = math.min(#bytes, 1 + length + 2) end
       local here = stop - start - (bit.band(parts, CRC_HERE) ~= 0 and 2 or 0)
       if here ~= length then complain(item, e_error, range(0, 1), "radioDamaged", "the count says " .. length .. " bytes, " .. here .. " are here") end
@@ -862,16 +974,17 @@ local function show_packet(tree, range, parts)
       local told = bytes:byte(stop + 1) + 256 * bytes:byte(stop + 2)
       local item = tree:add_le(f["crc"], range(stop, 2))
       if start == 1 then
-        local right = told == crc16(bytes:sub(1, stop))
-        item:add(f["crc.right"], range(stop, 2), right):set_generated()
-        if not right then complain(item, e_error, range(stop, 2), "radioDamaged", "wrong CRC") end
+        local change = bit.bxor(told, crc16(bytes:sub(1, stop)))
+        for h = 0, 2 do hops = change == h * CRC_OF_HOP and h or hops end
+        item:add(f["crc.right"], range(stop, 2), hops ~= nil):set_generated()
+        if not hops then complain(item, e_error, range(stop, 2), "radioDamaged", "wrong CRC") end
       end
     end
   end
-  if start >= stop then return nil end
+  if start >= stop then return nil, hops end
   local payload = range(start, stop - start)
   tree:add(f["payload"], payload)
-  return payload
+  return payload, hops
 end
 
 -- Reads the beginning of a record: version, numbers, and then texts, each behind its length. Returns the numbers, the ranges
@@ -893,19 +1006,20 @@ function air.dissector(tvb, pinfo, root)
   pinfo.cols.protocol = "Javino"
   local range = tvb()
   local tree = root:add(air, range, "Javino, air")
-  local numbers, texts, packet = read_record(range, 4, 2)
+  local numbers, texts, packet = read_record(range, 5, 2)
   if not numbers then
     complain(tree, e_error, range, "BAD_RECORD", "no record of SPEC 10.1, version " .. RECORD_VERSION)
     pinfo.cols.info = "no record of SPEC 10.1"
     return
   end
-  local way, how, _, parts = table.unpack(numbers)
+  local way, how, _, hops, parts = table.unpack(numbers)
   local board, reason = texts[1], texts[2]
   tree:add(f["record_version"], range(0, 1))
   tree:add(f["way"], range(1, 1))
   local came = tree:add(f["how"], range(2, 1))
   tree:add(f["trailer"], range(3, 1))
-  tree:add(f["parts"], range(4, 1))
+  if hops ~= HOPS_NOT_KNOWN then tree:add(f["hops"], range(4, 1)) end
+  tree:add(f["parts"], range(5, 1))
   local name = board and plain(board:raw()) or "?"
   local line = name .. " " .. (WAYS[way] or "?")
   if board then text(tree, "board", board) end
@@ -915,7 +1029,14 @@ function air.dissector(tvb, pinfo, root)
     line = line .. " (" .. plain(reason:raw()) .. ")"
   end
   if how >= 2 then complain(came, e_error, range(2, 1), "radioDamaged", reason and plain(reason:raw()) or nil) end
-  local payload = show_packet(tree, packet, parts)
+  local payload, told = show_packet(tree, packet, parts)
+  if hops == HOPS_NOT_KNOWN then
+    hops = told
+    if told then tree:add(f["hops"], told):set_generated() end
+  end
+  if (hops or 0) ~= 0 then line = line .. ", hops " .. hops end
+  local here = this_packet(pinfo)
+  here.sent, here.hops = way == 0, hops
   -- A damaged payload may be wrong anywhere: it is shown, and nothing is concluded from it.
   local place = how ~= 2 and name .. "/" or nil
   pinfo.cols.info = line .. ": " .. (payload and show_frame(tree, payload, pinfo, place) or "no payload")
@@ -970,6 +1091,11 @@ end
 
 local function nothing() return true end
 
+local function show_relaying(r)
+  local _, bytes = r.take("serial.relaying", 1)
+  return bytes and bytes:byte() < 2
+end
+
 -- Each shows what follows the command byte, and returns whether it is what the command takes.
 local REQUESTS = {
   H = function(r) return r.take("serial.protocol_version", 1) end,
@@ -1001,6 +1127,11 @@ local REQUESTS = {
     return bytes and bytes ~= "\255\255\255"
   end,
   K = function(r) return key_address(r) and r.take("serial.key", 16) end,
+  V = function(r)
+    local _, bytes = r.address("key.address")
+    return is_device(bytes) and r.take("serial.key", 16)
+  end,
+  W = function(r) return r.left() == 0 or show_relaying(r) end,
   U = key_address, F = key_address, D = key_address, L = nothing, S = nothing,
 }
 REQUESTS.N = REQUESTS.K
@@ -1026,13 +1157,18 @@ local RECORD = {
     local _, destination = r.address("serial.message.destination")
     local _, origin = r.address("serial.message.origin")
     r.take("serial.message.id", 3)
-    show_content(tree, r.left() > 0 and r.range(r.left()) or nil)
+    show_message(tree, r.left() > 0 and r.range(r.left()) or nil, destination == "////")
     return digits(destination, 1, 4) and digits(origin, 1, 4)
   end,
   T = function(tree, r)
     local number = r.take("serial.transmission.number", 1)
     local _, outcome = r.take("serial.transmission.outcome", 1)
     return number and outcome and OUTCOMES[outcome:byte()]
+  end,
+  N = function(tree, r)
+    local _, destination = r.address("serial.no_key.destination")
+    local _, origin = r.address("serial.no_key.origin")
+    return has_key(destination) and is_device(origin)
   end,
   O = function(tree, r)
     local time = r.take("serial.overheard.time", 4)
@@ -1106,8 +1242,9 @@ local REPLIES = {
     return true
   end,
   Y = function(r) return r.take("serial.transmission.number", 1) end,
+  W = show_relaying,
 }
-REPLIES.N = REPLIES.K
+REPLIES.N, REPLIES.V = REPLIES.K, REPLIES.K
 REPLIES.transmit = REPLIES.Y
 
 local function command_name(command)
@@ -1122,7 +1259,7 @@ local function show_request(tree, range, frame)
   if frame.destination ~= "++++" then
     local item = tree:add(f["serial.command"], "transmit"):set_generated()
     local body = #frame.message > 0 and range(HEADER_LENGTH) or nil
-    return "transmit from " .. frame.origin .. " to " .. frame.destination .. ": " .. show_content(tree, body)
+    return "transmit from " .. frame.origin .. " to " .. frame.destination .. ": " .. show_message(tree, body, frame.class == "broadcast")
   end
   local command = frame.message:sub(1, 1)
   local name = COMMANDS[command]

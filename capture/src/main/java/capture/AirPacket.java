@@ -8,6 +8,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
+import javino.protocol.Word;
 
 /**
  * A packet on the air, as one board sent it or as it came to that board.
@@ -17,10 +18,15 @@ import javino.protocol.ProtocolException;
  * @param sent    whether the board sent it.
  * @param how     it came; intact where it was sent.
  * @param trailer what followed it.
+ * @param hops    behind it, modulo 3 (SPEC 6); {@link #UNKNOWN_HOPS} where they are not known.
  * @param reason  why it is damaged; empty where that is not known, or it is not.
  * @param payload 0…77 bytes: a {@link Frame} as a rule.
  */
-record AirPacket(long micros, String board, boolean sent, How how, Trailer trailer, String reason, Bytes payload) {
+record AirPacket(long micros, String board, boolean sent, How how, Trailer trailer, int hops, String reason,
+        Bytes payload) {
+
+    /** A board that overhears does not tell them. */
+    static final int UNKNOWN_HOPS = 255;
 
     private static final int VERSION = 1;
     private static final int MOST_BYTES_OF_A_TEXT = 255;
@@ -55,8 +61,8 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
 
     /** The bytes that stand for it in a file: SPEC 10.1. They have neither count nor CRC, which no source tells. */
     Bytes record() {
-        return Bytes.join(Bytes.of(VERSION, sent ? 0 : 1, how.ordinal(), trailer.number, 0), counted(board),
-                counted(reason), payload);
+        return Bytes.join(Bytes.of(VERSION, sent ? 0 : 1, how.ordinal(), trailer.number, hops, 0),
+                counted(board), counted(reason), payload);
     }
 
     /** A text behind its length. */
@@ -69,9 +75,10 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
     /** It in a line for people. @param start when the capture began, in microseconds. */
     String line(long start) {
         String came = sent ? "sent" : how == How.AS_SENT ? "damaged" : how.toString().toLowerCase(Locale.ROOT);
+        String behind = hops == 0 || hops == UNKNOWN_HOPS ? "" : ", hops " + hops;
         String why = reason.isEmpty() ? "" : " (" + reason + ")";
-        return Printable.of(String.format(Locale.ROOT, "%12.6f s  %-10s  %-8s %s%s", (micros - start) / MICROS_A_SECOND,
-                board, came, described(), why));
+        return Printable.of(String.format(Locale.ROOT, "%12.6f s  %-10s  %-8s %s%s%s",
+                (micros - start) / MICROS_A_SECOND, board, came, described(), behind, why));
     }
 
     private String described() {
@@ -84,7 +91,8 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         Address.Kind kind = frame.destination().kind();
         return frame.origin() + " -> " + frame.destination() + "  " + kind.toString().toLowerCase(Locale.ROOT) + "  "
                 + switch (kind) {
-                    case BROADCAST -> new String(frame.message().toArray(), StandardCharsets.UTF_8);
+                    case BROADCAST -> Word.isWord(frame.message()) ? "word, " + frame.message().length() + " bytes"
+                            : new String(frame.message().toArray(), StandardCharsets.UTF_8);
                     case PIECE -> pieceOf(frame);
                     case DEVICE, MULTICAST -> "sealed, " + (frame.message().length() - ENVELOPE_LENGTH) + " bytes";
                     default -> frame.message().length() + " bytes";

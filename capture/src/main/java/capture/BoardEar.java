@@ -80,7 +80,8 @@ final class BoardEar implements BoardListener {
     public void overheard(PollReply.Overheard packet) {
         try {
             sink.packet(new AirPacket(when(packet.millis()), board, false,
-                    AirPacket.How.values()[packet.how().ordinal()], AirPacket.Trailer.UNKNOWN, "", packet.payload()));
+                    AirPacket.How.values()[packet.how().ordinal()], AirPacket.Trailer.UNKNOWN,
+                    AirPacket.UNKNOWN_HOPS, "", packet.payload()));
         } catch (IOException e) {
             broken.countDown();
         }

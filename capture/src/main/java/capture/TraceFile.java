@@ -75,8 +75,8 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
             AirPacket.Trailer trailer = event.has("trailer")
                     ? AirPacket.Trailer.valueOf(text(event, "trailer").toUpperCase(Locale.ROOT))
                     : sent ? AirPacket.Trailer.NONE : AirPacket.Trailer.UNKNOWN;
-            return new AirPacket(micros(seconds), text(event, "board"), sent, AirPacket.How.INTACT, trailer, "",
-                    Bytes.ofHex(text(event, "payload")));
+            return new AirPacket(micros(seconds), text(event, "board"), sent, AirPacket.How.INTACT, trailer,
+                    event.has("hops") ? event.get("hops").getAsInt() : 0, "", Bytes.ofHex(text(event, "payload")));
         }
 
         private static String text(JsonObject event, String field) {
@@ -96,7 +96,8 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
                     .map(Sending::packet).findFirst();
             return new AirPacket(sent.map(AirPacket::micros).orElse(micros(loss.end())), loss.board(), false,
                     sent.isPresent() ? AirPacket.How.AS_SENT : AirPacket.How.DAMAGED, AirPacket.Trailer.UNKNOWN,
-                    loss.why(), sent.map(AirPacket::payload).orElse(Bytes.EMPTY));
+                    sent.map(AirPacket::hops).orElse(AirPacket.UNKNOWN_HOPS), loss.why(),
+                    sent.map(AirPacket::payload).orElse(Bytes.EMPTY));
         }
     }
 

@@ -70,13 +70,23 @@ class CaptureCommandTest {
     }
 
     @Test
+    void copy_saysItsHops() {
+        assertEquals(0, run("--trace", TRACES.resolve("relays.jsonl")));
+        String copy = out.toString().lines().filter(line -> line.contains("  relay1 ") && line.contains("  sent "))
+                .findFirst().orElseThrow();
+        assertTrue(copy.endsWith("bytes, hops 1"), copy);
+    }
+
+    @Test
     void text_fromTheAir_cannotCommandTheTerminal() throws Exception {
         String event = "{\"t\":1,\"board\":\"a\",\"event\":\"rf-rx\",\"payload\":\"%s\",\"start\":0.5,\"end\":1}\n";
         Path trace = Files.writeString(folder.resolve("trace.jsonl"),
-                String.format(event, "2f2f2f2f524f4d4141671b5b326a") + "\n" + String.format(event, "41"));
+                String.format(event, "2f2f2f2f524f4d4141671b5b326a") + String.format(event, "41")
+                        + String.format(event, "2f2f2f2f524f4d4141679c1b5b6a"));
         assertEquals(0, run("--trace", trace));
         assertEquals(List.of("    1.000000 s  a           intact   ROMA -> ////  broadcast  \\u001b[2j",
-                "    1.000000 s  a           intact   1 bytes that are no frame: TOO_SHORT"),
+                "    1.000000 s  a           intact   1 bytes that are no frame: TOO_SHORT",
+                "    1.000000 s  a           intact   ROMA -> ////  broadcast  word, 4 bytes"),
                 out.toString().lines().toList());
     }
 

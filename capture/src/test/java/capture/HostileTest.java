@@ -70,7 +70,7 @@ class HostileTest {
             add(random.nextBoolean() ? Pcapng.AIR : Tshark.SERIAL, any);
             // Past the header, with any parts.
             add(Pcapng.AIR, Bytes.join(Bytes.of(1, random.nextInt(3), random.nextInt(5), random.nextInt(4),
-                    random.nextInt(9), 1, 'b', 0), any));
+                    random.nextInt(256), random.nextInt(9), 1, 'b', 0), any));
             add(Tshark.SERIAL, Bytes.join(Bytes.of(1, random.nextInt(2), 1, 'b'), any, Bytes.of(0)));
         }
         dissect();
@@ -83,9 +83,10 @@ class HostileTest {
         for (int i = 0; i < PACKETS; i++) {
             Frame frame = new Frame(Address.parse(destinations[random.nextInt(destinations.length)]),
                     Address.parse(origins[random.nextInt(origins.length)]), random(random, 70));
-            add(Pcapng.AIR, Bytes.join(Bytes.of(1, 1, random.nextInt(4), 255, 0, 1, 'b', 0), frame.encode()));
+            add(Pcapng.AIR, Bytes.join(Bytes.of(1, 1, random.nextInt(4), 255, random.nextInt(3), 0, 1, 'b', 0),
+                    frame.encode()));
             // A command byte or a status, and then anything.
-            Bytes message = Bytes.join(Bytes.of(random.nextBoolean() ? "HPACIROYEKNUFDLS".charAt(random.nextInt(16))
+            Bytes message = Bytes.join(Bytes.of(random.nextBoolean() ? "HPACIROYWEKNUFDVLS".charAt(random.nextInt(18))
                     : random.nextInt(3)), random(random, 40));
             boolean own = random.nextBoolean();
             add(Tshark.SERIAL, Bytes.join(Bytes.of(1, random.nextInt(2), 1, 'b'), new Packet(random.nextInt(4),
@@ -105,9 +106,9 @@ class HostileTest {
         List<Bytes> records = new ArrayList<>();
         for (String field : List.of("acknowledgements", "envelopes")) {
             vectors(field, "valid").limit(8).forEach(vector -> records.add(Bytes.join(
-                    Bytes.of(1, 1, 0, 255, 0, 1, 'b', 2, 'n', 'o'), Bytes.ofHex(vector.get("frame").getAsString()))));
+                    Bytes.of(1, 1, 0, 255, 255, 0, 1, 'b', 2, 'n', 'o'), Bytes.ofHex(vector.get("frame").getAsString()))));
         }
-        vectors("contents", "valid").forEach(vector -> records.add(Bytes.join(Bytes.of(1, 0, 0, 2, 0, 0, 0),
+        vectors("contents", "valid").forEach(vector -> records.add(Bytes.join(Bytes.of(1, 0, 0, 2, 0, 0, 0, 0),
                 new Frame(Address.BROADCAST, Address.parse("ROMA"), Bytes.ofHex(vector.get("content").getAsString()))
                         .encode())));
         for (Bytes record : records) {
@@ -142,7 +143,7 @@ class HostileTest {
     @Test
     void keyring_withoutTheKey_opensNothingAndComplainsOfNothing() throws Exception {
         Bytes sealed = Bytes.ofHex(vectors("envelopes", "valid").toList().get(2).get("frame").getAsString());
-        add(Pcapng.AIR, Bytes.join(Bytes.of(1, 1, 0, 255, 0, 0, 0), sealed));
+        add(Pcapng.AIR, Bytes.join(Bytes.of(1, 1, 0, 255, 255, 0, 0, 0), sealed));
         Tshark.Dissected packet = dissect().get(0);
         assertEquals(List.of(), packet.errors());
         assertTrue(packet.shown("javino.tag.right").isEmpty());

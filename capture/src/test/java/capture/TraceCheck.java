@@ -119,6 +119,7 @@ public final class TraceCheck {
 
     private void shows(JsonObject event, Tshark.Dissected packet) {
         assertEquals(text(event, "payload"), packet.hex("javino.payload").get(0));
+        assertEquals(List.of(event.has("hops") ? text(event, "hops") : "0"), packet.shown("javino.hops"));
         if (!text(event, "kind").equals("no frame")) {
             assertEquals(text(event, "destination"), packet.shown("javino.destination").get(0));
             assertEquals(text(event, "origin"), packet.shown("javino.origin").get(0));

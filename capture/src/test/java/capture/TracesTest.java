@@ -34,6 +34,11 @@ class TracesTest {
     }
 
     @Test
+    void relays_copiesHaveTheirHops() throws Exception {
+        check("relays");
+    }
+
+    @Test
     void moves_arePutTogether() throws Exception {
         check("moves/walker");
     }

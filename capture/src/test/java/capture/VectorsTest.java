@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Test;
 class VectorsTest {
 
     private static final String NO_KEY = "NO_KEY";
+    private static final String BAD_WORD = "BAD_WORD";
     private static final int PARTS_PAYLOAD = 0;
     private static final int PARTS_PACKET = 3;
     private static final int PARTS_TRAILER = 7;
@@ -76,7 +77,11 @@ class VectorsTest {
 
     /** @return the packet's index. */
     private int air(int parts, Bytes packet) {
-        return add(Pcapng.AIR, Bytes.join(Bytes.of(1, 1, 0, 255, parts), board(), counted(""), packet));
+        return air(1, AirPacket.UNKNOWN_HOPS, parts, packet);
+    }
+
+    private int air(int way, int hops, int parts, Bytes packet) {
+        return add(Pcapng.AIR, Bytes.join(Bytes.of(1, way, 0, 255, hops, parts), board(), counted(""), packet));
     }
 
     private int serial(int from, Bytes packet) {
@@ -233,23 +238,9 @@ class VectorsTest {
     @Test
     void radioPackets_allFieldsAndErrors() throws Exception {
         vectors("radio", "packets").forEach(vector -> {
-            Bytes packet = decoded(text(vector, "bits"));
-            for (int hops = 0; hops < 3; hops++) {
-                int hop = hops;
-                // The CRC is over the count as it is on the air, with the hops.
-                int index = air(hops == 0 ? PARTS_PACKET : 1, Bytes.join(Bytes.of(packet.at(0) + 80 * hops),
-                        packet.slice(1, packet.length() - (hops == 0 ? 0 : 2))));
-                check(vector, () -> {
-                    shows(index, "count", packet.at(0) + 80 * hop);
-                    shows(index, "hops", hop);
-                    has(index, "payload", text(vector, "payload"));
-                    if (hop == 0) {
-                        shows(index, "crc.right", 1);
-                        has(index, "crc", packet.from(packet.length() - 2).hex());
-                    }
-                });
-            }
+            radioPacket(vector, 0);
         });
+        vectors("radio", "copies").forEach(vector -> radioPacket(vector, vector.get("hops").getAsInt()));
         vectors("radio", "invalid").filter(vector -> !text(vector, "why").equals("no start symbol")).forEach(vector -> {
             int index = air(PARTS_PACKET, decoded(text(vector, "bits")));
             check(vector, () -> fails(index, "radioDamaged"));
@@ -266,6 +257,143 @@ class VectorsTest {
                         trailer.at(0) == 0x87 ? new String[] {trailer.from(1).hex()} : new String[0]);
             });
         });
+        dissect();
+    }
+
+    private void radioPacket(JsonObject vector, int hops) {
+        Bytes packet = decoded(text(vector, "bits"));
+        int index = air(PARTS_PACKET, packet);
+        int without = air(1, packet.slice(0, packet.length() - 2));
+        check(vector, () -> {
+            for (int each : List.of(index, without)) {
+                shows(each, "count", packet.at(0));
+                has(each, "payload", text(vector, "payload"));
+            }
+            shows(index, "hops", hops);
+            shows(without, "hops");
+            shows(index, "crc.right", 1);
+            has(index, "crc", packet.from(packet.length() - 2).hex());
+        });
+    }
+
+    @Test
+    void hops_thatTheRecordTells_areShown() throws Exception {
+        Bytes sealed = frame("ROMA", "SUPO", Bytes.of(new int[20]));
+        Bytes plain = frame("////", "SUPO", Bytes.ofText("tell;help"));
+        for (int hops = 0; hops < 3; hops++) {
+            int told = hops;
+            int copy = air(1, hops, PARTS_PAYLOAD, sealed);
+            int broadcast = air(1, hops, PARTS_PAYLOAD, plain);
+            check(hops, () -> {
+                shows(copy, "hops", told);
+                isRight(copy);
+                assertEquals(told == 0 ? List.of() : List.of("radioDoubtful"), dissected.get(broadcast).errors());
+            });
+        }
+        dissect();
+    }
+
+    @Test
+    void copyThatItsSenderHears_isNotWhatIsAcknowledged() throws Exception {
+        Bytes sealed = frame("SUPO", "ROMA", Bytes.of(new int[15]));
+        Bytes answer = frame("+KAA", "SUPO", Bytes.of(new int[8]));
+        int sent = air(0, 0, PARTS_PAYLOAD, sealed);
+        int copy = air(1, 1, PARTS_PAYLOAD, sealed);
+        int acknowledgement = air(1, 1, PARTS_PAYLOAD, answer);
+        check("sender", () -> {
+            shows(acknowledgement, "acknowledgement.of", sent + 1);
+            shows(sent, "acknowledged_in", acknowledgement + 1);
+            shows(copy, "acknowledged_in");
+        });
+        // At a board that has sent neither.
+        int other = air(1, 1, PARTS_PAYLOAD, sealed);
+        int heard = air(1, 1, PARTS_PAYLOAD, answer);
+        check("other", () -> shows(heard, "acknowledgement.of", other + 1));
+        dissect();
+    }
+
+    /** A plain word to SUPO. */
+    private int plainWord(int first, Bytes body) {
+        return air(PARTS_PAYLOAD, frame("////", "ROMA",
+                Bytes.join(Bytes.of(first), Bytes.ofNumber(Address.parse("SUPO").value(), 3), body)));
+    }
+
+    /** The first one is also that of a fragment 1 of MESSAGE_2. */
+    private static Bytes counting(int length) {
+        return Bytes.of(IntStream.range(0x85, 0x85 + length).toArray());
+    }
+
+    /** SPEC 11.3. With another length, a fragment that it does not have, or sealed, it is none. */
+    @Test
+    void plainWord_ofEachKind_hasItsFields() throws Exception {
+        for (String row : List.of("MESSAGE_1 80 37", "MESSAGE_2 84 63", "MESSAGE_2 85 25", "MESSAGE_3 88 63",
+                "RENEWAL_1 8c 16", "RENEWAL_2 90 16", "RENEWAL_3 94 8", "WANT 98 1", "GROUP 9c 0")) {
+            String[] columns = row.split(" ");
+            plainWord(columns[0], Integer.parseInt(columns[1], 16), Integer.parseInt(columns[2]));
+        }
+        dissect();
+    }
+
+    private void plainWord(String name, int first, int length) {
+        Bytes body = counting(length);
+        int right = plainWord(first, body);
+        List<Integer> wrong = List.of(plainWord(first, counting(length + 1)),
+                air(PARTS_PAYLOAD, frame("////", "ROMA", Bytes.join(Bytes.of(first, 0, 0), body))),
+                plainWord(first | 3, body),
+                serial(0, 0, "SUPO", "ROMA", Bytes.join(Bytes.of(first, 0, 0, 0), body)));
+        check(name, () -> {
+            isRight(right);
+            shows(right, "word", name);
+            shows(right, "word.kind", (first - 0x80) / 4);
+            shows(right, "word.fragment", first % 4);
+            shows(right, "word.to", "SUPO");
+            has(right, "word.body", length == 0 ? new String[0] : new String[] {body.hex()});
+            for (String wanted : List.of("word.wanted", "word.wanted.fragment")) {
+                shows(right, wanted, name.equals("WANT") ? new Object[] {1} : new Object[0]);
+            }
+            shows(right, "content");
+            wrong.forEach(index -> fails(index, BAD_WORD));
+        });
+    }
+
+    /** A word as a board gives it to its host, opened. */
+    private int opened(String destination, Bytes word) {
+        request(requestOf("poll"), 7);
+        Bytes record = Bytes.join(Bytes.of(0), Bytes.ofText(destination + "ROMA"), Bytes.of(0, 0, 5), word);
+        return serial(1, 7, "++++", "++++",
+                Bytes.join(Bytes.of(0, 0, 'M'), Bytes.ofNumber(record.length(), 2), record));
+    }
+
+    @Test
+    void sealedWord_ofEachKind_hasItsFields() throws Exception {
+        int content = opened("SUPO", Bytes.join(Bytes.of(0xA0, 0, 1, 2), Bytes.ofText("tell;help")));
+        int sequences = opened("SUPO", Bytes.of(0xA4, 9, 1, 0, 8, 0, 2));
+        int notice = opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
+        int groupKey = opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(16)));
+        check("fields", () -> {
+            List.of(content, sequences, notice, groupKey).forEach(this::isRight);
+            shows(content, "word", "CONTENT");
+            shows(content, "word.id", 0x102);
+            shows(content, "content", "tell;help");
+            shows(sequences, "word", "SEQUENCES");
+            has(sequences, "notice.authority", "09", "08");
+            shows(sequences, "notice.sequence", 0x100, 2);
+            shows(notice, "word", "NOTICE");
+            shows(notice, "notice.sequence", 3);
+            shows(notice, "notice.day", 0x5001);
+            shows(notice, "notice.least_until", 0x5002);
+            shows(notice, "notice.serial", 7, 0x100);
+            has(notice, "notice.signature", counting(64).hex());
+            shows(groupKey, "word", "GROUP_KEY");
+            has(groupKey, "word.body", counting(16).hex());
+        });
+        List<Integer> wrong = List.of(opened("SUPO", Bytes.of(0xA0, 0, 1, 2)), opened("SUPO", Bytes.of(0xA4, 9, 1)),
+                opened("SUPO", Bytes.join(Bytes.of(0xA8), counting(72))),
+                opened("SUPO", Bytes.join(Bytes.of(0xA8), counting(70))),
+                opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(15))),
+                opened("SUPO", Bytes.join(Bytes.of(0xAD), counting(16))), opened("SUPO", Bytes.of(0xB0)),
+                opened("////", Bytes.of(0xA0, 0, 1, 2, 3)), opened("////", Bytes.of(0x80, 0)));
+        check("wrong", () -> wrong.forEach(index -> fails(index, BAD_WORD)));
         dissect();
     }
 
@@ -479,6 +607,15 @@ class VectorsTest {
                 transmit ? text(vector, "origin") : "++++", message(vector));
     }
 
+    private static JsonObject requestOf(String name) {
+        try {
+            return vectors("commands", "requests").filter(vector -> text(vector, "name").equals(name)).findFirst()
+                    .orElseThrow();
+        } catch (Exception e) {
+            throw new AssertionError(name, e);
+        }
+    }
+
     @Test
     void requests_allFieldsAndErrors() throws Exception {
         vectors("commands", "requests").forEach(vector -> {
@@ -498,7 +635,7 @@ class VectorsTest {
 
     /** {@code listKeys} is {@code list keys} in SPEC 4.3. */
     private static String command(String name) {
-        return name.equals("setRfId") ? "set RF id" : name.replaceAll("([A-Z])", " $1").toLowerCase();
+        return name.equals("setRfId") ? "set RF id" : name.equals("isRelaying") ? "relaying" : name.replaceAll("([A-Z])", " $1").toLowerCase();
     }
 
     private void showsRequest(int index, JsonObject vector) {
@@ -527,7 +664,8 @@ class VectorsTest {
                         shows(index, "serial.poll.coming", value.getAsString().equals("coming") ? 1 : 0);
                     }
                     case "open" -> shows(index, "serial.radio", value.getAsBoolean() ? 1 : 0);
-                    case "on" -> shows(index, "serial.overhear", value.getAsBoolean() ? 1 : 0);
+                    case "on" -> shows(index,
+                            "serial." + text(vector, "name"), value.getAsBoolean() ? 1 : 0);
                     case "address" -> shows(index,
                             text(vector, "name").equals("setRfId") ? "serial.rf_id" : "serial.key.address",
                             value.getAsString());
@@ -540,10 +678,8 @@ class VectorsTest {
 
     @Test
     void replies_allFieldsAndErrors() throws Exception {
-        Map<String, JsonObject> requests = vectors("commands", "requests")
-                .collect(Collectors.toMap(vector -> text(vector, "name"), vector -> vector, (first, second) -> first));
         vectors("commands", "replies").forEach(vector -> {
-            int request = request(requests.get(text(vector, "name")), 7);
+            int request = request(requestOf(text(vector, "name")), 7);
             int index = serial(1, 7, "++++", "++++", message(vector));
             check(vector, () -> {
                 boolean isOk = text(vector, "status").equals("OK");
@@ -557,7 +693,7 @@ class VectorsTest {
             });
         });
         vectors("commands", "badReplies").forEach(vector -> {
-            request(requests.get(text(vector, "name")), 7);
+            request(requestOf(text(vector, "name")), 7);
             int index = serial(1, 7, "++++", "++++", message(vector));
             check(vector, () -> fails(index, "BAD_REPLY"));
         });
@@ -592,6 +728,7 @@ class VectorsTest {
             case "counters" -> value.getAsJsonObject().entrySet().forEach(
                     counter -> shows(index, "serial.counters." + counter.getKey(), counter.getValue().getAsLong()));
             case "number" -> shows(index, "serial.transmission.number", value.getAsInt());
+            case "on" -> shows(index, "serial.relaying", value.getAsBoolean() ? 1 : 0);
             default -> throw new AssertionError("the vectors have a new field " + field + " of " + name);
         }
     }
@@ -602,7 +739,8 @@ class VectorsTest {
 
     private void showsRecords(int index, List<JsonElement> list) {
         List<JsonObject> records = list.stream().map(JsonElement::getAsJsonObject).toList();
-        shows(index, "serial.record.type", records.stream().map(record -> text(record, "type")).toArray());
+        shows(index, "serial.record.type", records.stream()
+                .map(record -> text(record, "type").equals("noKey") ? "no key" : text(record, "type")).toArray());
         Map<String, Map<String, String>> fields = Map.of(
                 "percept", Map.of("literal", "serial.percept"),
                 "transmission",
@@ -610,6 +748,7 @@ class VectorsTest {
                 "message",
                 Map.of("number", "serial.message.number", "destination", "serial.message.destination", "origin",
                         "serial.message.origin", "id", "serial.message.id", "content", "content"),
+                "noKey", Map.of("destination", "serial.no_key.destination", "origin", "serial.no_key.origin"),
                 "overheard", Map.of("millis", "serial.overheard.time", "how", "serial.overheard.how", "payload",
                         "serial.overheard.payload"));
         fields.forEach((type, names) -> names.forEach((name, field) -> {
