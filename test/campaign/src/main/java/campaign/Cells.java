@@ -31,7 +31,8 @@ final class Cells implements Campaign {
             Each device sends two sealed contents of 16 bytes every %.0f s on average, at random times: one to a
             neighbour, one to a device of the next cell. Beforehand each sends one to its neighbour, so that it is
             heard; these count as delivered, not as waiting. Then %.0f emulated seconds are measured. *Speed* is
-            emulated time by time on the wall: below 1 the computer has more to do than it can, and figures with times are too good or too bad. CPU times are of an emulated second, so they hold at any speed.
+            emulated time by time on the wall: below 1 the computer has more to do than it can, and figures
+            with times are too good or too bad. CPU times are of an emulated second, so they hold at any speed.
             *Air* is the share of a cell's time in which some board sends. *Frames* are those that the gateways publish,
             *sent on* those that the broker hands to gateways: each gets all. The traces are not replayed in the model.
             """.formatted(boards, Runtime.getRuntime().availableProcessors(), CellsRun.MEAN_SECONDS,

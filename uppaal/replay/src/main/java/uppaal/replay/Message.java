@@ -75,7 +75,7 @@ final class Message {
         this.scenes = scenes;
     }
 
-    /** Whether a board that has its sender's key now has the one that it was sealed with: that may be an earlier one. */
+    /** Whether a board that has its sender's key now has the one that it was sealed with: that may be an older one. */
     boolean isSealedFor(Station board) {
         return seal == null || seal.equals(board.check(isUnicast() ? origin : destination));
     }
