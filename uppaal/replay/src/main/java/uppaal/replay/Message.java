@@ -73,14 +73,14 @@ final class Message {
         this.scenes = scenes;
     }
 
-    /** Whether a board that has its sender's key now has the one that it was sealed with: that may be an earlier one. */
+    /** Whether a board that has its sender's key now has that with which it was sealed: perhaps an earlier one. */
     boolean isSealedFor(Station board) {
-        return seal == null || seal.equals(board.check(isUnicast() ? origin : destination));
+        return seal != null && seal.equals(board.check(isUnicast() ? origin : destination));
     }
 
     /** A board of ours is its sender. */
     void sentBy(Station board) {
-        seal = seal == null ? board.check(destination) : seal;
+        seal = board.check(destination);
         sender = new End(this, origin, scenes, scenes.sender(kind, pieces > 1), board.ear);
     }
 
