@@ -113,7 +113,7 @@ final class MeetingsOnBoards {
     }
 
     private List<Double> times(Table table, double bitErrors) throws Exception {
-        int rounds = settings.choose(6, 1);
+        int rounds = settings.choose(4, 1);
         int seeds = settings.choose(3, 1);
         List<Double> first = new ArrayList<>();
         List<Double> again = new ArrayList<>();
@@ -162,7 +162,7 @@ final class MeetingsOnBoards {
         for (String fault : List.of("reset", "power-cut")) {
             List<Double> took = new ArrayList<>();
             List<Long> agreements = new ArrayList<>();
-            int rounds = settings.choose(6, 1);
+            int rounds = settings.choose(4, 1);
             pairs(settings.choose(4, 1), 1, 0, settings.seed() + 10, (pair, random) -> {
                 for (int round = 0; round < rounds; round++) {
                     pair.forget();
