@@ -47,9 +47,9 @@ import javino.protocol.Force;
  * annotations: otherwise a belief that ROMA has unicast and somebody has broadcast in the name of SUPO would seem to be
  * unicast by both, and SUPO's own unicast would be no event.
  *
- * <p>A unicast has a second mark, {@code peer(provisioned,ROMA)} or {@code peer(certified,ROMA)}, which says how the two
- * devices came to their key. It names the sender for the same reason. A multicast has none: otherwise a unicast of a
- * stranger and a multicast in the stranger's name would together seem to be a provisioned unicast.
+ * <p>A unicast has a second mark, {@code peer(provisioned,ROMA)} or {@code peer(certified,ROMA)}, which says how the
+ * two devices came to their key. It names the sender for the same reason. A multicast has none: otherwise a unicast of
+ * a stranger and a multicast in the stranger's name would together seem to be a provisioned unicast.
  */
 public final class Gate {
 

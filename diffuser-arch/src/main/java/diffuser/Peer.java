@@ -10,7 +10,7 @@ import javino.protocol.Address;
 public enum Peer {
     /** Somebody has put the key on both boards. */
     PROVISIONED("provisioned"),
-    /** The hosts have agreed on the key, as both have a certificate: this device may never have met the other before. */
+    /** The hosts have agreed on the key, as both have a certificate: they may never have met before. */
     CERTIFIED("certified");
 
     private static final String NAME = "peer";

@@ -41,7 +41,7 @@ final class FakeBoard implements LinkOpener {
     /** The most outcomes in a poll reply. */
     private static final int MOST_OUTCOMES = 32;
 
-    /** All requests but polls, hellos, statistics and lists of keys, as {@code A stop}, {@code R open}, {@code //SU tell;x}. */
+    /** All requests but polls, hellos, statistics and lists of keys: {@code A stop}, {@code //SU tell;x}. */
     final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
     private final String port;
     private final Map<String, Status> refusals = new ConcurrentHashMap<>();

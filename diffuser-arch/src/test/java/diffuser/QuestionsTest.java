@@ -56,13 +56,16 @@ class QuestionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {
-            "askOne | speed(X)  | tell#%s;speed(80)              | speed(80)[cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)]",
+            "askOne | speed(X)  | tell#%s;speed(80)              "
+                    + "| speed(80)[cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)]",
             "askOne | speed(X)  | tell#%s;80                     | 80",
             "askOne | speed(X)  | tell#%s;\"a\\\"b\"             | \"a\"b\"",
             "askOne | speed(X)  | untell#%s;speed(X)             | false",
-            "askOne | speed(X)  | tell#%s;speed(8)[cast(unicast,'SUHO')] | speed(8)[cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)]",
+            "askOne | speed(X)  | tell#%s;speed(8)[cast(unicast,'SUHO')] "
+                    + "| speed(8)[cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)]",
             "askAll | speed(X)  | tell#%s;[]                     | []",
-            "askAll | speed(X)  | tell#%s;[speed(1),speed(2)[a]] | [speed(1)[cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)],"
+            "askAll | speed(X)  | tell#%s;[speed(1),speed(2)[a]] "
+                    + "| [speed(1)[cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)],"
                     + "speed(2)[a,cast(unicast,ROMA),peer(provisioned,ROMA),source(ROMA)]]",
             "askHow | { +!go }  | tellHow#%s;[]                  | []",
             "askHow | { +!go }  | tellHow#%s;[{ @g +!go <- run }] | [{ @g[source(ROMA)] +!go <- run }]",

@@ -49,7 +49,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
 
-    /** Messages to the own group that wait for its key, and how long in ms: a keeper that is there needs some seconds. */
+    /** Messages to the own group that wait for its key, and how long in ms: a keeper needs some seconds. */
     private static final int MOST_FOR_GROUP = 8;
     private static final long GROUP_MILLIS = 30_000;
     private static final long NEVER = Long.MAX_VALUE;
@@ -135,8 +135,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     /**
      * Welcomes strangers with certificates, or refuses all.
      *
-     * @return completes when it is so; fails with what {@link Failure#of} reads if there is no certificate. Completes at
-     *         once where there is no board with an address yet.
+     * @return completes when it is so; fails with what {@link Failure#of} reads if there is no certificate. Completes
+     *         at once where there is no board with an address yet.
      */
     public CompletableFuture<Void> welcome(boolean certified) {
         CompletableFuture<Void> done = new CompletableFuture<>();

@@ -15,8 +15,8 @@ import strangers.BoardMeetings;
  * <p>Internal action: <b><code>.strangers(<i>Whom</i>)</code></b>.
  *
  * <p>Description: chooses whether the agent has to do with devices with which its board has no stored key.
- * <code>certified</code>: where both have a certificate of an authority that they trust, they agree on a key when one of
- * them has a message for the other. <code>refuse</code>: they do not, and the keys that were agreed on are deleted.
+ * <code>certified</code>: where both have a certificate of an authority that they trust, they agree on a key when one
+ * of them has a message for the other. <code>refuse</code>: they do not, and the keys that were agreed on are deleted.
  * Without this action it is <code>certified</code> where <code>javino enroll</code> has put a certificate for the
  * device's address, else <code>refuse</code>. If there is no board with an address, the setting holds as soon as there
  * is; otherwise <code>certified</code> fails with the error <code>no_certificate</code> where there is none.

@@ -39,10 +39,11 @@ final class MeetingsOnBoards {
         List<Double> quiet = times(table, 0);
         List<Double> noisy = times(table, NOISE);
         report.text("""
-            **On emulated boards.** Hosts with certificates of one authority, whose boards (`Station`) have no key, drive
-            emulated Megas as an agent's host does. All times are emulated seconds, from the host's wish to send until
-            the other host has the message, which came sealed. *Again* is when the sender's board was reset and is there again: its key is
-            gone, and both hosts agree anew from what they have kept. Pairs are out of each other's range.
+            **On emulated boards.** Hosts with certificates of one authority, whose boards (`Station`) have no key,
+            drive emulated Megas as an agent's host does. All times are emulated seconds, from the host's wish to send
+            until the other host has the message, which came sealed. *Again* is when the sender's board was reset and
+            is there again: its key is gone, and both hosts agree anew from what they have kept. Pairs are out of each
+            other's range.
             """);
         report.table(table);
         report.aim(Table.text("first message in quiet air: median at most %.1f s (%.2f s)", FIRST_SECONDS,
@@ -112,7 +113,7 @@ final class MeetingsOnBoards {
     }
 
     private List<Double> times(Table table, double bitErrors) throws Exception {
-        int rounds = settings.choose(6, 1);
+        int rounds = settings.choose(4, 1);
         int seeds = settings.choose(3, 1);
         List<Double> first = new ArrayList<>();
         List<Double> again = new ArrayList<>();
@@ -161,7 +162,7 @@ final class MeetingsOnBoards {
         for (String fault : List.of("reset", "power-cut")) {
             List<Double> took = new ArrayList<>();
             List<Long> agreements = new ArrayList<>();
-            int rounds = settings.choose(6, 1);
+            int rounds = settings.choose(4, 1);
             pairs(settings.choose(4, 1), 1, 0, settings.seed() + 10, (pair, random) -> {
                 for (int round = 0; round < rounds; round++) {
                     pair.forget();

@@ -43,13 +43,14 @@ class MeetStrangersTest {
         List<String> printed = PRINTED.matcher(page).results().map(line -> line.group()).toList();
         assertEquals(3, printed.size(), printed::toString);
 
-        try (Emulator emulator =
-                new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder);
-                AgentProcess listener = AgentProcess.run("listener", folder, options);
+        Emulator emulator = new Emulator.Scenario().board("bus", "Vehicle").board("police", "Station").start(folder);
+        try (AgentProcess listener = AgentProcess.run("listener", folder, options);
                 AgentProcess caller = AgentProcess.run("caller", folder, options)) {
             for (String line : printed) {
                 (line.startsWith("[caller]") ? caller : listener).await(line);
             }
+        } finally {
+            emulator.close();
         }
     }
 }

@@ -144,7 +144,7 @@ class StrangersTest {
     }
 
     @Test
-    void stranger_whoseHostIsAway_orWhoRefuses_doesNotAnswer() throws Exception {
+    void stranger_whoseHostIsAwayOrRefuses_doesNotAnswer() throws Exception {
         authority.enroll("SUPO", identities);
         try (AgentProcess bus = bus("!call(1); .strangers(refuse); !call(2)")) {
             bus.await("failed no_answer");

@@ -54,8 +54,6 @@ final class Message {
     /** What pieces its receiver has told to have, and how often so in a row that came undamaged to its sender. */
     private int have;
     private int lacking;
-    /** When a copy of it came undamaged to its sender since that has sent it; infinite where none did. */
-    private double copied = Double.NEGATIVE_INFINITY;
     /** Null where a stranger is the sender. */
     private End sender;
     /** The check value of the key that it was sealed with; null where that is not known. */
@@ -75,14 +73,14 @@ final class Message {
         this.scenes = scenes;
     }
 
-    /** Whether a board that has its sender's key now has the one that it was sealed with: that may be an older one. */
+    /** Whether a board that has its sender's key now has that with which it was sealed: perhaps an earlier one. */
     boolean isSealedFor(Station board) {
-        return seal == null || seal.equals(board.check(isUnicast() ? origin : destination));
+        return seal != null && seal.equals(board.check(isUnicast() ? origin : destination));
     }
 
     /** A board of ours is its sender. */
     void sentBy(Station board) {
-        seal = seal == null ? board.check(destination) : seal;
+        seal = board.check(destination);
         sender = new End(this, origin, scenes, scenes.sender(kind, pieces > 1), board.ear);
     }
 
@@ -251,20 +249,6 @@ final class Message {
         return stale;
     }
 
-    /** A copy of it comes undamaged to its sender; or what came counts no more. */
-    void copied(double seconds) {
-        copied = seconds;
-    }
-
-    /** When one came last, in seconds. */
-    double copied() {
-        return copied;
-    }
-
-    boolean wasCopied() {
-        return copied > Double.NEGATIVE_INFINITY;
-    }
-
     /** Of what sort it is: of those one after the other, some are surely heard. */
     String sort() {
         return kind + (pieces > 1 ? " in pieces" : "");
@@ -374,7 +358,6 @@ final class Message {
         confirmed = 0;
         stale = 0;
         lacking = 0;
-        copied = Double.NEGATIVE_INFINITY;
         kept.clear();
         missed.clear();
     }
