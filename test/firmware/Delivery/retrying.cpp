@@ -50,7 +50,7 @@ TEST_F(Retrying, a_unicast_without_an_answer_is_sent_8_times_byte_for_byte_and_i
     EXPECT_TRUE(outcomes().empty());
     EXPECT_EQ(first, board.sendNext()) << attempt;
   }
-  board.pass(149);
+  board.pass(599);
   EXPECT_TRUE(outcomes().empty());
   board.pass(2);
   EXPECT_EQ(std::vector<std::string>{UNDELIVERED}, outcomes());
@@ -155,7 +155,7 @@ TEST_F(Retrying, a_key_that_is_deleted_meanwhile_and_set_again_no_longer_acknowl
   board.receive(answer(6));
   EXPECT_TRUE(outcomes().empty());
   EXPECT_EQ(1u, board.counter(Counter::RADIO_NOT_FOR_US));
-  board.passSending(5000);
+  board.passSending(9000);
   EXPECT_EQ(std::vector<std::string>{UNDELIVERED}, outcomes());
 }
 

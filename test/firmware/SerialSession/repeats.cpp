@@ -82,7 +82,7 @@ TEST_F(SerialSessionTest, a_reply_goes_out_in_whatever_pieces_the_line_takes) {
   EXPECT_EQ(0, performed) << "the second request waits until the first one's reply is out";
   EXPECT_TRUE(board.board->isIdle()) << "there is nothing to do until the line takes bytes again";
   Bytes written;
-  for (int i = 0; i < 200; i++) {
+  for (int i = 0; i < 300; i++) {
     board.port.setRoom(1);
     board.board->run();
     written = written + board.port.takeWritten();

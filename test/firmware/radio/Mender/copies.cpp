@@ -66,7 +66,7 @@ TEST(Copies, areCombinedWithDamagedOnesOfOtherHops) {
     decoder.addAll(second);
     if (decoder.take() != javino::Mender::WHOLE) continue;
     EXPECT_EQ(decoder.payload, payload);
-    EXPECT_EQ(decoder.mender.hops(), 1);
+    EXPECT_LE(decoder.mender.hops(), 1) << "those of either";
     both++;
   }
   EXPECT_GT(both, alone);

@@ -49,7 +49,8 @@ TEST(Mender, doubtsWhatItMendsInTwoSymbols) {
   EXPECT_GT(whole, 1950);
 }
 
-// Of 2^16 CRCs one is right for each of the up to four candidates: one packet of 20 000 is mended into a wrong one.
+// Of 2^16 CRCs three are right, one for each number of hops, for each of the up to four candidates: three packets of 20 000
+// are mended into wrong ones.
 TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
   std::mt19937 random(52);
   int mended = 0;
@@ -63,7 +64,7 @@ TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
     decoder.addAll(bits);
     if (decoder.take() == javino::Mender::WHOLE) mended++;
   }
-  EXPECT_LE(mended, 4);
+  EXPECT_LE(mended, 10);
 }
 
 // bench/native/mending.cpp does so with a million.

@@ -106,7 +106,8 @@ class HostileTest {
         List<Bytes> records = new ArrayList<>();
         for (String field : List.of("acknowledgements", "envelopes")) {
             vectors(field, "valid").limit(8).forEach(vector -> records.add(Bytes.join(
-                    Bytes.of(1, 1, 0, 255, 255, 0, 1, 'b', 2, 'n', 'o'), Bytes.ofHex(vector.get("frame").getAsString()))));
+                    Bytes.of(1, 1, 0, 255, 255, 0, 1, 'b', 2, 'n', 'o'),
+                    Bytes.ofHex(vector.get("frame").getAsString()))));
         }
         vectors("contents", "valid").forEach(vector -> records.add(Bytes.join(Bytes.of(1, 0, 0, 2, 0, 0, 0, 0),
                 new Frame(Address.BROADCAST, Address.parse("ROMA"), Bytes.ofHex(vector.get("content").getAsString()))

@@ -635,7 +635,8 @@ class VectorsTest {
 
     /** {@code listKeys} is {@code list keys} in SPEC 4.3. */
     private static String command(String name) {
-        return name.equals("setRfId") ? "set RF id" : name.equals("isRelaying") ? "relaying" : name.replaceAll("([A-Z])", " $1").toLowerCase();
+        return name.equals("setRfId") ? "set RF id"
+                : name.equals("isRelaying") ? "relaying" : name.replaceAll("([A-Z])", " $1").toLowerCase();
     }
 
     private void showsRequest(int index, JsonObject vector) {

@@ -54,6 +54,8 @@ final class Message {
     /** What pieces its receiver has told to have, and how often so in a row that came undamaged to its sender. */
     private int have;
     private int lacking;
+    /** When a copy of it came undamaged to its sender since that has sent it; infinite where none did. */
+    private double copied = Double.NEGATIVE_INFINITY;
     /** Null where a stranger is the sender. */
     private End sender;
     /** The check value of the key that it was sealed with; null where that is not known. */
@@ -249,6 +251,20 @@ final class Message {
         return stale;
     }
 
+    /** A copy of it comes undamaged to its sender; or what came counts no more. */
+    void copied(double seconds) {
+        copied = seconds;
+    }
+
+    /** When one came last, in seconds. */
+    double copied() {
+        return copied;
+    }
+
+    boolean wasCopied() {
+        return copied > Double.NEGATIVE_INFINITY;
+    }
+
     /** Of what sort it is: of those one after the other, some are surely heard. */
     String sort() {
         return kind + (pieces > 1 ? " in pieces" : "");
@@ -358,6 +374,7 @@ final class Message {
         confirmed = 0;
         stale = 0;
         lacking = 0;
+        copied = Double.NEGATIVE_INFINITY;
         kept.clear();
         missed.clear();
     }
