@@ -78,11 +78,6 @@ final class Message {
         return seal != null && seal.equals(board.check(isUnicast() ? origin : destination));
     }
 
-    /** Whether its sender may still have the key that it was sealed with, by which it knows an answer. */
-    boolean isStillSealedBy(Station board) {
-        return seal == null || seal.equals(board.check(destination));
-    }
-
     /** A board of ours is its sender. */
     void sentBy(Station board) {
         seal = board.check(destination);

@@ -520,8 +520,7 @@ final class RadioCell {
                 board.expects(message, seconds);
             }
         }
-        if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)
-                && packet.answered().get(0).isStillSealedBy(board)) {
+        if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)) {
             if (packet.answer().equals("ack")) {
                 packet.answered().get(0).confirm();
             } else if (packet.answer().equals("stale")) {
