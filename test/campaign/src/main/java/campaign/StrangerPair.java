@@ -65,6 +65,8 @@ final class StrangerPair implements AutoCloseable {
 
     /** The sender's board is reset, and there again. */
     void reset() {
+        first.awaitQuiet();
+        second.awaitQuiet();
         befall("reset", true);
         first.awaitOnline();
     }

@@ -3,9 +3,11 @@ package harness;
 import diffuser.KeyService;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.function.Consumer;
@@ -18,6 +20,7 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Key;
+import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Word;
 import strangers.BoardMeetings;
@@ -30,6 +33,7 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
     private final BoardMeetings meetings;
     private final Consumer<Content> received;
     private final CompletableFuture<Board> board = new CompletableFuture<>();
+    private final Queue<CompletableFuture<Outcome>> latest = new ConcurrentLinkedQueue<>();
     private final Semaphore greetings = new Semaphore(0);
 
     /**
@@ -59,8 +63,15 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
 
     /** Forgets all others, as a host that is started anew. */
     public void forget() {
+        awaitQuiet();
         Host.get(meetings.welcome(false));
         Host.get(meetings.welcome(true));
+    }
+
+    /** Waits until the board has sent all that it had to send. */
+    public void awaitQuiet() {
+        latest.forEach(end -> end.handle((outcome, thrown) -> outcome).join());
+        latest.clear();
     }
 
     /** What it has counted. */
@@ -93,7 +104,9 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
 
     @Override
     public Transmission transmit(Address to, Word word) {
-        return board.join().transmit(to, word);
+        Transmission begun = board.join().transmit(to, word);
+        latest.add(begun.end());
+        return begun;
     }
 
     @Override
