@@ -80,6 +80,11 @@ final class Message {
         return seal != null && seal.equals(board.check(isUnicast() ? origin : destination));
     }
 
+    /** Whether its sender's board surely has no longer the key that it was sealed with, so that it knows no answer as right. */
+    boolean hasLostItsKey(Station sender) {
+        return seal != null && !seal.equals(sender.check(destination));
+    }
+
     /** A board of ours is its sender. */
     void sentBy(Station board) {
         seal = board.check(destination);

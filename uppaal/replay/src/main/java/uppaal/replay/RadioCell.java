@@ -564,7 +564,8 @@ final class RadioCell {
                 board.expects(message, seconds);
             }
         }
-        if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)) {
+        if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)
+                && !packet.answered().get(0).hasLostItsKey(board)) {
             if (packet.answer().equals("ack")) {
                 packet.answered().get(0).confirm();
             } else if (packet.answer().equals("stale")) {

@@ -749,6 +749,24 @@ class ReplayTest {
                 lines.replay()::verdict);
     }
 
+    /** A board that has another key now knows no answer to what it has sealed with the one before. */
+    @ParameterizedTest
+    @CsvSource({"070809, true", "010203, false"})
+    void replay_sentAgainThoughAnswered_isAcceptedIfItsKeyWasReplaced(String check, boolean accepted) {
+        Lines lines = sessionKeys("SUPP");
+        key(lines, 0.5, "session", "SUPP", "010203");
+        key(lines, 2.5, "session", "SUPP", check);
+        for (int i = 0; i < 4; i++) {
+            reach(lines, 2 + 2 * i, "police", unicast("SUPP", 0), "unicast");
+            String answer = "2b4b4141535550504341" + "000001000000" + String.format("%04x", 25 + 20 * i)
+                    + "00".repeat(8);
+            send(lines, 3 + 2 * i, "support", answer, "acknowledgement");
+            hear(lines, 3 + 2 * i, "police", "support", answer, "acknowledgement");
+        }
+        sort(lines);
+        assertEquals(accepted, lines.replay().refusal().isEmpty(), lines.replay()::verdict);
+    }
+
     @Test
     void replay_sessionKeyThatItsBoardHadBefore_isRefused() {
         Lines lines = sessionKeys();
