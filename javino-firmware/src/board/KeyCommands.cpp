@@ -106,7 +106,7 @@ Status KeyCommands::setSession(const uint8_t *body, uint16_t length, Delivery &d
 uint8_t KeyCommands::placeForSession(const Outbox &outbox) const {
   uint8_t chosen = KeyStore::SLOTS;
   uint8_t most = 0;
-  for (uint8_t i = 0; config::SESSION_KEYS > 1 && i < config::SESSION_KEYS; i++) {
+  for (uint8_t i = 0; config::SESSION_KEYS > 1 && i != config::SESSION_KEYS; i++) {
     const uint8_t slot = static_cast<uint8_t>(KeyStore::SLOTS + i);
     if (keys_.isFree(slot)) return slot;
     uint8_t age = static_cast<uint8_t>(1 + keys_.sessions().ageOf(i));

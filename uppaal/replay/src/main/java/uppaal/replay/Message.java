@@ -80,7 +80,7 @@ final class Message {
         return seal != null && seal.equals(board.check(isUnicast() ? origin : destination));
     }
 
-    /** Whether its sender's board surely has no longer the key that it was sealed with, so that it knows no answer as right. */
+    /** Whether its sender's board has no longer the key that it was sealed with, so that it can prove no answer. */
     boolean hasLostItsKey(Station sender) {
         return seal != null && !seal.equals(sender.check(destination));
     }
