@@ -82,7 +82,7 @@ E<> Police1.Held && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Po
 E<> Police1.Awaiting && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LAST_WINDOW && !Ear.answered
 /* N42 holds: likewise. */
 E<> Police1.Held && busy && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LAST_WINDOW && !Ear.answered
-/* N43 holds: later attempts wait for longer. */
-E<> Police1.Held && Police1.left == LATE_PATIENCE && Police1.attempt == LATE_ATTEMPT + 1 && !Ear.answered
+/* N43 holds: later attempts of what is in pieces wait no longer. */
+E<> Police1.Held && Police1.left == PATIENCE && Police1.attempt == LATE_ATTEMPT + 1 && !Ear.answered
 /* N44 holds: nothing has patience but an attempt that awaits its answer. */
 A[] Police1.left == 0 || Police1.Awaiting || Police1.Held

@@ -230,7 +230,7 @@ void Courier::packetSent() {
   if (message.pending != 0) {
     message.phase = PAUSING;
   } else if (isUnicast()) {
-    await(message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
+    await(message.count == 1 && message.attempt >= LATE_ATTEMPT ? LATE_ROUNDS : 0);
   } else if (++message.attempt != sends()) {
     message.pending = pieces::all(message.count);
     contend();
