@@ -197,7 +197,7 @@ class HighwayTest {
 
         assertEquals(List.of(
                 "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout, "
-                        + "-Plive, -Pheadless, -Pcells"),
+                        + "-Plive, -Pheadless, -Pstrangers, -Pcells"),
                 run.lines);
         assertEquals(2, run.status);
     }
