@@ -308,7 +308,8 @@ final class RadioCell {
     /** What a board of ours sends of its own. */
     private Message own(double start, Station board, Payload payload) throws RefusedException {
         Message message = known(board, payload);
-        if (message == null) {
+        boolean isNew = message == null;
+        if (isNew) {
             message = begun(start, board, payload);
         }
         byPayload.put(payload.identity(), message);
@@ -329,8 +330,22 @@ final class RadioCell {
         }
         checkPatience(start, board, message);
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
+        if (attempt && !isNew) {
+            checkTurns(board, message);
+        }
         message.sender(start, attempt ? "send" : "part");
         return message;
+    }
+
+    /** Messages to several partners take turns. */
+    private static void checkTurns(Station board, Message message) throws RefusedException {
+        Transmission passed = board.passesOver().orElse(null);
+        if (passed != null) {
+            throw new RefusedException(String.format(Locale.ROOT,
+                    "%s sends a message once more (%s); expected that what its host has asked at %.3f s to be sent to "
+                            + "%s has its turn",
+                    board.name(), message, passed.asked, passed.destination));
+        }
     }
 
     /** A sender that has heard a copy of its only message waits for the relays. */

@@ -30,6 +30,8 @@ final class Station {
     private static final String MEGA = "mega";
     private static final int PLACES = 2;
     private static final int SESSION_KEYS = 8;
+    /** So many partners of a Mega take turns. */
+    private static final int PARTNERS = 4;
 
     private final String name;
     private final Set<String> ids = new HashSet<>();
@@ -365,6 +367,24 @@ final class Station {
             current.put(partner(destination), transmission);
         });
         return next;
+    }
+
+    /**
+     * It sends a message once more. Those to partners to which nothing is under way have had their turn before that,
+     * as long as there is a place for them.
+     *
+     * @return one that was passed over so often that it must have had it
+     */
+    Optional<Transmission> passesOver() {
+        Set<String> underWay = new HashSet<>();
+        open().filter(each -> each.message != null).forEach(each -> underWay.add(partner(each.destination)));
+        if (places == 0 || underWay.size() >= PARTNERS) {
+            return Optional.empty();
+        }
+        return waiting.stream()
+                .filter(each -> !each.mayFail && each.relayed.isEmpty()
+                        && !underWay.contains(partner(each.destination)))
+                .filter(each -> ++each.passedOver > RadioCell.LOST + underWay.size()).findFirst();
     }
 
     /** It sends a packet of another device, whether its host has asked for that or not. */

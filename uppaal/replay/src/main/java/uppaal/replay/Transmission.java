@@ -14,6 +14,8 @@ final class Transmission {
     Message message;
     /** What was sent of it before it was sealed anew; null where it was not. */
     Message before;
+    /** How often something else was sent once more though this had its turn. */
+    int passedOver;
     /** Whether it may end without having been sent: its board may lack the key. */
     boolean mayFail;
     /** How it ended, as the host was told; empty as long as it was not. */

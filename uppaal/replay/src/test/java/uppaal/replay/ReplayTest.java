@@ -749,6 +749,28 @@ class ReplayTest {
                 lines.replay()::verdict);
     }
 
+    /** A small chip has one message under way; and what cannot be sealed has no turn. */
+    @ParameterizedTest
+    @CsvSource({"mega, SUHO, true", "mega, SUPC, false", "uno, SUHO, false"})
+    void replay_messageThatNeverHasItsTurn_isRefusedIfItsBoardHasAPlaceForIt(String model, String key,
+            boolean refused) {
+        Lines lines = sessionKeys("SUPP", "SUHO");
+        lines.get(lines.where(line -> lines.is(line, "scenario")).get(0)).getAsJsonArray("boards").get(0)
+                .getAsJsonObject().addProperty("model", model);
+        key(lines, 0.5, "session", "SUPP", "010203");
+        key(lines, 0.6, "session", key, "040506");
+        for (int i = 0; i < 5; i++) {
+            reach(lines, 2 + i, "police", unicast("SUPP", 0), "unicast");
+        }
+        sort(lines);
+        if (refused) {
+            assertRefused(lines, lines.all.size() - 1, "expected that what its host has asked at 1.000 s to be sent to "
+                    + "SUHO has its turn");
+        } else {
+            assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        }
+    }
+
     /** A board that has another key now knows no answer to what it has sealed with the one before. */
     @ParameterizedTest
     @CsvSource({"070809, true", "010203, false"})
