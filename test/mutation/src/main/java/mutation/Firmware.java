@@ -23,6 +23,8 @@ final class Firmware implements Part {
 
     private static final double GOAL = 0.85;
     private static final int USUAL = 60;
+    /** So begins the reason for a survivor that does harm. */
+    private static final String UNSEEN = "unseen: ";
     /** Of the air. A mistake that the first does not show has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L);
     /**
@@ -144,12 +146,12 @@ final class Firmware implements Part {
             Of %d possible mistakes in what decides when and what a board sends (another operator, a number greater or
             less by one or twice as large, a negated condition, a removed statement, true for false), %d were drawn.
             Lines that only count are left out. Each was planted alone into `Station`, which three emulated boards then
-            ran four times, for 100 s of theirs at most, twice with a bit error rate of 0.001, once with short jams:
+            ran eight times, for 100 s of theirs at most, four times with a bit error rate of 0.001, twice with short jams:
             unicasts, multicasts, broadcasts and contents in pieces, to partners that are there, away for a while or
             never there, with a reset, a loss of power, and an attacker who repeats what was on the air, as it was or
             changed. *Refused*: the replay of a trace says that no board does this. *Only hosts*: the trace is accepted,
             but a message has no end, or has not come although it was reported so. *Not reached*: no board comes to the
-            line, or to the part of it in which the mistake is. Hosts run in wall time: on a machine that has much else
+            line, or to the part of it in which the mistake is. No board is a relay here. Hosts run in wall time: on a machine that has much else
             to do they say less, and fewer mistakes show.
             """.formatted(possible, judged.size()));
         Table table = new Table("folder", "drawn", "not built", "not reached", "refused", "only hosts", "neither",
@@ -164,7 +166,8 @@ final class Firmware implements Part {
         report.aim(Table.text("at least %.0f %% of those that are reached and do harm refused", 100 * GOAL),
                 count(judged, Fate.REFUSED) >= GOAL * harmful);
         report.never("survivors without a reason",
-                judged.stream().filter(each -> each.fate == Fate.SURVIVED && !isHarmless(each, options)).count());
+                judged.stream().filter(each -> each.fate == Fate.SURVIVED)
+                        .filter(each -> options.survivors().reason(each.mutant.toString()).isEmpty()).count());
     }
 
     private static void row(Table table, String name, List<Judged> judged, Options options) {
@@ -185,13 +188,14 @@ final class Firmware implements Part {
     }
 
     private static boolean isHarmless(Judged judged, Options options) {
-        return judged.fate == Fate.SURVIVED && options.survivors().reason(judged.mutant.toString()).isPresent();
+        return judged.fate == Fate.SURVIVED && options.survivors().reason(judged.mutant.toString())
+                .filter(reason -> !reason.startsWith(UNSEEN)).isPresent();
     }
 
     private static void survivors(List<Judged> judged, Survivors known, Report report) {
         list("Accepted by the replay, but not by the hosts:\n\n| line and mistake | what hosts saw |", judged,
                 each -> each.fate == Fate.FAILED, each -> each.why, report);
-        list("Not noticed:\n\n| line and mistake | does no harm, since |", judged,
+        list("Not noticed:\n\n| line and mistake | does no harm, since; or is unseen, since |", judged,
                 each -> each.fate == Fate.SURVIVED, each -> known.reason(each.mutant.toString()).orElse(""), report);
     }
 
