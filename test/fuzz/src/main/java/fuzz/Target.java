@@ -4,6 +4,7 @@ import diffuser.GateTarget;
 import java.nio.file.Path;
 import java.util.List;
 import javino.cli.KeyringTarget;
+import strangers.StrangersTarget;
 
 /**
  * Something that takes any bytes and fails where it finds a fault.
@@ -15,7 +16,8 @@ public record Target(String name, List<String> command) {
 
     private static final List<Class<?>> JAVA =
             List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
-                    ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class);
+                    ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class,
+                    StrangersTarget.class);
     private static final List<String> FIRMWARE =
             List.of("packet_decoder", "arguments", "radio", "reed_solomon", "board");
 
@@ -39,6 +41,6 @@ public record Target(String name, List<String> command) {
         return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx512m",
                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",  // half the time that it takes to start
                 "-cp", System.getProperty("java.class.path"), "com.code_intelligence.jazzer.Jazzer",
-                "--target_class=" + type.getName(), "--instrumentation_includes=javino.**:diffuser.**:fuzz.**");
+                "--target_class=" + type.getName(), "--instrumentation_includes=javino.**:diffuser.**:strangers.**:fuzz.**");
     }
 }
