@@ -112,9 +112,9 @@ final class Relays implements Campaign {
         }
         report.table(table);
         report.text("""
-            Where both differ: in the simulation a packet with two wrong symbols is lost. Boards mend more: they put
-            damaged copies of a packet together. So they need fewer attempts, and the longest waits are shorter. The field
-            has few messages here; all else is near to what was simulated.
+            Where both differ: in the simulation a packet with two wrong symbols is lost. Boards mend more: they
+            put damaged copies of a packet together. So they need fewer attempts, and the longest waits are shorter. The
+            field has few messages here; all else is near to what was simulated.
             """);
     }
 

@@ -41,6 +41,7 @@ public record Target(String name, List<String> command) {
         return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx512m",
                 "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",  // half the time that it takes to start
                 "-cp", System.getProperty("java.class.path"), "com.code_intelligence.jazzer.Jazzer",
-                "--target_class=" + type.getName(), "--instrumentation_includes=javino.**:diffuser.**:strangers.**:fuzz.**");
+                "--target_class=" + type.getName(),
+                "--instrumentation_includes=javino.**:diffuser.**:strangers.**:fuzz.**");
     }
 }

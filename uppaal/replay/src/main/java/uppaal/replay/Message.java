@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -60,6 +61,8 @@ final class Message {
     private End sender;
     /** The check value of the key that it was sealed with; null where that is not known. */
     private String seal;
+    /** Whether it may have been sealed with an earlier key: that was changed before it was on the air. */
+    private boolean mayBeOlder;
 
     /**
      * @param whole the frame, or as much of it as its first piece holds
@@ -77,17 +80,18 @@ final class Message {
 
     /** Whether a board that has its sender's key now has that with which it was sealed: perhaps an earlier one. */
     boolean isSealedFor(Station board) {
-        return seal != null && seal.equals(board.check(isUnicast() ? origin : destination));
+        return seal != null && !mayBeOlder && seal.equals(board.check(isUnicast() ? origin : destination));
     }
 
-    /** Whether its sender's board has no longer the key that it was sealed with, so that it can prove no answer. */
-    boolean hasLostItsKey(Station sender) {
-        return seal != null && !seal.equals(sender.check(destination));
+    /** Whether its sender's board may have lost the key that it was sealed with, so that it can prove no answer. */
+    boolean mayHaveLostItsKey(Station sender) {
+        return mayBeOlder || seal != null && !seal.equals(sender.check(destination));
     }
 
-    /** A board of ours is its sender. */
-    void sentBy(Station board) {
+    /** A board of ours is its sender, which has been asked for this. */
+    void sentBy(Station board, Transmission asked) {
         seal = board.check(destination);
+        mayBeOlder = !Objects.equals(seal, asked.check);
         sender = new End(this, origin, scenes, scenes.sender(kind, pieces > 1), board.ear);
     }
 

@@ -411,7 +411,7 @@ final class RadioCell {
                             + whole.destination() + "; expected that its host asks for it first"));
         }
         current.message = entered(start, payload, "");
-        current.message.sentBy(board);
+        current.message.sentBy(board, current);
         crowd(start, board);
         return current.message;
     }
@@ -580,7 +580,7 @@ final class RadioCell {
             }
         }
         if (undamaged && packet.answered().size() == 1 && board.hasBeen(packet.answered().get(0).origin)
-                && !packet.answered().get(0).hasLostItsKey(board)) {
+                && !packet.answered().get(0).mayHaveLostItsKey(board)) {
             if (packet.answer().equals("ack")) {
                 packet.answered().get(0).confirm();
             } else if (packet.answer().equals("stale")) {

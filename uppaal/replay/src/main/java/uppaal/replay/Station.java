@@ -148,6 +148,7 @@ final class Station {
             throw new RefusedException(
                     name + " takes over transmission " + transmission.number + "; expected " + last);
         }
+        transmission.check = checks.get(transmission.destination);
         transmission.mayFail =
                 !transmission.destination.equals(Payload.ALL) && !checks.containsKey(transmission.destination);
         waiting.add(transmission);

@@ -16,6 +16,8 @@ final class Transmission {
     Message before;
     /** How often something else was sent once more though this had its turn. */
     int passedOver;
+    /** The check value of the board's key for its destination when it was asked for; null where none is known. */
+    String check;
     /** Whether it may end without having been sent: its board may lack the key. */
     boolean mayFail;
     /** How it ended, as the host was told; empty as long as it was not. */

@@ -773,11 +773,11 @@ class ReplayTest {
 
     /** A board that has another key now knows no answer to what it has sealed with the one before. */
     @ParameterizedTest
-    @CsvSource({"070809, true", "010203, false"})
-    void replay_sentAgainThoughAnswered_isAcceptedIfItsKeyWasReplaced(String check, boolean accepted) {
+    @CsvSource({"070809, 2.5, true", "010203, 2.5, false", "070809, 1.5, true", ", 1.5, true", "070809, 0.6, false"})
+    void replay_sentAgainThoughAnswered_isAcceptedIfItsKeyWasReplaced(String check, double when, boolean accepted) {
         Lines lines = sessionKeys("SUPP");
         key(lines, 0.5, "session", "SUPP", "010203");
-        key(lines, 2.5, "session", "SUPP", check);
+        key(lines, when, check == null ? "delete" : "session", "SUPP", check == null ? "" : check);
         for (int i = 0; i < 4; i++) {
             reach(lines, 2 + 2 * i, "police", unicast("SUPP", 0), "unicast");
             String answer = "2b4b4141535550504341" + "000001000000" + String.format("%04x", 25 + 20 * i)
