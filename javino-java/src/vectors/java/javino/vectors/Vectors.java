@@ -41,6 +41,7 @@ public final class Vectors {
         files.put("pieces.json", format(PieceVectors.all()));
         files.put("acknowledgements.json", format(AcknowledgementVectors.all()));
         files.put("keys.json", format(KeyVectors.all()));
+        files.put("strangers.json", format(StrangerVectors.all()));
         files.put("nist.json", format(NistVectors.all()));
         return files;
     }
