@@ -1,5 +1,7 @@
 #include "Backoff.h"
 
+#include "MediumAccess.h"
+
 namespace javino {
 
 static const uint8_t LONG_QUIET = 15;
@@ -16,7 +18,7 @@ static const uint8_t CHANGE = 8;  // the window changes by this part of it
 Backoff::Backoff() : window_(LEAST_WINDOW * PARTS) {}
 
 void Backoff::listen(uint8_t quietSlots) {
-  const bool begun = quietSlots < quiet_;
+  const bool begun = MediumAccess::wasBusy(quiet_, quietSlots);
   const uint8_t before = quiet_;
   quiet_ = quietSlots;
   if (!begun || before < FIRST_SLOTS) return;  // an acknowledgement waits less: it tells nothing
@@ -44,8 +46,8 @@ bool Backoff::isOver(uint8_t quietSlots) {
     counted_ = FIRST_SLOTS;
     return false;
   }
-  for (; counted_ < quietSlots && left_ != 0; counted_++) left_--;
-  return left_ == 0 || quietSlots == UINT8_MAX;  // quiet slots are not counted further
+  for (; counted_ != quietSlots && left_ != 0; counted_ = MediumAccess::slotAfter(counted_)) left_--;
+  return left_ == 0;
 }
 
 }  // namespace javino

@@ -18,7 +18,7 @@ class Backoff {
   Backoff();
 
   /// Takes notice of the air; to be called each time the medium was looked at.
-  /// @param quietSlots how long the air has been quiet by now
+  /// @param quietSlots how long the air has been quiet by now, as MediumAccess counts
   void listen(uint8_t quietSlots);
 
   /// Begins a wait: 6 quiet slots and a random number of further ones; none where what is to be sent is new and the

@@ -338,7 +338,8 @@ void Courier::acknowledged(const RadioPacket &lost) {
 // An attempt that waits for the air is none yet.
 void Courier::copied(const Frame &frame) {
   Message &message = current();
-  if (!isUnicast() || frame.length < NONCE_LENGTH || memcmp(frame.message, message.nonce, NONCE_LENGTH) != 0) return;
+  if (!isUnicast() || frame.origin != message.sender || frame.destination != message.destination) return;
+  if (frame.length < NONCE_LENGTH || memcmp(frame.message, message.nonce, NONCE_LENGTH) != 0) return;
   if (message.phase == CONTENDING && message.attempt != 0) {
     message.attempt--;
   } else if (message.phase != AWAITING) {

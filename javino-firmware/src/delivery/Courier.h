@@ -40,8 +40,7 @@ class Courier {
   /// @return false where it is not about what is under way
   JAVINO_NOINLINE bool acknowledged(const Frame &frame);
 
-  /// Looks at the nonce of a frame from the air: if it is that of what has its turn, a relay has copied that. (Another device may
-  /// have the same by chance: then we wait in vain.)
+  /// Looks at a frame from the air: if it is what has its turn, a relay has copied that.
   void copied(const Frame &frame);
 
   /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong

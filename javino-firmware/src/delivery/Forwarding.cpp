@@ -248,8 +248,8 @@ uint8_t Forwarding::spread(bool turn) {
 // Counts the quiet slots that have passed.
 void Forwarding::passSlots() {
   const uint8_t now = medium_.quietSlots();
-  if (now < slots_) slots_ = 0;
-  for (; slots_ < now; slots_++) {
+  if (MediumAccess::wasBusy(slots_, now)) slots_ = 0;
+  for (; slots_ != now; slots_ = MediumAccess::slotAfter(slots_)) {
     for (Entry &entry : memory_->entries) {
       if (entry.quiet != UINT8_MAX) entry.quiet++;
       if (slots_ >= entry.first && entry.left != 0) entry.left--;
@@ -271,8 +271,7 @@ void Forwarding::run() {
     if (entry.length == 0) continue;
     const uint8_t slots = medium_.quietSlots();
     if (entry.sending && !medium_.isSending()) sent(entry);
-    const bool isOver = slots >= entry.first && (entry.left == 0 || slots == UINT8_MAX);
-    if (entry.due != NOTHING && isOver) send(entry);
+    if (entry.due != NOTHING && slots >= entry.first && entry.left == 0) send(entry);
   }
 }
 

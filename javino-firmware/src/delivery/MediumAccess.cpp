@@ -26,7 +26,7 @@ void MediumAccess::update() {
   quietMillis_ = static_cast<uint8_t>(elapsed > UINT8_MAX ? UINT8_MAX : elapsed);
   for (; static_cast<uint16_t>(now - slotSince_) >= slotMillis_;
        slotSince_ = static_cast<uint16_t>(slotSince_ + slotMillis_)) {
-    if (quietSlots_ != UINT8_MAX) quietSlots_++;
+    quietSlots_ = slotAfter(quietSlots_);
   }
 }
 

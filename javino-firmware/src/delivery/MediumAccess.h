@@ -21,8 +21,20 @@ class MediumAccess {
   /// Looks at air and clock; to be called once before each look at what to send.
   void update();
 
-  /// Quiet slots since the last carrier, another's or our own, 0…255. To be read after update().
+  /// From this number on, slots are counted in a circle: it follows 255.
+  static const uint8_t CIRCLE = 128;
+
+  /// Quiet slots since the last carrier, another's or our own: 0…255, and 128…255 again and again. So who counts slots never
+  /// comes to an end, and who asks for fewer than 128 need not know. To be read after update().
   uint8_t quietSlots() const { return quietSlots_; }
+
+  /// The number of the slot after the one with this number.
+  static uint8_t slotAfter(uint8_t slot) { return slot == UINT8_MAX ? CIRCLE : static_cast<uint8_t>(slot + 1); }
+
+  /// Whether the air was busy between two looks.
+  /// @param before quiet slots at the first look
+  /// @param now quiet slots at the second one
+  static bool wasBusy(uint8_t before, uint8_t now) { return now < before && now < CIRCLE; }
 
   /// Whether another board's carrier is heard, or was since the update() before.
   bool hearsCarrier() const { return carrier_; }

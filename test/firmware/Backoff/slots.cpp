@@ -1,10 +1,12 @@
 #include <delivery/Backoff.h>
+#include <delivery/MediumAccess.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
 using javino::Backoff;
+using javino::MediumAccess;
 using javino::Random;
 
 namespace {
@@ -14,7 +16,7 @@ int slotsFrom(uint8_t quiet, uint8_t attempt, Random &random) {
   Backoff backoff;
   backoff.begin(attempt, quiet, random);
   int slots = quiet;
-  while (!backoff.isOver(static_cast<uint8_t>(slots))) slots++;
+  for (uint8_t slot = quiet; !backoff.isOver(slot); slot = MediumAccess::slotAfter(slot)) slots++;
   return slots;
 }
 
@@ -41,9 +43,9 @@ int longest(Backoff backoff, uint8_t attempt = 0) {
   int most = 0;
   for (int i = 0; i < 20000; i++) {
     backoff.begin(attempt, 0, random);
-    int slots = 6;
-    while (!backoff.isOver(static_cast<uint8_t>(slots))) slots++;
-    most = std::max(most, slots - 6);
+    int slots = 0;
+    for (uint8_t slot = 6; !backoff.isOver(slot); slot = MediumAccess::slotAfter(slot)) slots++;
+    most = std::max(most, slots);
   }
   return most;
 }
@@ -73,7 +75,7 @@ TEST(Backoff, window_grows_by_an_eighth_where_others_begin_after_few_idle_slots_
     hear(backoff, static_cast<uint8_t>(6 + idle), 1);
     EXPECT_EQ(19, longest(backoff)) << int(idle);
     hear(backoff, static_cast<uint8_t>(6 + idle), 100);
-    EXPECT_EQ(255 - 6, longest(backoff)) << int(idle);
+    EXPECT_EQ(255, longest(backoff)) << int(idle);
   }
 }
 
@@ -102,17 +104,20 @@ TEST(Backoff, no_wait_is_longer_than_256_slots_however_many_attempts) {
   Backoff backoff;
   hear(backoff, 6, 12);  // 16 * (9 / 8)^12 = 66, but for rounding
   EXPECT_EQ(129, longest(backoff, 1));
-  EXPECT_EQ(249, longest(backoff, 7));
+  EXPECT_EQ(255, longest(backoff, 7));
 }
 
-TEST(Backoff, every_wait_is_over_after_255_quiet_slots) {
-  Random random;
-  random.seed(1, 1);
-  for (int i = 0; i < 100; i++) {
-    Backoff backoff;
-    backoff.begin(7, 250, random);
-    EXPECT_TRUE(backoff.isOver(255));
-  }
+TEST(Backoff, waits_for_a_random_time_however_long_the_air_was_quiet) {
+  EXPECT_EQ(64u, allFrom(255, 2).size());
+  EXPECT_EQ(64u, allFrom(250, 2).size());
+}
+
+TEST(Backoff, window_stays_where_the_count_of_quiet_slots_goes_round) {
+  Backoff backoff;
+  hear(backoff, 6, 8);
+  uint8_t slot = 0;
+  for (int i = 0; i < 1000; i++) backoff.listen(slot = MediumAccess::slotAfter(slot));
+  EXPECT_EQ(39, longest(backoff));
 }
 
 TEST(Backoff, counts_on_after_each_carrier_and_its_6_slots) {

@@ -545,13 +545,11 @@ final class RadioCell {
 
     /** A sender may hear a copy of what it has sent itself: a relay carries it. */
     private void copied(Packet packet, Station board, boolean undamaged, double seconds) throws RefusedException {
-        String nonce = packet.payload().kind().equals("unicast") ? packet.payload().nonce() : "";
-        for (Message message : messages.values()) {
-            if (!nonce.isEmpty() && message.nonce.equals(nonce) && board.hasBeen(message.origin)
-                    && message.sender() != null) {
-                message.perhaps(seconds, "copy_comes");
-                message.copied(undamaged ? seconds : Double.NEGATIVE_INFINITY);
-            }
+        Payload payload = packet.payload();
+        Message message = payload.kind().equals("unicast") ? messages.get(key(payload)) : null;
+        if (message != null && board.hasBeen(message.origin) && message.sender() != null) {
+            message.perhaps(seconds, "copy_comes");
+            message.copied(undamaged ? seconds : Double.NEGATIVE_INFINITY);
         }
     }
 
