@@ -14,3 +14,21 @@ A[] (One.Waiting && One.doubt == FIRST) imply One.repeated
 E<> One.doubt == MOST && One.copied
 /* A78 holds: one that has brought it on repeats what begins anew. */
 E<> One.Waiting && One.late && !One.repeated
+/* A231 holds: a relay that was too late is in reserve later, and steps in. */
+E<> rule[ONE] == STEPS_IN && by == SENDER
+/* A232 holds: there it may hear an acknowledgement. */
+E<> rule[ONE] == RELIEVED && by == RECEIVER
+/* A233 holds: it may forget what is asked for too often. */
+E<> rule[ONE] == FORGETS && by == SENDER
+/* A234 holds: an acknowledgement may come when its sender has stopped waiting. */
+E<> rule[SENDER] == DELIVERED_LATE && by == RECEIVER
+/* A235 holds: a copy may come so, too. */
+E<> rule[SENDER] == COPIED_LATE && by == ONE
+/* A236 holds: it begins anew, is asked again, and carries again only in its time. */
+A[] !Time.Wrong
+/* A237 holds: doubt rises to 3. */
+E<> rule[ONE] == NEEDLESS && One.doubt == 3
+/* A238 holds: the witness of its time is awake then. */
+E<> Time.Right
+/* A239 holds: in its time it is asked again. */
+E<> rule[ONE] == ASKS_AGAIN && by == SENDER

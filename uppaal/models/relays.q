@@ -22,3 +22,67 @@ E<> Two.answered && Two.doubt == NO_DOUBT
 E<> Two.answered && Two.doubt == MOST && Two.copied
 /* A42 holds: one that was not needed doubts more. */
 E<> Two.answered && Two.doubt == FIRST + 1 && !Two.copied
+/* A171 holds: a relay takes what is new: from the second relay. */
+E<> rule[ONE] == TAKES && by == TWO
+/* A172 holds: a relay takes what is new: from the first relay. */
+E<> rule[TWO] == TAKES && by == ONE
+/* A173 holds: where its copy is due, it hears that it was handed on: from the second relay. */
+E<> rule[ONE] == GONE_ON && by == TWO
+/* A174 holds: where its copy is due, it hears a peer: from the second relay. */
+E<> rule[ONE] == PEER && by == TWO
+/* A175 holds: where its copy is due, it hears a peer: from the first relay. */
+E<> rule[TWO] == PEER && by == ONE
+/* A176 holds: it hears later that it was handed on: from the second relay. */
+E<> rule[ONE] == NOTED && by == TWO
+/* A177 holds: it hears later that it was handed on: from the first relay. */
+E<> rule[TWO] == NOTED && by == ONE
+/* A178 holds: where its copy of an acknowledgement is due, it hears that this has gone on: from the second relay. */
+E<> rule[ONE] == PASSED && by == TWO
+/* A179 holds: where its copy of an acknowledgement is due, it hears that this has gone on: from the first relay. */
+E<> rule[TWO] == PASSED && by == ONE
+/* A180 holds: it hears later that an acknowledgement has gone on: from the second relay. */
+E<> rule[ONE] == PASSED_LATER && by == TWO
+/* A181 holds: it hears later that an acknowledgement has gone on: from the first relay. */
+E<> rule[TWO] == PASSED_LATER && by == ONE
+/* A182 holds: it leaves an acknowledgement to a peer: from the second relay. */
+E<> rule[ONE] == CARRIED && by == TWO
+/* A183 holds: it leaves an acknowledgement to a peer: from the first relay. */
+E<> rule[TWO] == CARRIED && by == ONE
+/* A184 holds: it carries an acknowledgement again: from the second relay. */
+E<> rule[ONE] == REPEATS && by == TWO
+/* A185 holds: it carries an acknowledgement again: from the first relay. */
+E<> rule[TWO] == REPEATS && by == ONE
+/* A186 holds: where its copy is due, it hears an acknowledgement: from the second relay. */
+E<> rule[ONE] == ENDED && by == TWO
+/* A187 holds: where its copy is due, it hears an acknowledgement: from the first relay. */
+E<> rule[TWO] == ENDED && by == ONE
+/* A188 holds: it hears an acknowledgement later: from the second relay. */
+E<> rule[ONE] == ANSWERED && by == TWO
+/* A189 holds: it hears an acknowledgement later: from the first relay. */
+E<> rule[TWO] == ANSWERED && by == ONE
+/* A190 holds: where its copy is due, it hears an acknowledgement: from the receiver. */
+E<> rule[TWO] == ENDED && by == RECEIVER
+/* A191 holds: it hears an acknowledgement later: from the receiver. */
+E<> rule[TWO] == ANSWERED && by == RECEIVER
+/* A192 holds: what was handed on may be acknowledged by another relay. */
+E<> rule[ONE] == SOON && One.handed && One.back != 1
+/* A193 holds: what nobody has heard to be handed on may be acknowledged by its receiver. */
+E<> rule[ONE] == SOON && !One.handed && One.back == 1
+/* A194 holds: a relay whose copy came too late carries the acknowledgement, if it was handed on. */
+E<> rule[ONE] == TOO_LATE && One.Carrying
+/* A195 holds: otherwise it does not. */
+E<> rule[ONE] == TOO_LATE && One.Kept
+/* A196 holds: a relay in doubt carries what comes by another one, if it was handed on. */
+E<> rule[TWO] == ELSEWHERE && Two.handed && Two.doubt > NO_DOUBT
+/* A197 holds: otherwise it does not. */
+E<> rule[TWO] == ELSEWHERE && Two.Kept
+/* A198 holds: a relay without doubt carries it all the same. */
+E<> rule[ONE] == ELSEWHERE && !One.handed && One.doubt == NO_DOUBT
+/* A199 holds: an acknowledgement may be lost where a copy is due. */
+E<> Air.Over && One.Waiting && rule[ONE] == 0 && by == RECEIVER
+/* A200 holds: it may be lost where none is due. */
+E<> Air.Over && One.Known && rule[ONE] == 0 && by == RECEIVER
+/* A201 holds: a copy of it may be lost where an own one is due. */
+E<> Air.Over && One.Carrying && rule[ONE] == 0 && kind == ACK && by == TWO && hops == One.back
+/* A202 holds: it may be lost after that. */
+E<> Air.Over && One.Kept && rule[ONE] == 0 && kind == ACK && by == TWO && !One.passed && hops == (One.back == 2 ? 0 : One.back + 1)

@@ -6,3 +6,5 @@ A[] One.spent <= CREDIT && Two.spent <= CREDIT
 E<> Home.attempt == 1 && One.spent == CREDIT && Two.spent == CREDIT
 /* A54 holds: a copy for which none is left is not sent. */
 A[] (One.Known && One.spent == CREDIT) imply One.copied
+/* A55 holds: what a relay owes is sent, or is no longer due. */
+(One.Waiting || One.Carrying) --> (!One.Waiting && !One.Carrying)
