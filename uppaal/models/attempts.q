@@ -30,5 +30,11 @@ A[] !Time.Wrong
 E<> rule[ONE] == NEEDLESS && One.doubt == 3
 /* A238 holds: the witness of its time is awake then. */
 E<> Time.Right
-/* A239 holds: in its time it is asked again. */
-E<> rule[ONE] == ASKS_AGAIN && by == SENDER
+/* A239 holds: a relay is asked again soon. */
+E<> rule[ONE] == ASKS_AGAIN && by == SENDER && Home.attempt == 2
+/* A240 holds: an acknowledgement may be lost while its sender waits. */
+E<> Air.Over && Home.Awaiting && rule[SENDER] == 0 && kind == ACK && genuine
+/* A241 holds: it may be lost when its sender has stopped waiting. */
+E<> Air.Over && Home.Contending && rule[SENDER] == 0 && kind == ACK && genuine
+/* A242 holds: a message may be lost. */
+E<> Air.Over && Away.Listening && kind == DATA && genuine

@@ -90,7 +90,9 @@ A[] Away.known == (given > 0)
 Away.Due --> Away.Listening
 /* A109 holds: what a relay owes is sent, or is no longer due. */
 (One.Waiting || One.Carrying) --> (!One.Waiting && !One.Carrying)
-/* A110 holds: a repeat is acknowledged, too. */
+/* A110 holds: a receiver gets the message. */
+E<> rule[RECEIVER] == GETS
+/* A111 holds: a repeat is acknowledged, too. */
 E<> rule[RECEIVER] == GETS_AGAIN
-/* A111 holds: a copy may come while its sender waits. */
+/* A112 holds: a copy may come while its sender waits. */
 E<> rule[SENDER] == COPIED && by == ONE

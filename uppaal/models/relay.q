@@ -66,15 +66,17 @@ E<> Air.Carries && by == ATTACKER && kind == DATA && !genuine
 A[] (Air.Carries && by == ATTACKER) imply (Thief.shots == 1 && (kind == DATA ? (genuine ? Thief.data : hops == 0) : (genuine ? Thief.ack : Thief.data)))
 /* A148 holds: it overhears what is genuine. */
 A[] rule[ATTACKER] != 0 imply (kind == rule[ATTACKER] && genuine && (kind == DATA ? Thief.data : Thief.ack))
-/* A149 holds: it may overhear an acknowledgement. */
+/* A149 holds: it overhears the message. */
+E<> rule[ATTACKER] == DATA
+/* A150 holds: it overhears an acknowledgement. */
 E<> rule[ATTACKER] == ACK
-/* A150 holds: a sender hears a copy by the attacker, while it waits. */
+/* A151 holds: a sender hears a copy by the attacker, while it waits. */
 E<> rule[SENDER] == COPIED && by == ATTACKER
-/* A151 holds: it hears one when it has stopped waiting. */
+/* A152 holds: it hears one when it has stopped waiting. */
 E<> rule[SENDER] == COPIED_LATE && by == ATTACKER
-/* A152 holds: a sender hears an acknowledgement by the attacker, while it waits. */
+/* A153 holds: a sender hears an acknowledgement by the attacker, while it waits. */
 E<> rule[SENDER] == DELIVERED && by == ATTACKER
-/* A153 holds: it hears one when it has stopped waiting. */
+/* A154 holds: it hears one when it has stopped waiting. */
 E<> rule[SENDER] == DELIVERED_LATE && by == ATTACKER
-/* A154 holds: a copy may be due for longer than the sender waits. */
+/* A155 holds: a copy may be due for longer than the sender waits. */
 E<> Home.Contending && Home.attempt == 1 && One.Waiting && One.own == 1 && !One.copied

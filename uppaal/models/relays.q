@@ -86,3 +86,9 @@ E<> Air.Over && One.Known && rule[ONE] == 0 && by == RECEIVER
 E<> Air.Over && One.Carrying && rule[ONE] == 0 && kind == ACK && by == TWO && hops == One.back
 /* A202 holds: it may be lost after that. */
 E<> Air.Over && One.Kept && rule[ONE] == 0 && kind == ACK && by == TWO && !One.passed && hops == (One.back == 2 ? 0 : One.back + 1)
+/* A203 holds: where its copy of an acknowledgement is due, it hears that this has gone on: from the receiver. */
+E<> rule[ONE] == PASSED && by == RECEIVER
+/* A204 holds: it hears later that an acknowledgement has gone on: from the receiver. */
+E<> rule[ONE] == PASSED_LATER && by == RECEIVER
+/* A205 holds: the second relay of a line carries an acknowledgement again. */
+E<> rule[TWO] == REPEATS && Two.own == 2
