@@ -338,12 +338,11 @@ void Courier::acknowledged(const RadioPacket &lost) {
 // An attempt that waits for the air is none yet.
 void Courier::copied(const Frame &frame) {
   Message &message = current();
-  if (!isUnicast() || frame.origin != message.sender || frame.destination != message.destination) return;
+  if (!isUnicast() || frame.origin != message.sender) return;
   if (frame.length < NONCE_LENGTH || memcmp(frame.message, message.nonce, NONCE_LENGTH) != 0) return;
-  if (message.phase == CONTENDING && message.attempt != 0) {
+  if (message.phase != AWAITING) {
+    if (message.phase != CONTENDING || message.attempt == 0) return;
     message.attempt--;
-  } else if (message.phase != AWAITING) {
-    return;
   }
   await(ROUNDS_WITH_RELAY);
 }

@@ -29,7 +29,7 @@ class MediumAccess {
   uint8_t quietSlots() const { return quietSlots_; }
 
   /// The number of the slot after the one with this number.
-  static uint8_t slotAfter(uint8_t slot) { return slot == UINT8_MAX ? CIRCLE : static_cast<uint8_t>(slot + 1); }
+  static uint8_t slotAfter(uint8_t slot) { return static_cast<uint8_t>((slot + 1) | (slot & CIRCLE)); }
 
   /// Whether the air was busy between two looks.
   /// @param before quiet slots at the first look

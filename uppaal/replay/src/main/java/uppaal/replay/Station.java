@@ -382,10 +382,11 @@ final class Station {
         if (places == 0 || underWay.size() >= PARTNERS) {
             return Optional.empty();
         }
-        return waiting.stream()
-                .filter(each -> !each.mayFail && each.relayed.isEmpty()
-                        && !underWay.contains(partner(each.destination)))
-                .filter(each -> ++each.passedOver > RadioCell.LOST + underWay.size()).findFirst();
+        int most = RadioCell.LOST + underWay.size();
+        // Of those to one partner only the first has a turn.
+        return waiting.stream().filter(each -> each.relayed.isEmpty() && underWay.add(partner(each.destination)))
+                .filter(each -> !each.mayFail)
+                .filter(each -> ++each.passedOver > most).findFirst();
     }
 
     /** It sends a packet of another device, whether its host has asked for that or not. */
