@@ -234,3 +234,19 @@ TEST(Relays, take_one_message_in_pieces_at_a_time_and_two_when_they_are_none) {
     board.pollTaking(static_cast<uint8_t>(counter == 1 ? 0 : counter == 2 ? 2 : 3));
   }
 }
+
+// Boards that were booted equally often have the same nonces: the frame of another one is no copy.
+TEST(Relays, are_not_awaited_where_many_begin_at_once_in_the_same_epoch) {
+  Line line(9);
+  for (size_t i = 1; i < 9; i++) line.relay(i, false);
+  line.air.inRange = nullptr;
+  std::vector<std::unique_ptr<Station>> &all = line.stations;
+  for (size_t i = 0; i < all.size(); i += 2) all[i]->share(*all[i + 1], KEY);
+  for (size_t i = 0; i < all.size(); i += 2) EXPECT_TRUE(all[i]->send(all[i + 1]->id, "tell;help"));
+  line.air.pass(50);
+  for (size_t i = 1; i < all.size(); i += 2) EXPECT_TRUE(all[i]->send(all[i - 1]->id, "tell;help"));
+  EXPECT_TRUE(line.air.settle(15000));
+  for (const std::unique_ptr<Station> &station : all) {
+    EXPECT_EQ(Station::DELIVERED, station->ended["tell;help"]) << station->id;
+  }
+}
