@@ -18,7 +18,8 @@ static const uint8_t CHANGE = 8;  // the window changes by this part of it
 Backoff::Backoff() : window_(LEAST_WINDOW * PARTS) {}
 
 void Backoff::listen(uint8_t quietSlots) {
-  const bool begun = MediumAccess::wasBusy(quiet_, quietSlots);
+  if ((quietSlots & MediumAccess::CIRCLE) != 0) return;
+  const bool begun = quietSlots < quiet_;
   const uint8_t before = quiet_;
   quiet_ = quietSlots;
   if (!begun || before < FIRST_SLOTS) return;  // an acknowledgement waits less: it tells nothing

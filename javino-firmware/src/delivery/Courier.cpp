@@ -336,14 +336,13 @@ void Courier::acknowledged(const RadioPacket &lost) {
 }
 
 // An attempt that waits for the air is none yet.
-void Courier::copied(const Frame &frame) {
+void Courier::copied(const uint8_t *packet, uint8_t length) {
   Message &message = current();
-  if (!isUnicast() || frame.origin != message.sender) return;
-  if (frame.length < NONCE_LENGTH || memcmp(frame.message, message.nonce, NONCE_LENGTH) != 0) return;
-  if (message.phase != AWAITING) {
-    if (message.phase != CONTENDING || message.attempt == 0) return;
-    message.attempt--;
-  }
+  const bool contends = message.phase == CONTENDING && message.attempt != 0;
+  if (!contends && message.phase != AWAITING) return;
+  const ByteQueue::Record record = frame();
+  if (length != record.length || memcmp(packet, record.bytes, Envelope::NONCE_AT + NONCE_LENGTH) != 0) return;
+  if (contends) message.attempt--;
   await(ROUNDS_WITH_RELAY);
 }
 

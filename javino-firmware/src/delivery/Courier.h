@@ -40,8 +40,8 @@ class Courier {
   /// @return false where it is not about what is under way
   JAVINO_NOINLINE bool acknowledged(const Frame &frame);
 
-  /// Looks at a frame from the air: if it is what has its turn, a relay has copied that.
-  void copied(const Frame &frame);
+  /// Looks at a unicast from the air: if it is what has its turn, a relay has copied that.
+  void copied(const uint8_t *packet, uint8_t length);
 
   /// Looks at a packet that is damaged beyond mending. An acknowledgement is known beforehand, but for its pieces: so some wrong
   /// bits can be borne.

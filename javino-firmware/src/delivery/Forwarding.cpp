@@ -248,7 +248,7 @@ uint8_t Forwarding::spread(bool turn) {
 // Counts the quiet slots that have passed.
 void Forwarding::passSlots() {
   const uint8_t now = medium_.quietSlots();
-  if (MediumAccess::wasBusy(slots_, now)) slots_ = 0;
+  if (now < slots_ && now < MediumAccess::CIRCLE) slots_ = 0;
   for (; slots_ != now; slots_ = MediumAccess::slotAfter(slots_)) {
     for (Entry &entry : memory_->entries) {
       if (entry.quiet != UINT8_MAX) entry.quiet++;

@@ -31,11 +31,6 @@ class MediumAccess {
   /// The number of the slot after the one with this number.
   static uint8_t slotAfter(uint8_t slot) { return static_cast<uint8_t>((slot + 1) | (slot & CIRCLE)); }
 
-  /// Whether the air was busy between two looks.
-  /// @param before quiet slots at the first look
-  /// @param now quiet slots at the second one
-  static bool wasBusy(uint8_t before, uint8_t now) { return now < before && now < CIRCLE; }
-
   /// Whether another board's carrier is heard, or was since the update() before.
   bool hearsCarrier() const { return carrier_; }
 

@@ -69,11 +69,12 @@ void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
   if (config::RELAY && !admission_.isOwn(frame) && !admission_.isFor(frame.destination)) {
     forwarding_.heard(frame, packet, length, hops);
   }
-  if (frame.destination.classOf() == Address::ACKNOWLEDGEMENT) {
+  const Address::Class to = frame.destination.classOf();
+  if (to == Address::ACKNOWLEDGEMENT) {
     if (!courier_.acknowledged(frame)) admission_.drop(Counter::RADIO_NOT_FOR_US);
     return;
   }
-  courier_.copied(frame);
+  if (to == Address::DEVICE) courier_.copied(packet, length);
   if (!open_) {
     admission_.drop(Counter::RADIO_BLOCKED);
   } else {

@@ -115,7 +115,7 @@ final class RadioCell {
     /** A host has its board's radio opened or blocked. */
     void radio(Event event) {
         Station board = board(event.board());
-        board.open(event.text("radio").equals("open"));
+        board.open(event.text("radio").equals("open"), event.seconds());
         forgetHeard(board);
     }
 
@@ -570,7 +570,8 @@ final class RadioCell {
             board.comes(message, payload, seconds);
         }
         if (message != null && message.concerns(board) && board.isConcernedBy(message.destination)) {
-            boolean isKept = undamaged && canOpen(board, packet) && board.hasRoom(message, payload, seconds);
+            boolean isKept = undamaged && board.wasOpen(packet.start()) && canOpen(board, packet)
+                    && board.hasRoom(message, payload, seconds);
             boolean isNew = message.comes(payload.index(), isKept, seconds);
             ask(message, payload, board, isKept, isNew, seconds);
             if (isKept && message.becomesWhole(board, seconds)) {

@@ -57,8 +57,9 @@ final class Station {
     private String id = "";
     /** Whether it has no power. */
     private boolean off;
-    /** Whether its host has opened its radio. */
+    /** Whether its host has opened its radio, and since when it surely runs: in seconds. */
     private boolean open;
+    private double openSince;
     /** The check values of the keys that its host has set and not touched since, by address. */
     private final Map<String, String> checks = new HashMap<>();
     /** The devices of those of them that are session keys, the one that was set last at the end. */
@@ -182,7 +183,8 @@ final class Station {
         return Optional.ofNullable(cut.get(pieceId));
     }
 
-    void open(boolean now) {
+    void open(boolean now, double seconds) {
+        openSince = open ? openSince : seconds;
         open = now;
     }
 
@@ -309,6 +311,11 @@ final class Station {
         boolean areShort = Stream.concat(came.stream(), handed.values().stream())
                 .allMatch(each -> each != null && !each.isInPieces());
         return all <= (areShort && places > 0 ? FEW : 1) && reply > seconds - LOOKS;
+    }
+
+    /** Whether it listened when a packet began: a board that boots hears none. */
+    boolean wasOpen(double start) {
+        return open && openSince < start;
     }
 
     boolean isOpen() {
