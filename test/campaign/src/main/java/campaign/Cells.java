@@ -68,7 +68,7 @@ final class Cells implements Campaign {
     }
 
     private static String wait(Traffic.Sent sent) {
-        return Table.text("%.2f s", sent.longestWait(0.5));
+        return sent.sum().offered() == 0 ? "-" : Table.text("%.2f s", sent.longestWait(0.5));
     }
 
     private static String milli(double seconds) {
