@@ -128,10 +128,20 @@ final class RadioCell {
     void key(Event event) throws RefusedException {
         Station board = board(event.board());
         String step = event.text("step");
+        String address = event.text("address");
+        String before = board.check(address);
         if (step.equals("session")) {
-            board.session(event.text("address"), event.text("check"));
+            board.session(address, event.text("check"));
         } else {
-            board.key(event.text("address"), step.equals("set") ? event.text("check") : "");
+            board.key(address, step.equals("set") ? event.text("check") : "");
+        }
+        if (before == null || !before.equals(board.check(address))) {
+            // Only a known key is surely the same. With another, what was to be answered may be gone, as at a boot.
+            for (Message message : messages.values()) {
+                if (message.isUnicast() && message.origin.equals(address) && message.hasReached(board)) {
+                    message.perhaps(event.seconds(), board, "receiver_reset");
+                }
+            }
         }
         forgetHeard(board);
     }

@@ -771,6 +771,32 @@ class ReplayTest {
         }
     }
 
+    /** An answer that is due goes with the key; the sender's own is another board's. */
+    @ParameterizedTest
+    @CsvSource({"hospital, delete, SUPP, accepted", "hospital, session, SUPP, accepted",
+            "hospital, delete, SUPO, refused", "support, delete, SUHO, refused", "hospital, none, SUPP, refused"})
+    void replay_messageThatIsNotAnswered_isAcceptedIfItsKeyHasGone(String board, String step, String address,
+            String verdict) {
+        Lines all = Lines.of("highway");
+        int answer = acknowledgedByHospital(all);
+        Lines lines = all.without(line -> line >= answer);
+        int taken = lines.where(line -> lines.is(line, "hospital", "host-taken")).get(2);
+        if (!step.equals("none")) {
+            Lines key = new Lines().add(lines.get(taken).get("t").getAsDouble(), board, "host-key",
+                    Map.of("address", address, "step", step, "check", step.equals("session") ? "070809" : ""));
+            lines.all.addAll(taken, key.all);
+        }
+        lines.add(15, "ambulance", "host-transmit",
+                Map.of("number", 0, "destination", "////", "asked", 15, "content", "tell;help"));
+        send(lines, 16, "ambulance", "2f2f2f2f5355414d424974656c6c3b68656c70", "broadcast");
+        hear(lines, 16, "hospital", "ambulance", "2f2f2f2f5355414d424974656c6c3b68656c70", "broadcast");
+        if (verdict.equals("refused")) {
+            assertRefused(lines, lines.all.size(), "hospital does nothing of what is due");
+        } else {
+            assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
+        }
+    }
+
     /** A board that has another key now knows no answer to what it has sealed with the one before. */
     @ParameterizedTest
     @CsvSource({"070809, 2.5, true", "010203, 2.5, false", "070809, 1.5, true", ", 1.5, true", "070809, 0.6, false"})
