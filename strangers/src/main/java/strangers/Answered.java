@@ -1,5 +1,7 @@
 package strangers;
 
+import java.util.Set;
+import java.util.TreeSet;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import strangers.edhoc.Answering;
@@ -14,9 +16,12 @@ final class Answered extends Talk {
     private static final int WANTS = 2;
     /** Until it is forgotten, from the end of message 2 on. */
     static final long LIFE_MILLIS = 10_000;
+    /** Before a fragment is said again: of two with one address, whose boards draw the same, one comes first. */
+    static final int SPREAD_MILLIS = 200;
 
     private final Bytes message1;
     private final Answering answering;
+    private final Set<Integer> due = new TreeSet<>();
     private int wantsLeft = WANTS;
     private long end = NEVER;
     private boolean finished;
@@ -38,9 +43,21 @@ final class Answered extends Talk {
 
     /** Says message 2; the same each time. */
     void answer(long now) {
-        if (!finished) {
-            sayAll(round().second, answering.message2(), round().thirdMillis, now);
+        if (finished) {
+            return;
         }
+        if (end == NEVER) {
+            sayAll(round().second, answering.message2(), round().thirdMillis, now);
+        } else {
+            for (int i = 0; i < round().second.fragments(); i++) {
+                again(i, now);
+            }
+        }
+    }
+
+    private void again(int fragment, long now) {
+        due.add(fragment);
+        setDeadline(now + shared().random().nextInt(SPREAD_MILLIS));
     }
 
     @Override
@@ -59,7 +76,10 @@ final class Answered extends Talk {
 
     @Override
     void late(long now) {
-        if (end == NEVER || now >= end) {
+        if (!due.isEmpty()) {
+            due.forEach(i -> say(HostWord.of(round().second, i, answering.message2()), round().thirdMillis, now));
+            due.clear();
+        } else if (end == NEVER || now >= end) {
             shared().count(Event.EXPIRED);
             peer().finished(this);
             peer().advance(now);
@@ -75,7 +95,7 @@ final class Answered extends Talk {
     boolean wanted(int first, long now) {
         for (int i = 0; i < round().second.fragments() && !finished; i++) {
             if (first == round().second.first(i)) {
-                say(HostWord.of(round().second, i, answering.message2()), round().thirdMillis, now);
+                again(i, now);
                 return true;
             }
         }

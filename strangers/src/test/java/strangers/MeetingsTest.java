@@ -9,14 +9,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.LongStream;
 import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Force;
 import javino.protocol.Key;
+import javino.protocol.Word;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -102,6 +105,35 @@ class MeetingsTest {
         assertEquals(1, roma.keysSet());
         assertEquals(1, supo.keysSet());
         assertEquals(1, count(supo, Event.ANSWERED), "ROMA is the lower address");
+    }
+
+    /** Twins' boards draw the same waits. If their hosts answered at once each time, all answers would collide. */
+    @Test
+    void answer_saidAgain_waitsForARandomTime() {
+        Set<Long> waits = new HashSet<>();
+        for (int seed = 0; seed < 20; seed++) {
+            world = new World(seed);
+            World.Host roma = world.add(romaIdentity);
+            World.Host supo = world.add(supoIdentity);
+            List<Air.Packet> packets = new ArrayList<>();
+            world.listener = packets::add;
+            roma.send(supo.address);
+            for (int i = 0; i < 100 && count(supo, Event.ANSWERED) == 0; i++) {
+                world.run(MINUTE / 600);
+            }
+            roma.on = false;
+            Word message1 = new Word(packets.get(0).message);
+            world.run(MINUTE / 40);
+            long answers = packets.stream().filter(packet -> packet.from.equals(supo.address)).count();
+            supo.meetings.heard(roma.address, message1, world.millis());
+            long wait = supo.meetings.next() - world.millis();
+            assertTrue(wait >= 0 && wait < Answered.SPREAD_MILLIS, () -> "it waits for " + wait + " ms");
+            waits.add(wait);
+            supo.within(() -> {});
+            world.run(MINUTE / 40);
+            assertEquals(2 * answers, packets.stream().filter(packet -> packet.from.equals(supo.address)).count());
+        }
+        assertTrue(waits.size() > 10, "waits: " + waits);
     }
 
     @Test
