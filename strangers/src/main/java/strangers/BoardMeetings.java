@@ -364,11 +364,14 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
 
     private static Meetings.Sent how(Outcome outcome, Throwable thrown) {
         if (thrown != null) {
-            Throwable cause = thrown instanceof CompletionException ? thrown.getCause() : thrown;
-            return cause instanceof RequestFailedException refused && refused.status() == Status.NO_KEY
-                    ? Meetings.Sent.NO_KEY : Meetings.Sent.FAILED;
+            return isRefused(thrown, Status.NO_KEY) ? Meetings.Sent.NO_KEY : Meetings.Sent.FAILED;
         }
         return outcome == Outcome.DELIVERED ? Meetings.Sent.DELIVERED : Meetings.Sent.UNDELIVERED;
+    }
+
+    private static boolean isRefused(Throwable thrown, Status status) {
+        Throwable cause = thrown instanceof CompletionException ? thrown.getCause() : thrown;
+        return cause instanceof RequestFailedException refused && refused.status() == status;
     }
 
     @Override
@@ -376,11 +379,17 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         given.add(device);
         host.setSessionKey(device, key).whenComplete((done, thrown) -> execute(() -> {
             if (thrown != null) {
-                failures.put(device, thrown);
-                host.warn(Failure.of(thrown).message());
+                Throwable why = isRefused(thrown, Status.UNKNOWN_COMMAND) ? noPlace(device) : thrown;
+                failures.put(device, why);
+                host.warn(Failure.of(why).message());
             }
             inMeetings(all -> all.keySet(device, thrown == null, millis()));
         }));
+    }
+
+    private static Throwable noPlace(Address device) {
+        return new Failure("no_place", "the board has no place for the key with the stranger " + device
+                + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more").toException();
     }
 
     @Override

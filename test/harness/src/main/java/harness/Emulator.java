@@ -175,7 +175,8 @@ public final class Emulator implements AutoCloseable {
         return firmware(sketch, MEGA);
     }
 
-    private static Path firmware(String sketch, String model) {
+    /** The same for another board that sketches are built for, by its name in javino-firmware/build.gradle. */
+    public static Path firmware(String sketch, String model) {
         String folder = sketch.toLowerCase(Locale.ROOT) + (model.equals(MEGA) ? "" : "-" + model);
         return ROOT.resolve("javino-firmware/build").resolve(folder).resolve(sketch + ".ino.elf");
     }

@@ -168,6 +168,35 @@ class StrangersTest {
         }
     }
 
+    /** A bus on an Uno, for which the sketch was built with a place for one key, or as usual with none. */
+    private void takeAnUno(String built) throws Exception {
+        emulator.close();
+        emulator = new Emulator.Scenario().board("bus", "Station",
+                Map.of("model", "uno", "firmware", Emulator.firmware("Station", built).toString()))
+                .board("police", "Station").start(folder.resolve(built));
+        authority.enroll("SUPO", identities);
+    }
+
+    @Test
+    void agentOnAnUno_withAPlaceForAKey_meetsAStranger() throws Exception {
+        takeAnUno("unoofstrangers");
+        try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(1); !ask")) {
+            police.await("stranger ROMA says 1");
+            bus.await("SUPO welcomes me 1");
+            bus.await("speed is 80");
+        }
+    }
+
+    @Test
+    void agentOnAnUno_withoutAPlace_isToldWhatToDo() throws Exception {
+        takeAnUno("uno");
+        try (AgentProcess police = police("true"); AgentProcess bus = bus("!call(1)")) {
+            bus.await("build its sketch with JAVINO_SESSION_KEYS of 1 or more");
+            bus.await("failed no_place");
+            assertTrue(police.lines().stream().noneMatch(line -> line.contains("says")));
+        }
+    }
+
     @Test
     void twin_withTheSameAddress_getsNothing() throws Exception {
         authority.enroll("SUPO", identities);
