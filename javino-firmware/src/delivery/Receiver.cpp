@@ -82,6 +82,11 @@ void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
   }
 }
 
+// Whether it is a word of hosts (SPEC 3). These prove it, or take it for what anybody may have said.
+static bool isWord(const Frame &frame) {
+  return config::MENDING && frame.length != 0 && (frame.message[0] & 0xC0) == 0x80;
+}
+
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
 // is right, if there is a doubt.
 void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
@@ -92,7 +97,7 @@ void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
     } else {
       if (pieces_.accept(frame, medium_.pieceLength(), begun, isDoubtful_)) keep();
     }
-  } else if (isDoubtful_ && frame.destination.isBroadcast()) {
+  } else if (isDoubtful_ && frame.destination.isBroadcast() && !isWord(frame)) {
     admission_.drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_.isForUs(frame)) {
     if (frame.destination.isDevice()) keep();

@@ -312,3 +312,26 @@ TEST_F(DamagedMessages, a_broadcast_is_taken_only_where_there_is_no_doubt) {
   EXPECT_TRUE(board.messages().empty());
   EXPECT_EQ(1u, board.counter(Counter::RADIO_DOUBTFUL));
 }
+
+// Its host proves it, or the words that follow.
+TEST_F(DamagedMessages, a_word_of_hosts_is_taken_even_where_there_is_a_doubt) {
+  const Bytes word = plain("////", "SUPP",
+                           "\x88"
+                           "ROMA" +
+                               std::string(60, 'x'));
+  std::set<size_t> some, others;
+  for (size_t bit = 200; bit < 800; bit += 60) some.insert(bit);
+  for (size_t bit = 230; bit < 800; bit += 60) others.insert(bit);
+  board.radio.arrive(word, some);
+  board.pass(1);
+  EXPECT_TRUE(board.messages().empty());
+  board.radio.arrive(plain("////", "SUPP", "tell;something else between both"));
+  board.pass(1);
+  EXPECT_EQ(1u, board.messages().size());
+  board.pollTaking(1);
+  board.pass(500);
+  board.radio.arrive(word, others);
+  board.pass(1);
+  EXPECT_EQ(1u, board.messages().size());
+  EXPECT_EQ(0u, board.counter(Counter::RADIO_DOUBTFUL));
+}
