@@ -120,8 +120,10 @@ final class MeetingsOnBoards {
         for (int seed = 0; seed < seeds; seed++) {
             pairs(settings.choose(4, 1), 1, bitErrors, settings.seed() + seed, (pair, random) -> {
                 for (int round = 0; round < rounds; round++) {
+                    pair.rest();
                     pair.forget();
                     double took = came(pair.speak());
+                    pair.rest();
                     pair.reset();
                     double tookAgain = came(pair.speak());
                     synchronized (this) {
@@ -165,6 +167,7 @@ final class MeetingsOnBoards {
             int rounds = settings.choose(4, 1);
             pairs(settings.choose(4, 1), 1, 0, settings.seed() + 10, (pair, random) -> {
                 for (int round = 0; round < rounds; round++) {
+                    pair.rest();
                     pair.forget();
                     long before = pair.keysSet();
                     pair.later(random.nextDouble() * FAULT_WITHIN, fault, random.nextBoolean());

@@ -18,6 +18,8 @@ final class StrangerPair implements AutoCloseable {
     /** In emulated seconds: what takes longer counts as lost. */
     static final double PATIENCE = 90;
 
+    private static final double REST = 6;
+
     private final Field field;
     private final Timetable time;
     private final Field.Post one;
@@ -50,6 +52,13 @@ final class StrangerPair implements AutoCloseable {
         notifyAll();
     }
 
+    /** Nothing is under way, and a host answers the other one again: it does so once in 5 s (SPEC 11.4). */
+    void rest() throws InterruptedException {
+        time.await(time.now() + REST, field.emulator().process());
+        first.awaitQuiet();
+        second.awaitQuiet();
+    }
+
     /** Both know nothing of each other any more. */
     void forget() {
         first.forget();
@@ -65,8 +74,6 @@ final class StrangerPair implements AutoCloseable {
 
     /** The sender's board is reset, and there again. */
     void reset() {
-        first.awaitQuiet();
-        second.awaitQuiet();
         befall("reset", true);
         first.awaitOnline();
     }
