@@ -42,8 +42,8 @@ final class MeetingsOnBoards {
             **On emulated boards.** Hosts with certificates of one authority, whose boards (`Station`) have no key,
             drive emulated Megas as an agent's host does. All times are emulated seconds, from the host's wish to send
             until the other host has the message, which came sealed. *Again* is when the sender's board was reset and
-            is there again: its key is gone, and both hosts agree anew from what they have kept. Pairs are out of each
-            other's range.
+            is there again: its key is gone, and both hosts agree anew from what they have kept. A host answers another
+            once in 5 s, so 6 s pass before each message. Pairs are out of each other's range.
             """);
         report.table(table);
         report.aim(Table.text("first message in quiet air: median at most %.1f s (%.2f s)", FIRST_SECONDS,
