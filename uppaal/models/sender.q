@@ -75,13 +75,13 @@ E<> Early.Just && !collided && Police1.OnAir && kind == DATA
 /* N38 holds: what is on the air alone is still being sent. */
 A[] (Air.Busy && !collided && from == POLICE) imply sending[POLICE]
 /* N39 holds: once a copy was heard, an attempt waits for a relay. */
-E<> Police1.Awaiting && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LEAST_WINDOW
+E<> Ear.Copy && !Ear.copied && Police1.Awaiting && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LEAST_WINDOW
 /* N40 holds: also where a carrier is there. */
-E<> Police1.Held && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LEAST_WINDOW
+E<> Ear.Copy && !Ear.copied && Police1.Held && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LEAST_WINDOW
 /* N41 holds: and where it contends already for the next one. */
-E<> Police1.Awaiting && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LAST_WINDOW && !Ear.answered
+E<> Ear.Copy && !Ear.copied && Police1.Awaiting && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LAST_WINDOW && !Ear.answered
 /* N42 holds: likewise. */
-E<> Police1.Held && busy && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LAST_WINDOW && !Ear.answered
+E<> Ear.Copy && !Ear.copied && Police1.Held && busy && Police1.left == RELAY_PATIENCE && Police1.attempt == 1 && Police1.span == LAST_WINDOW && !Ear.answered
 /* N43 holds: later attempts of what is in pieces wait no longer. */
 E<> Police1.Held && Police1.left == PATIENCE && Police1.attempt == LATE_ATTEMPT + 1 && !Ear.answered
 /* N44 holds: nothing has patience but an attempt that awaits its answer. */
