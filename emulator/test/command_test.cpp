@@ -226,7 +226,7 @@ static void interfere(const Scratch &scratch) {
       EXPECT_LE(length, ssize_t(sizeof bytes));
     }
     close(host);
-    usleep(5000);
+    usleep(100000);  // it notices that at its next look at the port
     EXPECT_EQ(told(control, R"({"do":"unplug","board":"a"})"), "{\"ok\":true}\n");
     EXPECT_EQ(told(control, R"({"do":"plug","board":"a"})"), "{\"ok\":true}\n");
   }
