@@ -82,9 +82,12 @@ void Receiver::accept(uint8_t *packet, uint8_t length, uint8_t hops) {
   }
 }
 
-// Whether it is a word of hosts (SPEC 3). These prove it, or take it for what anybody may have said.
-static bool isWord(const Frame &frame) {
-  return config::MENDING && frame.length != 0 && (frame.message[0] & 0xC0) == 0x80;
+static bool isWord(const Frame &frame) { return frame.length != 0 && (frame.message[0] & 0xC0) == 0x80; }
+
+// Whether it is a word of hosts (SPEC 3), which these prove, or take for what anybody may have said. No broadcast comes as a
+// relay's copy, and so no word does.
+bool Receiver::mayBeDoubtful(const Frame &frame) const {
+  return config::MENDING && medium_.mender()->hops() == 0 && isWord(frame);
 }
 
 // What is sealed is kept before it is opened, so that a damaged repeat of it is known. Of a broadcast nothing tells whether it
@@ -97,7 +100,7 @@ void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
     } else {
       if (pieces_.accept(frame, medium_.pieceLength(), begun, isDoubtful_)) keep();
     }
-  } else if (isDoubtful_ && frame.destination.isBroadcast() && !isWord(frame)) {
+  } else if (isDoubtful_ && frame.destination.isBroadcast() && !mayBeDoubtful(frame)) {
     admission_.drop(Counter::RADIO_DOUBTFUL);
   } else if (admission_.isForUs(frame)) {
     if (frame.destination.isDevice()) keep();

@@ -43,6 +43,7 @@ class Receiver {
  private:
   JAVINO_NOINLINE void accept(uint8_t *packet, uint8_t length, uint8_t hops);
   void accept(const Frame &frame, uint8_t *packet, uint8_t length);
+  bool mayBeDoubtful(const Frame &frame) const;
   void keep();
   void forget();
 
