@@ -5,7 +5,6 @@ import harness.Host;
 import harness.TestKeys;
 import harness.TraceEvent;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -81,8 +80,11 @@ final class Conversation {
         FAILED
     }
 
-    /** @param why in one line; empty where all was fine */
-    record Result(End end, String why) {}
+    /**
+     * @param why  in one line; empty where all was fine
+     * @param kept where the replay has refused: the trace's last lines, for who calls to delete
+     */
+    record Result(End end, String why, Optional<Path> kept) {}
 
     private final List<Talker> talkers = new ArrayList<>();
     private final Deque<String> overheard = new ArrayDeque<>();
@@ -141,16 +143,16 @@ final class Conversation {
         } catch (AssertionError failed) {
             return verdict(String.valueOf(failed.getMessage()).lines().findFirst().orElse(""));
         }
-        return new Result(why.isEmpty() ? End.FINE : End.FAILED, why);
+        return new Result(why.isEmpty() ? End.FINE : End.FAILED, why, Optional.empty());
     }
 
-    private static Result verdict(String message) throws IOException {
+    private static Result verdict(String message) {
         int kept = message.indexOf("; the lines before it are in ");
         if (kept < 0) {
-            return new Result(End.FAILED, message);
+            return new Result(End.FAILED, message, Optional.empty());
         }
-        Files.deleteIfExists(Path.of(message.substring(message.lastIndexOf(' ') + 1)));
-        return new Result(End.REFUSED, message.substring(0, kept));
+        return new Result(End.REFUSED, message.substring(0, kept),
+                Optional.of(Path.of(message.substring(message.lastIndexOf(' ') + 1))));
     }
 
     private synchronized void hear(TraceEvent event) {

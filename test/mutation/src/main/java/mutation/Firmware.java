@@ -8,11 +8,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
@@ -25,6 +29,8 @@ final class Firmware implements Part {
     private static final int USUAL = 60;
     /** So begins the reason for a survivor that does harm. */
     private static final String UNSEEN = "unseen: ";
+    /** So the trace says that a program has left its flash. */
+    private static final String CRASH = "\"event\":\"crash\"";
     /** Of the air. A mistake that the first does not show has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L);
     /**
@@ -40,6 +46,10 @@ final class Firmware implements Part {
     }
 
     private record Judged(FirmwareMutant mutant, Fate fate, String why) {}
+
+    /** Why runs of the right firmware did not go well. A trap that no board comes to changes nothing. */
+    private final Queue<String> refused = new ConcurrentLinkedQueue<>();
+    private final Queue<String> failed = new ConcurrentLinkedQueue<>();
 
     @Override
     public String name() {
@@ -83,23 +93,24 @@ final class Firmware implements Part {
     private static void check(FirmwareBuild build) throws IOException, InterruptedException {
         Path program = build.build().orElseThrow(() -> new IOException("the firmware does not build"));
         for (long seed : SEEDS) {
-            Conversation.Result result = converse(program, seed);
+            Conversation.Result result = converse(program, seed, line -> {});
             if (result.end() != Conversation.End.FINE) {
                 throw new IllegalStateException("without a mistake, with seed " + seed + ": " + result.why());
             }
         }
     }
 
-    private static Conversation.Result converse(Path program, long seed) throws IOException, InterruptedException {
+    private static Conversation.Result converse(Path program, long seed, Consumer<String> trace)
+            throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("javino-mutate");
         try {
-            return Conversation.run(program, seed, folder, line -> {});
+            return Conversation.run(program, seed, folder, trace);
         } finally {
             FirmwareBuild.delete(folder);
         }
     }
 
-    private static Judged judged(FirmwareMutant mutant, BlockingQueue<FirmwareBuild> builds, Path root)
+    private Judged judged(FirmwareMutant mutant, BlockingQueue<FirmwareBuild> builds, Path root)
             throws IOException, InterruptedException {
         FirmwareBuild build = builds.take();
         try {
@@ -110,8 +121,9 @@ final class Firmware implements Part {
             }
             Judged failed = null;
             for (long seed : SEEDS) {
-                Conversation.Result result = converse(program.get(), seed);
-                if (result.end() == Conversation.End.REFUSED) {
+                Conversation.Result result = converse(program.get(), seed, line -> {});
+                if (result.kept().isPresent()) {
+                    Files.delete(result.kept().get());
                     return new Judged(mutant, Fate.REFUSED, result.why());
                 }
                 if (result.end() == Conversation.End.FAILED) {
@@ -126,7 +138,7 @@ final class Firmware implements Part {
     }
 
     /** Whether boards come to the line with the mistake; taken for granted where a trap cannot stand before it. */
-    private static boolean isReached(FirmwareMutant mutant, String source, FirmwareBuild build)
+    private boolean isReached(FirmwareMutant mutant, String source, FirmwareBuild build)
             throws IOException, InterruptedException {
         Optional<Path> program =
                 mutant.takesTrap() ? build.with(mutant.file(), mutant.trapIn(source)) : Optional.empty();
@@ -134,14 +146,29 @@ final class Firmware implements Part {
             return true;
         }
         for (long seed : SEEDS) {
-            if (converse(program.get(), seed).end() != Conversation.End.FINE) {
+            AtomicBoolean crashed = new AtomicBoolean();
+            Conversation.Result result = converse(program.get(), seed, line -> {
+                if (line.contains(CRASH)) {
+                    crashed.set(true);
+                }
+            });
+            if (crashed.get()) {
+                if (result.kept().isPresent()) {
+                    Files.delete(result.kept().get());
+                }
                 return true;
+            }
+            String why = "seed " + seed + ": " + result.why() + result.kept().map(file -> ", see " + file).orElse("");
+            switch (result.end()) {
+                case FINE -> { }
+                case REFUSED -> refused.add(why);
+                case FAILED -> failed.add(why);
             }
         }
         return false;
     }
 
-    private static void describe(List<Judged> judged, int possible, Options options, Report report) {
+    private void describe(List<Judged> judged, int possible, Options options, Report report) {
         report.text("""
             Of %d possible mistakes in what decides when and what a board sends (another operator, a number greater or
             less by one or twice as large, a negated condition, a removed statement, true for false), %d were drawn.
@@ -168,6 +195,10 @@ final class Firmware implements Part {
         report.never("survivors without a reason",
                 judged.stream().filter(each -> each.fate == Fate.SURVIVED)
                         .filter(each -> options.survivors().reason(each.mutant.toString()).isEmpty()).count());
+        refused.forEach(why -> report.progress("genuine, but refused: %s", why));
+        report.never("runs without a mistake refused", refused.size());
+        failed.forEach(why -> report.progress("without a mistake, but hosts failed: %s", why));
+        report.text("Runs without a mistake, in which hosts did not get what they must: " + failed.size() + ".");
     }
 
     private static void row(Table table, String name, List<Judged> judged, Options options) {

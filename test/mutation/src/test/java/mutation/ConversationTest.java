@@ -2,9 +2,11 @@ package mutation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -37,7 +39,7 @@ class ConversationTest {
                 .filter(mutant -> mutant.file().equals("delivery/Courier.cpp")).findFirst().orElseThrow().source(ROOT)
                 .split("\n")[0]);
         List<String> trace = new ArrayList<>();
-        assertEquals(new Conversation.Result(Conversation.End.FINE, ""), run(none, trace));
+        assertEquals(new Conversation.Result(Conversation.End.FINE, "", Optional.empty()), run(none, trace));
         Set<String> ways = new TreeSet<>();
         for (String line : trace) {
             Pattern.compile("\"(kind|answers|trailer|outcome|why)\":\"([a-z ]+)\"").matcher(line).results()
@@ -52,6 +54,8 @@ class ConversationTest {
     @Test
     void run_mistakeThatTheModelKnows_isRefused() throws Exception {
         FirmwareMutant wrongOrder = mutant("radio/RadioEncoder.cpp", "packet[length + 1] =", "1 + 1");
-        assertEquals(Conversation.End.REFUSED, run(wrongOrder, new ArrayList<>()).end());
+        Conversation.Result result = run(wrongOrder, new ArrayList<>());
+        assertEquals(Conversation.End.REFUSED, result.end());
+        Files.delete(result.kept().orElseThrow());
     }
 }
