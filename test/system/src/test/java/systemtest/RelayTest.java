@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
@@ -139,8 +140,10 @@ class RelayTest {
         for (int i = 0; i < 5; i++) {
             assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
         }
-        int copies = emulator.sentBy("one").size() + emulator.sentBy("other").size();
-        assertTrue(copies >= 10 && copies <= 12, "5 messages and 5 acknowledgements took " + copies + " copies");
+        // Not all copies: a relay that does not hear an answer in time sends its copy again, and a host may be late.
+        long carried = Stream.of("one", "other").mapToLong(
+                relay -> emulator.sentBy(relay).stream().map(copy -> copy.text("payload")).distinct().count()).sum();
+        assertTrue(carried >= 10 && carried <= 12, "5 messages and 5 acknowledgements: " + carried + " by some relay");
     }
 
     /** It answers in the receiver's name, and sends what it hears again, changed and with hops that are not so. */
