@@ -33,6 +33,11 @@ final class Nuisance {
         command(Map.of("do", "send", "position", place, "payload", payload));
     }
 
+    /** Likewise, but as if he were a relay. */
+    void sendCopy(String payload) throws InterruptedException {
+        command(Map.of("do", "send", "position", place, "payload", payload, "hops", 1));
+    }
+
     /** A stranger takes the air for half a second. */
     void makeNoise() throws InterruptedException {
         send(NOISE);
@@ -47,11 +52,6 @@ final class Nuisance {
     void cut(String board, String what) throws InterruptedException {
         command(what.equals(RESET) ? Map.of("do", what, "board", board)
                 : Map.of("do", what, "board", board, "duration", POWER_CUT_SECONDS));
-    }
-
-    /** Has emulated seconds last as long as others. */
-    void slowDown() throws InterruptedException {
-        command(Map.of("do", "speed", "value", 1));
     }
 
     /** Waits until so much emulated time has passed. */

@@ -47,6 +47,10 @@ class PhasesTest {
     private static final double PART_OF_A_PIECE = 0.2;
     private static final double UNTIL_IT_IS_ANSWERED = 0.35;
     private static final double UNTIL_THE_NEXT_ATTEMPT = 0.55;
+    /** After that a sender waits for its turn to repeat; longer after its third attempt. */
+    private static final double PATIENCE = 0.17;
+    private static final double LATE_PATIENCE = 0.62;
+    private static final int LATE = 2;
 
     private Emulator emulator;
     private Nuisance nuisance;
@@ -55,7 +59,7 @@ class PhasesTest {
 
     @BeforeEach
     void switchOn(@TempDir Path folder) throws Exception {
-        emulator = new Emulator.Scenario().speed("2")
+        emulator = new Emulator.Scenario().speed("1") // what disturbs a phase has to come in time
                 .board("police", "Station", Map.of("resetOnOpen", false, "position", POLICE))
                 .board("support", "Station", Map.of("resetOnOpen", false, "position", SUPPORT))
                 .start(folder);
@@ -110,7 +114,7 @@ class PhasesTest {
         police.close();
         emulator.await("the last attempt", MOST_ATTEMPTS,
                 event -> event.is("rf-tx", "police") && event.text("destination").equals("SUHO"));
-        nuisance.pass(A_WHILE * 2);
+        nuisance.pass(LATE_PATIENCE + A_WHILE);
         resetWithoutHost();
 
         police.send("SUPP", "tell;last");
@@ -187,7 +191,6 @@ class PhasesTest {
 
     @Test
     void piece_thatIsLostEachTime_isGivenUp() throws Exception {
-        nuisance.slowDown(); // each jam has to come in time
         CompletableFuture<Outcome> lost = transmit("SUPP", LONG);
         next("rf-tx", "police", 0);
         nuisance.jam(PART_OF_A_PIECE, BEHIND);
@@ -243,6 +246,20 @@ class PhasesTest {
         next("rf-tx", "support", answered);
         nuisance.send(next("rf-tx", "police", sent + 1).text("payload"));
         return end;
+    }
+
+    /** Somebody plays a relay, whenever the sender is about to repeat what nobody has answered. */
+    @Test
+    void copy_thatComesWhileItWaitsToRepeat_isNoAnswer() throws Exception {
+        Host.get(support.board.radio(false));
+        CompletableFuture<Outcome> end = transmit("SUPP", "tell;carried");
+        for (int sent = 0; sent < MOST_ATTEMPTS; sent++) {
+            String packet = next("rf-tx", "police", sent).text("payload");
+            nuisance.pass(sent < LATE ? PATIENCE : LATE_PATIENCE);
+            nuisance.sendCopy(packet);
+        }
+        assertEquals(Outcome.UNDELIVERED, Host.get(end));
+        assertEquals(MOST_ATTEMPTS, count("rf-tx", "police"));
     }
 
     @Test
