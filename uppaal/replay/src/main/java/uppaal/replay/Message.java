@@ -52,6 +52,7 @@ final class Message {
     private boolean doubted;
     /** Whether it was handed on or answered, or was to be. */
     private boolean heeded;
+    private boolean goesOn;
     /** What pieces its receiver has told to have, and how often so in a row that came undamaged to its sender. */
     private int have;
     private int lacking;
@@ -258,6 +259,18 @@ final class Message {
     /** How often one came. */
     int stale() {
         return stale;
+    }
+
+    /** Its sender may have heard which of its pieces lack: it goes on, in its turn. */
+    void goesOn() {
+        goesOn = true;
+    }
+
+    /** Its sender makes an attempt. @return whether it may be in the turn of the one before */
+    boolean attempts() {
+        boolean inTurn = goesOn;
+        goesOn = false;
+        return inTurn;
     }
 
     /** A copy of it comes undamaged to its sender; or what came counts no more. */

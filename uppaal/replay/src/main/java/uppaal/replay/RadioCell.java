@@ -340,7 +340,7 @@ final class RadioCell {
         }
         checkPatience(start, board, message);
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
-        if (attempt && !isNew) {
+        if (attempt && !message.attempts() && !isNew) {
             checkTurns(board, message);
         }
         message.sender(start, attempt ? "send" : "part");
@@ -549,6 +549,9 @@ final class RadioCell {
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
+                if (packet.answer().equals("pieces")) {
+                    message.goesOn();
+                }
             }
         }
     }

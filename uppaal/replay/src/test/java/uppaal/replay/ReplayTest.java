@@ -771,6 +771,25 @@ class ReplayTest {
         }
     }
 
+    /** An answer that tells which pieces lack lets the sender go on at once; without one its attempt has failed. */
+    @ParameterizedTest
+    @CsvSource({"true, accepted", "false, refused"})
+    void replay_piecesThatGoOnUponAnAnswer_takeNoTurnFromOthers(boolean isHeard, String verdict) {
+        Lines lines = keyed(sessionKeys("SUPP", "SUHO"));
+        key(lines, 0.6, "session", "SUHO", "040506");
+        reach(lines, 2, "police", piece("41", "41", "4959", FIRST_PIECE), "piece");
+        for (double start = 2.4; start < 7.4; start++) {
+            send(lines, start, "police", SECOND_PIECE, "piece");
+            damage(lines, start, "support", "police");
+            if (isHeard) {
+                answer(lines, start + 0.4, "01");
+            }
+        }
+        sort(lines);
+        assertEquals(verdict, lines.replay().refusal().map(why -> "refused").orElse("accepted"),
+                lines.replay()::verdict);
+    }
+
     /** An answer that is due goes with the key; the sender's own is another board's. */
     @ParameterizedTest
     @CsvSource({"hospital, delete, SUPP, accepted", "hospital, session, SUPP, accepted",
