@@ -8,6 +8,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -202,6 +203,13 @@ final class Bytes {
 
     /** A stranger begins to send a frame: one of ours again, or anything. */
     private void remember(Payload payload, double start) {
+        if (payload.isPiece() && payload.index() != 0) {
+            desks.values().stream().filter(desk -> desk.ids.contains(payload.origin()))
+                    .map(desk -> desk.cut.get(payload.pieceId())).filter(Objects::nonNull)
+                    .filter(cut -> cut.isBroadcast() && payload.index() < cut.pieces())
+                    .filter(cut -> !cut.hasPiece(payload.index(), payload.message()))
+                    .forEach(cut -> cut.hasOtherPiece = true);
+        }
         Frame frame = payload.index() == 0 ? new Frame(payload, start) : null;
         boolean isWhole = frame != null && frame.length != 0
                 && (frame.isBroadcast() || frame.contentLength() >= 0 && !frame.nonceHex.isEmpty());
@@ -289,8 +297,8 @@ final class Bytes {
         }
         List<Frame> meant = Stream.of(frames, strange).flatMap(known -> known.values().stream())
                 .filter(frame -> isHanded(frame, event)).toList();
-        boolean said = meant.stream().anyMatch(frame -> !frame.isForged
-                && (frame.content == null || Arrays.equals(frame.content, content)));
+        boolean said = meant.stream().anyMatch(frame -> !frame.isForged && (frame.content == null
+                || frame.hasOtherPiece || Arrays.equals(frame.content, content)));
         if (!said) {
             String expected = meant.stream().filter(frame -> !frame.isForged).map(frame -> shown(frame.content))
                     .reduce((one, other) -> other).orElse("nothing that any key opens");

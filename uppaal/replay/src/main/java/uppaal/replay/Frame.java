@@ -32,6 +32,8 @@ final class Frame {
     SharedKey key;
     /** Whether no key opens it: nobody may hand it to a host. */
     boolean isForged;
+    /** Whether a stranger has sent another piece of it, of which nothing proves that it is none. */
+    boolean hasOtherPiece;
     /** Whether somebody has answered that it is stale. */
     boolean isStale;
     /** Whether somebody has answered which of its pieces have come. */

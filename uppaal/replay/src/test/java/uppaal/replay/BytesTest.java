@@ -346,6 +346,25 @@ class BytesTest {
         }
     }
 
+    /** Nothing proves a broadcast: a piece of it may be anybody's. */
+    @Test
+    void handed_broadcastOfWhichAPieceWasForged_mayBeAnything() {
+        byte[] whole = broadcast(LONG);
+        for (boolean isForged : List.of(true, false)) {
+            Talk talk = asked("////", LONG).sends("police", piece("AA", whole, 0)).sends("stranger",
+                    isForged ? changed(piece("AB", whole, 1), -1) : piece("AB", whole, 1))
+                    .sends("police", piece("AB", whole, 1));
+            talk.lines.add(9, "support", "host-handed",
+                    Map.of("number", 0, "destination", "////", "origin", "SUPO", "id", "000000", "content",
+                            LONG + "y"));
+            if (isForged) {
+                assertAccepted(talk, "0 messages opened, 0 proofs");
+            } else {
+                assertTrue(talk.verdict().contains("support hands its host '"), talk.verdict());
+            }
+        }
+    }
+
     /** Only the whole frame tells that a piece is forged. */
     @Test
     void acknowledgement_ofAForgedPieceOfWhatWasTaken_isAccepted() {
