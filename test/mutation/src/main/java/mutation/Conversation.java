@@ -241,8 +241,8 @@ final class Conversation {
             Set<String> seen = new HashSet<>();
             for (ReceivedMessage message : to.host.messages()) {
                 String content = message.content().toString();
-                if (!message.from().toString().equals(from.id)) {
-                    continue;
+                if (!message.from().toString().equals(from.id) || message.to().toString().equals(ALL)) {
+                    continue; // nothing proves a broadcast: a piece of it may be the attacker's
                 }
                 if (!content.equals(from.sent.get(content.replaceAll("x*\"\\)", "")))) {
                     return from.id + " never sent " + content;

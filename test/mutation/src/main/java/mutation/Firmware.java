@@ -160,7 +160,7 @@ final class Firmware implements Part {
             }
             String why = "seed " + seed + ": " + result.why() + result.kept().map(file -> ", see " + file).orElse("");
             switch (result.end()) {
-                case FINE -> { }
+                case FINE -> {}
                 case REFUSED -> refused.add(why);
                 case FAILED -> failed.add(why);
             }

@@ -39,7 +39,7 @@ record Model(String name, String xml, List<Model.Setting> settings, Firmware fir
     static final String FIRMWARE = "firmware";
 
     /** Templates that only observe, and the rest of the world of a trace: mistakes there are none of boards. */
-    private static final Set<String> BESIDE = Set.of("Witness", "Gap", "Told", "Deadline", "Others");
+    private static final Set<String> BESIDE = Set.of("Witness", "Gap", "Pause", "Told", "Deadline", "Others");
 
     /** What became of a mutant. */
     enum Fate {

@@ -55,6 +55,11 @@ public record Scene(String name, String title, String model, Map<String, String>
     /** Its bound is tight. */
     public static final Scene LATE = new Scene("late", "The same, where the air is busy for longer", "broadcast.xml",
             Map.of("BUSY", "12"), Map.of(), List.of("late.q"));
+    public static final Scene HIDDEN = new Scene("hidden", "Two boards out of each other's range", "hidden.xml",
+            Map.of(), Map.of("MAX_ATTEMPTS", "5", "PATIENCE", "4", "LATE_PATIENCE", "16", "FIRST_SLOTS", "2",
+                    "LEAST_WINDOW", "4", "LAST_WINDOW", "32", "MOST_PUT_OFF_SLOTS", "4", "DATA_TIME", "7", "ACK_TIME",
+                    "3"),
+            List.of("hidden.q"));
     public static final Scene HOST = new Scene("host", "Messages for a host that dies", "host.xml", Map.of(), Map.of(),
             List.of("host.q"));
 
@@ -120,7 +125,7 @@ public record Scene(String name, String title, String model, Map<String, String>
 
     /** Those of boards, of relays and of moves. */
     public static final List<Scene> OURS =
-            Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HOST, HANDSHAKE),
+            Stream.of(List.of(RENEWAL, ROLLOVER, PIECES, BROADCAST, LATE, HIDDEN, HOST, HANDSHAKE),
                     OF_RELAYS, OF_MOVES, OF_DELIVERY).flatMap(List::stream).toList();
     /** All of them. */
     public static final List<Scene> ALL = Stream.concat(Stream.of(PAPER, QUIET), OURS.stream()).toList();
