@@ -61,7 +61,8 @@ final class Models implements Part {
             nor, in the score, are those that have the same states and moves as the model. Scenes of `delivery.xml`
             are tried with small numbers (two attempts, windows of one and two slots, …), with which they have the same
             verdicts. No mistakes are made in templates that only observe (`Witness`, `Gap`, `Pause`, `Told`,
-            `Deadline`), nor in `Others`, which does what a trace says. Of a model with more than %d mutants the seed has drawn so many.
+            `Deadline`), nor in `Others`, which does what a trace says. Of a model with more than %d mutants the seed
+            has drawn so many.
             """.formatted(options.mutants(USUAL)));
         report.table(table);
         survivors(all, options.survivors(), report);
