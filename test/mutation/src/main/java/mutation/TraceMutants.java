@@ -279,7 +279,7 @@ final class TraceMutants {
             case "host-id" -> before.stream()
                     .anyMatch(other -> is(other, "host-id") && text(other, "id").equals(text(event, "id")))
                     || after.stream().takeWhile(other -> !is(other, "host-id")).noneMatch(other -> is(other, "rf-tx"));
-            case "host-key", "host-radio", "host-nothing" -> true;
+            case "host-key", "host-radio", "host-relaying", "host-nothing" -> true;
             case "rf-tx", "rf-rx", "rf-damaged" -> false;
             default -> !text(event, "event").startsWith("host-");
         };
