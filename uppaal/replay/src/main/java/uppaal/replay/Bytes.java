@@ -206,7 +206,8 @@ final class Bytes {
         if (payload.isPiece() && payload.index() != 0) {
             desks.values().stream().filter(desk -> desk.ids.contains(payload.origin()))
                     .map(desk -> desk.cut.get(payload.pieceId())).filter(Objects::nonNull)
-                    .filter(cut -> cut.isBroadcast() && payload.index() < cut.pieces())
+                    // Of one whose bytes are not known a board's own piece is still to be the first that counts.
+                    .filter(cut -> cut.isBroadcast() && cut.bytes != null && payload.index() < cut.pieces())
                     .filter(cut -> !cut.hasPiece(payload.index(), payload.message()))
                     .forEach(cut -> cut.hasOtherPiece = true);
         }

@@ -340,7 +340,8 @@ final class RadioCell {
         }
         checkPatience(start, board, message);
         boolean attempt = message.isUnicast() ? payload.asks() : payload.index() == 0;
-        if (attempt && !message.attempts() && !isNew) {
+        boolean inTurn = attempt && message.attempts();
+        if (attempt && !isNew && !inTurn) {
             checkTurns(board, message);
         }
         message.sender(start, attempt ? "send" : "part");

@@ -365,6 +365,17 @@ class BytesTest {
         }
     }
 
+    /** Its board's own piece is what it is, though a stranger has sent another one before. */
+    @Test
+    void broadcast_ofWhichNobodyKnowsWhatItSays_isItsBoards() {
+        byte[] whole = broadcast(LONG);
+        Talk talk = asked("////", LONG);
+        talk.last().remove("content");
+        talk.sends("police", piece("AA", whole, 0)).sends("stranger", changed(piece("AB", whole, 1), -1))
+                .sends("police", piece("AB", whole, 1));
+        assertTrue(talk.lines.replay().refusal().isEmpty(), talk.lines.replay()::verdict);
+    }
+
     /** Only the whole frame tells that a piece is forged. */
     @Test
     void acknowledgement_ofAForgedPieceOfWhatWasTaken_isAccepted() {
