@@ -123,8 +123,6 @@ public class Diffuser extends AgArch {
      */
     public CompletableFuture<Void> openPort(String port) {
         PlainLines.everywhere();
-        PlainLines.of(getTS().getLogger());
-        PlainLines.of(getTS().getAg().getLogger());
         ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
         device = Device.open(link, portTerm(port), boardConfig(), settings,
                 new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));

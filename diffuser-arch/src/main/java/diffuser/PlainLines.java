@@ -1,6 +1,6 @@
 package diffuser;
 
-import java.util.logging.Filter;
+import java.util.logging.Formatter;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
@@ -8,46 +8,57 @@ import java.util.logging.Logger;
 import javino.Printable;
 
 /**
- * Keeps each entry of an agent's log in one line: what an agent prints may have come from the air, where anybody can
- * write line feeds and the commands of terminals.
- *
- * @param before the filter that was there, or null.
+ * Keeps each message of a log in one line: what an agent prints may have come from the air, where anybody can write
+ * line feeds and the commands of terminals. It is no filter, as the window in which Jason shows its log asks none.
  */
-record PlainLines(Filter before) implements Filter {
+final class PlainLines extends Formatter {
 
-    /** Has a logger write so from now on. */
-    static void of(Logger logger) {
-        if (!(logger.getFilter() instanceof PlainLines)) {
-            logger.setFilter(new PlainLines(logger.getFilter()));
-        }
+    private final Formatter inner;
+
+    private PlainLines(Formatter inner) {
+        this.inner = inner;
     }
 
-    /** Has whatever is there to write logs do so from now on, as parts of Jason have loggers of their own. */
+    /** Has all that writes the logs of this program do so from now on. */
     static void everywhere() {
         for (Handler handler : Logger.getLogger("").getHandlers()) {
-            if (!(handler.getFilter() instanceof PlainLines)) {
-                handler.setFilter(new PlainLines(handler.getFilter()));
+            Formatter formatter = handler.getFormatter();
+            if (formatter != null && !(formatter instanceof PlainLines)) {
+                handler.setFormatter(new PlainLines(formatter));
             }
         }
     }
 
     @Override
-    public boolean isLoggable(LogRecord line) {
+    public String format(LogRecord line) {
         if (line.getMessage() != null) {
-            line.setMessage(Printable.of(line.getMessage()));
+            line.setMessage(Printable.of(formatMessage(line)));
+            line.setParameters(null);
         }
-        if (line.getThrown() != null) {
+        if (line.getThrown() != null && !isPrintable(line.getThrown())) {
             line.setThrown(printable(line.getThrown()));
         }
-        return before == null || before.isLoggable(line);
+        return inner.format(line);
+    }
+
+    @Override
+    public String getHead(Handler handler) {
+        return inner.getHead(handler);
+    }
+
+    @Override
+    public String getTail(Handler handler) {
+        return inner.getTail(handler);
+    }
+
+    private static boolean isPrintable(Throwable thrown) {
+        String text = thrown.toString();
+        return Printable.of(text).equals(text) && (thrown.getCause() == null || isPrintable(thrown.getCause()));
     }
 
     private static Throwable printable(Throwable thrown) {
-        String text = thrown.toString();
-        if (Printable.of(text).equals(text)) {
-            return thrown;
-        }
-        Throwable plain = new Throwable(Printable.of(text));
+        Throwable cause = thrown.getCause() == null ? null : printable(thrown.getCause());
+        Throwable plain = new Throwable(Printable.of(thrown.toString()), cause);
         plain.setStackTrace(thrown.getStackTrace());
         return plain;
     }

@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
 import java.util.stream.Stream;
 
 import jason.asSemantics.Agent;
@@ -489,36 +490,61 @@ class GateTest {
                 +p(X) <- .print("told ", X); .println(X); .printf("%s", X); .log(info, X); !sum(X).
                 +!sum(X) <- Y = X * 2.
                 """;
-        List<LogRecord> lines = new CopyOnWriteArrayList<>();
-        Handler log = new Handler() {
-            @Override
-            public void publish(LogRecord line) {
-                lines.add(line);
-            }
-
-            @Override
-            public void flush() {
-                // Nothing is buffered.
-            }
-
-            @Override
-            public void close() {
-                // Nothing is open.
-            }
-        };
-        Logger.getLogger("").addHandler(log);
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
+        try (PlainLog log = new PlainLog(); RunningAgent agent = RunningAgent.listening(program, board)) {
             board.receive(ME, "ROMB", content);
             board.receive(ALL, "ROMB", content);
             nothingSoFar(agent, board);
-            for (LogRecord line : lines) {
-                assertTrue(line.getMessage().codePoints().noneMatch(c -> Character.isISOControl(c) || c == 0x202E),
-                        line.getMessage());
+            for (LogRecord line : log.lines) {
+                assertPlain(line);
                 assertFalse(line.getThrown() != null, line.getMessage());
             }
-        } finally {
-            Logger.getLogger("").removeHandler(log);
+        }
+    }
+
+    /** Jason adds where in its code that came to light; what the sender wrote stays in one line, also there. */
+    @Test
+    void pass_planWithAnActionThatNobodyHas_writesOneLineAndWhereItFailed() {
+        FakeBoard board = new FakeBoard("radio");
+        try (PlainLog log = new PlainLog(); RunningAgent agent = ready(board)) {
+            board.receive(ME, "ROMB", "tellHow;{ +!e <- dang.er }");
+            board.receive(ME, "ROMB", "tellHow;{ -!e <- diffuser.note(failed) }");
+            board.receive(ME, "ROMB", "achieve;e");
+            agent.notes("failed");
+            assertTrue(log.lines.stream().anyMatch(line -> line.getThrown() != null));
+            log.lines.forEach(GateTest::assertPlain);
+        }
+    }
+
+    private static void assertPlain(LogRecord line) {
+        String text = line.getMessage() + line.getThrown();
+        assertTrue(text.codePoints().noneMatch(c -> Character.isISOControl(c) || c == 0x202E), text);
+    }
+
+    /** What reaches the log, which asks its formatter alone, as the window of Jason does. */
+    private static final class PlainLog extends Handler implements AutoCloseable {
+
+        final List<LogRecord> lines = new CopyOnWriteArrayList<>();
+
+        PlainLog() {
+            setFormatter(new SimpleFormatter());
+            Logger.getLogger("").addHandler(this);
+        }
+
+        @Override
+        public void publish(LogRecord line) {
+            getFormatter().format(line);
+            lines.add(line);
+        }
+
+        @Override
+        public void flush() {
+            // Nothing is buffered.
+        }
+
+        @Override
+        public void close() {
+            Logger.getLogger("").removeHandler(this);
         }
     }
 }

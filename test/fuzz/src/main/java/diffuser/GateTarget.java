@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
 
 import jason.asSemantics.ActionExec;
 import jason.asSemantics.Agent;
@@ -34,7 +35,8 @@ import javino.protocol.ProtocolException;
  * for its sender, and its content, in which bytes of 0x80 and more are whole words. Whatever they say: no plan of the
  * agent's goes, and none comes but by a sealed tellHow; its beliefs stay, and new ones have the sender as source and
  * the cast that they came by; of its plans for goals a broadcast runs those only that ask for it; no action is
- * performed but by a sealed goal; and each entry of the log is one line.
+ * performed but by a sealed goal; and each message of the log is one line, with an exception only where a plan that
+ * was taught goes wrong.
  */
 public final class GateTarget {
 
@@ -70,17 +72,18 @@ public final class GateTarget {
     private static final int MOST_CYCLES = 60;
     private static final List<String> SENDERS = List.of("ROMB", "SUPO", "SUAM");
     private static final Path FILE = program();
-    private static final List<String> LOGGED = new ArrayList<>();
+    private static final List<LogRecord> LOGGED = new ArrayList<>();
 
     static {
         Config.get().setProperty(Config.START_WEB_MI, "false");
         new RunLocalMAS();
         Logger root = Logger.getLogger("");
         Arrays.stream(root.getHandlers()).forEach(root::removeHandler);
-        root.addHandler(new Handler() {
+        Handler handler = new Handler() {
             @Override
             public void publish(LogRecord line) {
-                LOGGED.add(line.getMessage() + (line.getThrown() == null ? "" : "\n" + line.getThrown()));
+                getFormatter().format(line);
+                LOGGED.add(line);
             }
 
             @Override
@@ -92,7 +95,10 @@ public final class GateTarget {
             public void close() {
                 // Nothing is open.
             }
-        });
+        };
+        handler.setFormatter(new SimpleFormatter());
+        root.addHandler(handler);
+        PlainLines.everywhere();
     }
 
     private GateTarget() {
@@ -200,8 +206,10 @@ public final class GateTarget {
                 checkTold(belief, beliefs.contains(untold(belief)), lines);
             }
         }
-        for (String line : LOGGED) {
-            holds(line.codePoints().noneMatch(Character::isISOControl), "a log's entry is one line", line);
+        for (LogRecord line : LOGGED) {
+            String text = line.getMessage() + (line.getThrown() == null ? "" : " " + line.getThrown());
+            holds(text.codePoints().noneMatch(Character::isISOControl), "a log's message is one line", text);
+            holds(taught || line.getThrown() == null, "an exception comes of a taught plan only", text);
         }
     }
 
@@ -270,8 +278,6 @@ public final class GateTarget {
         body.setAgName("me");
         body.createArchs(List.of(Watched.class.getName()), Agent.class.getName(), null, FILE.toString(),
                 new Settings());
-        PlainLines.of(body.getTS().getLogger());
-        PlainLines.of(body.getTS().getAg().getLogger());
         return body;
     }
 

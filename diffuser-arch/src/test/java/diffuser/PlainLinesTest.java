@@ -1,0 +1,98 @@
+package diffuser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.logging.Formatter;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
+import java.util.logging.StreamHandler;
+import java.util.logging.XMLFormatter;
+
+import org.junit.jupiter.api.Test;
+
+class PlainLinesTest {
+
+    private static final String WITH_COMMANDS = "a\n\u001b[2Jb";
+    private static final String PLAIN = "a\\u000a\\u001b[2Jb";
+
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+
+    /** What a log with this formatter writes. */
+    private String written(Formatter formatter, LogRecord line) {
+        StreamHandler handler = new StreamHandler(out, formatter);
+        Logger root = Logger.getLogger("");
+        root.addHandler(handler);
+        try {
+            PlainLines.everywhere();
+            PlainLines.everywhere();
+            handler.publish(line);
+            handler.close();
+        } finally {
+            root.removeHandler(handler);
+        }
+        return out.toString(StandardCharsets.UTF_8);
+    }
+
+    private static LogRecord line(String message) {
+        LogRecord line = new LogRecord(Level.WARNING, message);
+        line.setLoggerName("test");
+        return line;
+    }
+
+    private static void assertPlain(String written) {
+        assertTrue(written.contains(PLAIN), written);
+        assertEquals(-1, written.indexOf('\u001b'), written);
+    }
+
+    @Test
+    void format_messageWithCommands_isOneLine() {
+        String written = written(new SimpleFormatter(), line(WITH_COMMANDS));
+
+        assertPlain(written);
+        assertEquals(2, written.lines().count(), written);
+    }
+
+    @Test
+    void format_parameterWithCommands_isOneLine() {
+        LogRecord line = line("told {0}");
+        line.setParameters(new Object[] {WITH_COMMANDS});
+
+        assertPlain(written(new SimpleFormatter(), line));
+    }
+
+    @Test
+    void format_exceptionWithCommands_saysWhereAndIsPlain() {
+        LogRecord line = line("failed");
+        line.setThrown(new IllegalStateException(WITH_COMMANDS));
+
+        String written = written(new SimpleFormatter(), line);
+        assertPlain(written);
+        assertTrue(written.contains("IllegalStateException"), written);
+        assertTrue(written.contains("at diffuser.PlainLinesTest"), written);
+    }
+
+    @Test
+    void format_causeWithCommands_isPlain() {
+        LogRecord line = line("failed");
+        line.setThrown(new IllegalStateException("plain", new IllegalArgumentException(WITH_COMMANDS)));
+
+        assertPlain(written(new SimpleFormatter(), line));
+    }
+
+    @Test
+    void format_noMessage_writesTheRest() {
+        assertTrue(written(new SimpleFormatter(), line(null)).contains("WARNING"));
+    }
+
+    @Test
+    void format_headAndTail_areKept() {
+        String written = written(new XMLFormatter(), line("x"));
+
+        assertTrue(written.contains("<log>") && written.contains("</log>"), written);
+    }
+}
