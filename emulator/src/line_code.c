@@ -19,6 +19,8 @@
 #define LESS_PARITY_BYTES 12u
 #define PARITY_BYTES 16u
 #define MAX_COUNT_OF_LESS_PARITY 48
+// Of the last symbols, what broke off there: of two boards may still find the right one, of three never (SPEC 6).
+#define MENDED_SYMBOLS 2
 // What the CRC is XORed with for each hop behind a packet.
 #define CRC_OF_HOP 0x0811u
 // So many bits behind a packet a receiver tells it. Silence is no trailer by its third bit; so its sender has told it
@@ -129,11 +131,12 @@ static void follow(line_decoder *decoder) {
   }
 }
 
-// A nibble of the CRC at the end of a packet, by the bytes before it; -1 elsewhere. A board that is reset may break off there,
-// and receivers mend two symbols.
-static int mended(const line_decoder *decoder, unsigned shift) {
+// A nibble of the CRC at the end of a packet, by the bytes before it; -1 elsewhere. A board that is reset may break off
+// there.
+static int mended(line_decoder *decoder, unsigned shift) {
   const size_t count = decoder->bytes[0];
   if (!decoder->at_sender || decoder->byte_count + 2 < LINE_MIN_COUNT || decoder->byte_count + 2 < count) return -1;
+  if (decoder->mended++ == MENDED_SYMBOLS) return -1;
   const uint16_t crc = crc_x25(decoder->bytes, count - 2);
   return crc >> (decoder->byte_count + 1 == count ? 8 : 0) >> shift & 0xF;
 }
@@ -167,6 +170,7 @@ static void take_bit(line_decoder *decoder, bool bit) {
     decoder->start = decoder->next_sample - (LEAD_BITS - 0.5) * decoder->bit_cycles;
     decoder->bit_count = 0;
     decoder->byte_count = 0;
+    decoder->mended = 0;
     return;
   }
   if (++decoder->bit_count == WINDOW_BITS) {

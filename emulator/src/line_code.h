@@ -53,7 +53,7 @@ typedef struct {
   bool level;
   double next_sample;  // cycle at which the level is read next: the middle of a bit
   // Whether the level is a sender's own. Then a trailer is read, as far as it was sent. And a packet counts though its
-  // last symbol was cut short, as when its sender lost its power: boards mend one symbol, so that they may have it.
+  // last two symbols were cut short, as when its sender lost its power: boards mend them, so that they may have it.
   // False unless it is set after line_decoder_init(): at a receiver a packet ends with its CRC.
   bool at_sender;
   unsigned idle_bits;  // zeros in a row, up to LINE_IDLE_BITS
@@ -64,6 +64,7 @@ typedef struct {
   unsigned bit_count;  // bits of the current byte, 0…11; of all that follows the packet
   uint8_t bytes[LINE_MAX_COUNT];
   size_t byte_count;
+  unsigned mended;     // symbols of its CRC
   line_packet packet;  // the last whole one
 } line_decoder;
 
