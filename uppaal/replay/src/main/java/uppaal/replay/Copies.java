@@ -70,8 +70,7 @@ final class Copies {
         }
 
         boolean isAnsweredBy(Payload answer) {
-            return packet.destination().equals(answer.origin())
-                    && Payload.lastBits(packet.nonce()) == answer.answered();
+            return packet.destination().equals(answer.origin()) && packet.lastBits() == answer.answered();
         }
     }
 

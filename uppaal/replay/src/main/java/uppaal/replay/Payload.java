@@ -140,6 +140,11 @@ record Payload(String hex, String kind, String destination, String origin, byte[
         return Integer.parseInt(nonce.substring(9), 16);
     }
 
+    /** Of a frame with room for a nonce: the last 12 bits of that. */
+    int lastBits() {
+        return (message[SharedKey.NONCE - 2] & 0xF) << BITS | message[SharedKey.NONCE - 1] & 0xFF;
+    }
+
     /** The same for every time that the same piece, or frame, is sent. */
     String identity() {
         return isPiece() ? "piece " + origin + pieceId() + "/" + index() + HexFormat.of().formatHex(message) : hex;

@@ -954,6 +954,31 @@ class ReplayTest {
         assertRefused(lines, lines.all.size(), "support hands its host a message that nobody has sent");
     }
 
+    /** An attacker sends frames and pieces of any length, and answers to what never was. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void replay_noiseOfAnAttacker_isReadToItsEnd(long seed) {
+        Map<String, String> kinds = Map.of("SUPP", "unicast", "SUPO", "unicast", "SUPX", "unicast", "//SU", "multicast",
+                "////", "broadcast", "+FAI", "piece", "+FBJ", "piece", "+KAA", "acknowledgement", "+KBA",
+                "acknowledgement");
+        List<String> destinations = kinds.keySet().stream().sorted().toList();
+        List<String> origins = List.of("SUPP", "SUPO", "SUPX");
+        Random random = new Random(seed);
+        Lines lines = twoBoards();
+        for (int i = 0; i < 300; i++) {
+            String destination = destinations.get(random.nextInt(destinations.size()));
+            byte[] message = new byte[random.nextInt(24)];
+            random.nextBytes(message);
+            byte[] header =
+                    Payload.header(destination, origins.get(random.nextInt(origins.size())), message.length);
+            reach(lines, 2 + 0.7 * i, "thief",
+                    HexFormat.of().formatHex(header) + HexFormat.of().formatHex(message), kinds.get(destination));
+        }
+        Replay replay = lines.replay();
+        assertEquals("", replay.refusal().filter(why -> !why.contains("without a piece that came undamaged"))
+                .orElse(""));
+    }
+
     @Test
     void replay_replayOfAnAttacker_mayBeHandedOverOnce() {
         Lines lines = twoBoards().add(1.1, "police", "host-transmit",
