@@ -20,11 +20,23 @@ public final class Attacker {
     /** As many packets as the air takes. */
     private static final long EVERY_MILLIS = 300;
 
-    private final World world;
     private final Random random;
-    private final List<Air.Packet> heard = new ArrayList<>();
+    private final List<Said> heard = new ArrayList<>();
     private final List<Address> names;
-    int sent;
+    private final Voice voice;
+
+    /** How his words come to be on the air. */
+    public interface Voice {
+
+        /** Says a word to all, in somebody's name. */
+        void broadcast(Address from, Bytes word);
+
+        /** Says something to somebody in somebody's name, as if it were sealed. */
+        void unicast(Address from, Address to);
+    }
+
+    private record Said(Address from, Bytes word) {
+    }
 
     /**
      * What came of an attack on hosts that have keys with each other.
@@ -45,7 +57,8 @@ public final class Attacker {
         World world = new World(seed);
         World.Host roma = world.add(town.certified("ROMA"));
         World.Host supo = world.add(town.certified("SUPO"));
-        Attacker attacker = new Attacker(world, List.of(roma.address, supo.address));
+        Attacker attacker = new Attacker(world.random, List.of(roma.address, supo.address), world.voice());
+        world.listener = packet -> attacker.hear(packet.from, packet.message);
         world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
         world.run(PATIENCE_MILLIS);
         roma.board.reset();
@@ -63,30 +76,31 @@ public final class Attacker {
                 .filter(i -> keys.get(i).isEmpty() || !keys.get(i).equals(hosts.get(i).board.keys)).count();
         World.Letter after = roma.send(supo.address);
         world.runUntilEnd(after, PATIENCE_MILLIS);
-        return new Siege(attacker.sent, world.wrong, lost, roma.keysSet() + supo.keysSet() - before,
+        return new Siege(messages, world.wrong, lost, roma.keysSet() + supo.keysSet() - before,
                 roma.board.eepromWrites + supo.board.eepromWrites, after.isDelivered());
     }
 
-    Attacker(World world, List<Address> names) {
-        this.world = world;
+    /** @param names in which he speaks, and to whom. */
+    public Attacker(Random random, List<Address> names, Voice voice) {
+        this.random = random;
         this.names = names;
-        random = world.random;
-        world.listener = packet -> {
-            if (heard.size() < MOST) {
-                heard.add(packet);
-            }
-        };
+        this.voice = voice;
+    }
+
+    /** He hears a word. */
+    public void hear(Address from, Bytes word) {
+        if (heard.size() < MOST) {
+            heard.add(new Said(from, word));
+        }
     }
 
     /** Sends one message. */
-    void act() {
-        sent++;
+    public void act() {
         Address victim = pick(names);
         Address name = random.nextInt(4) == 0 ? new Address(random.nextInt(0xF00000)) : pick(names);
         switch (random.nextInt(heard.isEmpty() ? 2 : 6)) {
             case 0 -> forge(name, victim);
-            case 1 -> world.hosts().forEach(host -> host.board.hear(new Air.Packet(name, victim,
-                    noise(20), World.anyKey(random), Long.MAX_VALUE / 2)));
+            case 1 -> voice.unicast(name, victim);
             case 2 -> replay(pick(heard));
             case 3 -> reflect(pick(heard));
             case 4 -> change(pick(heard));
@@ -115,27 +129,28 @@ public final class Attacker {
         int fragment = random.nextInt(kind.fragments());
         Bytes body = kind == HostWord.Kind.WANT ? Bytes.of(plain[random.nextInt(plain.length)].first(random.nextInt(2)))
                 : HostWord.of(kind, fragment, noise(100)).body();
-        world.inject(name, new HostWord(kind, fragment, body).to(victim).bytes());
+        voice.broadcast(name, new HostWord(kind, fragment, body).to(victim).bytes());
     }
 
-    private void replay(Air.Packet packet) {
-        world.inject(packet.from, packet.message);
+    private void replay(Said said) {
+        voice.broadcast(said.from, said.word);
     }
 
-    /** Back to whoever said it, in the name of whom it was for. */
-    private void reflect(Air.Packet packet) {
-        Address to = new Address((int) packet.message.number(1, 4));
-        world.inject(to, Bytes.join(packet.message.slice(0, 1), address(packet.from), packet.message.from(4)));
+    /** Back to whoever said it, in the name of whom it was for, or of somebody of those. */
+    private void reflect(Said said) {
+        Address to = new Address((int) said.word.number(1, 4));
+        voice.broadcast(to.kind() == Address.Kind.DEVICE ? to : pick(names),
+                Bytes.join(said.word.slice(0, 1), address(said.from), said.word.from(4)));
     }
 
-    private void change(Air.Packet packet) {
-        byte[] bytes = packet.message.toArray();
-        bytes[4 + random.nextInt(bytes.length - 4)] ^= (byte) (1 << random.nextInt(8));
-        world.inject(packet.from, Bytes.copyOf(bytes));
+    private void change(Said said) {
+        byte[] bytes = said.word.toArray();
+        bytes[1 + random.nextInt(bytes.length - 1)] ^= (byte) (1 << random.nextInt(8));
+        voice.broadcast(said.from, Bytes.copyOf(bytes));
     }
 
     /** The one's words in the other's name, to another. */
-    private void mix(Air.Packet one, Air.Packet other) {
-        world.inject(other.from, Bytes.join(one.message.slice(0, 1), other.message.slice(1, 4), one.message.from(4)));
+    private void mix(Said one, Said other) {
+        voice.broadcast(other.from, Bytes.join(one.word.slice(0, 1), other.word.slice(1, 4), one.word.from(4)));
     }
 }

@@ -154,9 +154,25 @@ final class World {
         }
     }
 
-    /** A plain word comes to all hosts in range, in somebody's name. */
-    void inject(Address from, Bytes message) {
-        hosts.values().forEach(host -> host.board.hear(new Air.Packet(from, Address.BROADCAST, message, null, 0)));
+    /** That of a stranger, whom all boards hear. */
+    Attacker.Voice voice() {
+        return new Attacker.Voice() {
+            @Override
+            public void broadcast(Address from, Bytes word) {
+                hear(new Air.Packet(from, Address.BROADCAST, word, null, 0));
+            }
+
+            @Override
+            public void unicast(Address from, Address to) {
+                byte[] noise = new byte[20];
+                random.nextBytes(noise);
+                hear(new Air.Packet(from, to, Bytes.copyOf(noise), anyKey(random), Long.MAX_VALUE / 2));
+            }
+
+            private void hear(Air.Packet packet) {
+                hosts.values().forEach(host -> host.board.hear(packet));
+            }
+        };
     }
 
     /** A key that nobody has. */

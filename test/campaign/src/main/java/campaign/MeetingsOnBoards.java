@@ -8,9 +8,12 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.IntStream;
+import javino.protocol.Bytes;
 
 /** Hosts that have never met, on emulated boards: how long the first message takes, and what disturbs it. */
 final class MeetingsOnBoards {
@@ -52,6 +55,7 @@ final class MeetingsOnBoards {
                 NOISY_SECONDS, share(noisy, 0.95)), share(noisy, 0.95) <= NOISY_SECONDS);
         together();
         faults();
+        siege();
         double each = cpu / keys;
         report.aim(
                 Table.text("a host's CPU for one agreement: at most %.0f ms (%.1f ms on average of %d)", MOST_CPU, each,
@@ -69,17 +73,18 @@ final class MeetingsOnBoards {
     private List<List<Double>> pairs(int cells, int pairsInCell, double bitErrors, long seed, Doing doing)
             throws Exception {
         ExecutorService threads = Executors.newCachedThreadPool();
-        List<StrangerPair> pairs = new ArrayList<>();
+        List<StrangerPair> pairs = new CopyOnWriteArrayList<>();
         try (Closing closing = new Closing()) {
             Timetable time = closing.add(new Timetable());
-            Field field = closing.add(Field.start(time.scenario(seed, event -> {
-            }).radio("bitErrorRate", bitErrors),
-                    Collections.nCopies(cells, new Field.Cell(SKETCH, 2 * pairsInCell))));
+            Field field = closing.add(Field.start(
+                    time.scenario(seed, event -> pairs.forEach(pair -> pair.traced(event)))
+                            .radio("bitErrorRate", bitErrors),
+                    IntStream.range(0, cells).mapToObj(cell -> StrangerPair.boards(SKETCH, cell, pairsInCell))
+                            .toList()));
             Certificates authority = new Certificates(field.folder(), "authority");
             for (int cell = 0; cell < cells; cell++) {
                 for (int i = 0; i < pairsInCell; i++) {
-                    pairs.add(closing.add(new StrangerPair(field, time, field.cell(cell).get(2 * i),
-                            field.cell(cell).get(2 * i + 1), authority)));
+                    pairs.add(closing.add(new StrangerPair(field, time, cell, i, authority)));
                 }
             }
             List<Callable<List<Double>>> all = new ArrayList<>();
@@ -190,6 +195,39 @@ final class MeetingsOnBoards {
             Then the sender speaks once more. Both messages have to come.
             """);
         report.table(table);
+    }
+
+    /** An attacker has his say where both hosts have met once by their certificates, and once again. */
+    private void siege() throws Exception {
+        int messages = settings.choose(300, 10);
+        List<List<Double>> found = pairs(1, 1, 0, settings.seed() + 20, (pair, random) -> {
+            pair.rest();
+            came(pair.speak());
+            pair.rest();
+            pair.reset();
+            came(pair.speak());
+            pair.rest();
+            long before = pair.keysSet();
+            List<Bytes> eeproms = pair.eeproms();
+            pair.besiege(random, messages);
+            pair.rest();
+            boolean written = !eeproms.equals(pair.eeproms());
+            came(pair.speak());
+            return List.of(written ? 1.0 : 0, (double) (pair.keysSet() - before), (double) pair.strange());
+        });
+        report.text("""
+            Where both hosts have met, and met again after a reset, an attacker in their range sends a packet every
+            0.7 s: words that he makes up, words of theirs as they were, changed, mixed, or back to who said them, in
+            the name of either or of somebody else; frames that look sealed, and their own sealed ones once more. Then
+            the sender speaks, and needs no other key.
+            """);
+        report.never("on boards: EEPROMs changed by " + messages + " messages of an attacker", sum(found, 0));
+        report.never("on boards: keys that these made hosts set", sum(found, 1));
+        report.never("on boards: messages of his that were accepted", sum(found, 2));
+    }
+
+    private static long sum(List<List<Double>> found, int figure) {
+        return found.stream().mapToLong(each -> each.get(figure).longValue()).sum();
     }
 
     private static double share(List<Double> figures, double share) {

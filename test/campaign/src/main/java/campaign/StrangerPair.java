@@ -2,15 +2,29 @@ package campaign;
 
 import harness.Certificates;
 import harness.Stranger;
+import harness.TraceEvent;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
+import java.util.stream.IntStream;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.Content;
+import javino.protocol.Frame;
+import javino.protocol.ProtocolException;
+import javino.protocol.Word;
+import strangers.Attacker;
 
 /** Two hosts that have certificates and no common key. */
 final class StrangerPair implements AutoCloseable {
@@ -19,9 +33,12 @@ final class StrangerPair implements AutoCloseable {
     static final double PATIENCE = 90;
 
     private static final double REST = 6;
+    /** As many packets as the air takes. */
+    private static final double EVERY = 0.7;
 
     private final Field field;
     private final Timetable time;
+    private final int cell;
     private final Field.Post one;
     private final Field.Post other;
     private final EmulatedClock firstClock;
@@ -29,15 +46,17 @@ final class StrangerPair implements AutoCloseable {
     private final Stranger first;
     private final Stranger second;
     private final Map<String, Double> came = new ConcurrentHashMap<>();
-    private int count;
+    private final List<Frame> heard = new CopyOnWriteArrayList<>();
+    private final Set<String> said = new HashSet<>();
     private CompletableFuture<Void> fault;
 
-    StrangerPair(Field field, Timetable time, Field.Post one, Field.Post other, Certificates authority)
-            throws IOException {
+    /** @param number of the pair in its cell, from 0. */
+    StrangerPair(Field field, Timetable time, int cell, int number, Certificates authority) throws IOException {
         this.field = field;
         this.time = time;
-        this.one = one;
-        this.other = other;
+        this.cell = cell;
+        one = field.cell(cell).get(2 * number);
+        other = field.cell(cell).get(2 * number + 1);
         Path identities = field.folder().resolve("identities");
         authority.enroll(one.address().toString(), identities);
         authority.enroll(other.address().toString(), identities);
@@ -50,6 +69,76 @@ final class StrangerPair implements AutoCloseable {
     private synchronized void take(Content content) {
         came.putIfAbsent(content.toString(), time.now());
         notifyAll();
+    }
+
+    /** What a scenario says of each board of a cell, as its EEPROM is to be looked at. */
+    static Field.Cell boards(String sketch, int cell, int pairs) {
+        return new Field.Cell(sketch, IntStream.range(0, 2 * pairs)
+                .<Map<String, Object>>mapToObj(i -> Map.of("eeprom", eeprom(cell, i))).toList());
+    }
+
+    private static String eeprom(int cell, int board) {
+        return "eeprom/" + cell + "-" + board + ".bin";
+    }
+
+    /** An attacker hears what its boards send, too. */
+    void traced(TraceEvent event) {
+        if (event.is("rf-tx", one.name()) || event.is("rf-tx", other.name())) {
+            try {
+                heard.add(Frame.decode(Bytes.ofHex(event.text("payload"))));
+            } catch (ProtocolException piece) {
+                // None of their words is as long.
+            }
+        }
+    }
+
+    /**
+     * An attacker who has heard all so far has his say: in the names of both hosts, and of others.
+     *
+     * @param messages that he sends.
+     */
+    void besiege(Random random, int messages) throws InterruptedException {
+        List<Frame> sealed = heard.stream().filter(frame -> !frame.destination().equals(Address.BROADCAST)).toList();
+        Attacker attacker = new Attacker(random, List.of(one.address(), other.address()), new Attacker.Voice() {
+            @Override
+            public void broadcast(Address from, Bytes word) {
+                send(new Frame(Address.BROADCAST, from, word));
+            }
+
+            @Override
+            public void unicast(Address from, Address to) {
+                byte[] noise = new byte[random.nextInt(40)];
+                random.nextBytes(noise);
+                send(random.nextBoolean() ? sealed.get(random.nextInt(sealed.size()))
+                        : new Frame(to, from, Bytes.copyOf(noise)));
+            }
+        });
+        heard.stream().filter(frame -> Word.isWord(frame.message()))
+                .forEach(frame -> attacker.hear(frame.origin(), frame.message()));
+        for (int i = 0; i < messages; i++) {
+            attacker.act();
+            time.await(time.now() + EVERY, field.emulator().process());
+        }
+    }
+
+    private void send(Frame frame) {
+        field.emulator().command(Map.of("do", "send", "position", Field.position(cell), "payload",
+                frame.encode().hex()));
+    }
+
+    /** What both boards have in their EEPROMs. */
+    List<Bytes> eeproms() throws IOException {
+        List<Bytes> all = new ArrayList<>();
+        for (Field.Post post : List.of(one, other)) {
+            all.add(Bytes.copyOf(Files.readAllBytes(
+                    field.folder().resolve(eeprom(cell, field.cell(cell).indexOf(post))))));
+        }
+        return all;
+    }
+
+    /** What has come that nobody has said. */
+    long strange() {
+        return came.keySet().stream().filter(content -> !said.contains(content)).count();
     }
 
     /** Nothing is under way, and a host answers the other one again: it does so once in 5 s (SPEC 11.4). */
@@ -106,7 +195,8 @@ final class StrangerPair implements AutoCloseable {
     }
 
     private OptionalDouble speakOnce(double end) throws InterruptedException {
-        Content content = Content.parse("tell;hello(" + count++ + ")");
+        Content content = Content.parse("tell;hello(" + said.size() + ")");
+        said.add(content.toString());
         Address to = other.address();
         try {
             first.say(to, content).end().get();
