@@ -9,10 +9,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
-import java.util.logging.SimpleFormatter;
+import java.util.logging.StreamHandler;
 import java.util.stream.Stream;
 
 import jason.asSemantics.Agent;
@@ -508,9 +507,11 @@ class GateTest {
         FakeBoard board = new FakeBoard("radio");
         try (PlainLog log = new PlainLog(); RunningAgent agent = ready(board)) {
             board.receive(ME, "ROMB", "tellHow;{ +!e <- dang.er }");
-            board.receive(ME, "ROMB", "tellHow;{ -!e <- diffuser.note(failed) }");
-            board.receive(ME, "ROMB", "achieve;e");
-            agent.notes("failed");
+            // The agent may see to a goal before it has learnt the plan.
+            for (int i = 0; i < 100 && log.lines.stream().noneMatch(line -> line.getThrown() != null); i++) {
+                board.receive(ME, "ROMB", "achieve;e");
+                agent.cycles(5);
+            }
             assertTrue(log.lines.stream().anyMatch(line -> line.getThrown() != null));
             log.lines.forEach(GateTest::assertPlain);
         }
@@ -522,12 +523,11 @@ class GateTest {
     }
 
     /** What reaches the log, which asks its formatter alone, as the window of Jason does. */
-    private static final class PlainLog extends Handler implements AutoCloseable {
+    private static final class PlainLog extends StreamHandler implements AutoCloseable {
 
         final List<LogRecord> lines = new CopyOnWriteArrayList<>();
 
         PlainLog() {
-            setFormatter(new SimpleFormatter());
             Logger.getLogger("").addHandler(this);
         }
 
@@ -535,11 +535,6 @@ class GateTest {
         public void publish(LogRecord line) {
             getFormatter().format(line);
             lines.add(line);
-        }
-
-        @Override
-        public void flush() {
-            // Nothing is buffered.
         }
 
         @Override

@@ -20,6 +20,7 @@ import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import java.util.logging.StreamHandler;
 
 import jason.asSemantics.Agent;
 import jason.asSemantics.Message;
@@ -57,23 +58,13 @@ final class RunningAgent implements AutoCloseable {
     private final LocalAgArch body = new LocalAgArch();
     private final String name;
     private final Logger root = Logger.getLogger("");
-    private final Handler handler = new Handler() {
+    private final Handler handler = new StreamHandler() {
         @Override
         public void publish(LogRecord record) {
             boolean mine = String.valueOf(record.getLoggerName()).endsWith("." + name);
             if (mine && record.getLevel().intValue() >= Level.WARNING.intValue()) {
                 warnings.add(record.getMessage());
             }
-        }
-
-        @Override
-        public void flush() {
-            // Nothing is buffered.
-        }
-
-        @Override
-        public void close() {
-            // Nothing is open.
         }
     };
 

@@ -10,10 +10,9 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
-import java.util.logging.SimpleFormatter;
+import java.util.logging.StreamHandler;
 
 import jason.asSemantics.ActionExec;
 import jason.asSemantics.Agent;
@@ -79,25 +78,13 @@ public final class GateTarget {
         new RunLocalMAS();
         Logger root = Logger.getLogger("");
         Arrays.stream(root.getHandlers()).forEach(root::removeHandler);
-        Handler handler = new Handler() {
+        root.addHandler(new StreamHandler() {
             @Override
             public void publish(LogRecord line) {
                 getFormatter().format(line);
                 LOGGED.add(line);
             }
-
-            @Override
-            public void flush() {
-                // Nothing is buffered.
-            }
-
-            @Override
-            public void close() {
-                // Nothing is open.
-            }
-        };
-        handler.setFormatter(new SimpleFormatter());
-        root.addHandler(handler);
+        });
         PlainLines.everywhere();
     }
 
