@@ -17,6 +17,7 @@ public final class Attacker {
 
     private static final int MOST = 400;
     private static final long PATIENCE_MILLIS = 60_000;
+    private static final int MOST_NOISE = 40;
     /** As many packets as the air takes. */
     private static final long EVERY_MILLIS = 300;
 
@@ -31,8 +32,8 @@ public final class Attacker {
         /** Says a word to all, in somebody's name. */
         void broadcast(Address from, Bytes word);
 
-        /** Says something to somebody in somebody's name, as if it were sealed. */
-        void unicast(Address from, Address to);
+        /** Says noise to somebody in somebody's name, as if it were sealed. */
+        void unicast(Address from, Address to, Bytes noise);
     }
 
     private record Said(Address from, Bytes word) {
@@ -100,7 +101,7 @@ public final class Attacker {
         Address name = random.nextInt(4) == 0 ? new Address(random.nextInt(0xF00000)) : pick(names);
         switch (random.nextInt(heard.isEmpty() ? 2 : 6)) {
             case 0 -> forge(name, victim);
-            case 1 -> voice.unicast(name, victim);
+            case 1 -> voice.unicast(name, victim, noise(random.nextInt(MOST_NOISE)));
             case 2 -> replay(pick(heard));
             case 3 -> reflect(pick(heard));
             case 4 -> change(pick(heard));

@@ -163,10 +163,8 @@ final class World {
             }
 
             @Override
-            public void unicast(Address from, Address to) {
-                byte[] noise = new byte[20];
-                random.nextBytes(noise);
-                hear(new Air.Packet(from, to, Bytes.copyOf(noise), anyKey(random), Long.MAX_VALUE / 2));
+            public void unicast(Address from, Address to, Bytes noise) {
+                hear(new Air.Packet(from, to, noise, anyKey(random), Long.MAX_VALUE / 2));
             }
 
             private void hear(Air.Packet packet) {

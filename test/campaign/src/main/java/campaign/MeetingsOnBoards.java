@@ -12,7 +12,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.stream.IntStream;
 import javino.protocol.Bytes;
 
 /** Hosts that have never met, on emulated boards: how long the first message takes, and what disturbs it. */
@@ -79,8 +78,7 @@ final class MeetingsOnBoards {
             Field field = closing.add(Field.start(
                     time.scenario(seed, event -> pairs.forEach(pair -> pair.traced(event)))
                             .radio("bitErrorRate", bitErrors),
-                    IntStream.range(0, cells).mapToObj(cell -> StrangerPair.boards(SKETCH, cell, pairsInCell))
-                            .toList()));
+                    Collections.nCopies(cells, new Field.Cell(SKETCH, 2 * pairsInCell))));
             Certificates authority = new Certificates(field.folder(), "authority");
             for (int cell = 0; cell < cells; cell++) {
                 for (int i = 0; i < pairsInCell; i++) {
@@ -200,7 +198,7 @@ final class MeetingsOnBoards {
     /** An attacker has his say where both hosts have met once by their certificates, and once again. */
     private void siege() throws Exception {
         int messages = settings.choose(300, 10);
-        List<List<Double>> found = pairs(1, 1, 0, settings.seed() + 20, (pair, random) -> {
+        List<Double> found = pairs(1, 1, 0, settings.seed() + 20, (pair, random) -> {
             pair.rest();
             came(pair.speak());
             pair.rest();
@@ -214,20 +212,17 @@ final class MeetingsOnBoards {
             boolean written = !eeproms.equals(pair.eeproms());
             came(pair.speak());
             return List.of(written ? 1.0 : 0, (double) (pair.keysSet() - before), (double) pair.strange());
-        });
+        }).get(0);
         report.text("""
             Where both hosts have met, and met again after a reset, an attacker in their range sends a packet every
             0.7 s: words that he makes up, words of theirs as they were, changed, mixed, or back to who said them, in
             the name of either or of somebody else; frames that look sealed, and their own sealed ones once more. Then
             the sender speaks, and needs no other key.
             """);
-        report.never("on boards: EEPROMs changed by " + messages + " messages of an attacker", sum(found, 0));
-        report.never("on boards: keys that these made hosts set", sum(found, 1));
-        report.never("on boards: messages of his that were accepted", sum(found, 2));
-    }
-
-    private static long sum(List<List<Double>> found, int figure) {
-        return found.stream().mapToLong(each -> each.get(figure).longValue()).sum();
+        report.never("on boards: EEPROMs changed by " + messages + " messages of an attacker",
+                found.get(0).longValue());
+        report.never("on boards: keys that these made hosts set", found.get(1).longValue());
+        report.never("on boards: messages of his that were accepted", found.get(2).longValue());
     }
 
     private static double share(List<Double> figures, double share) {

@@ -17,7 +17,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
-import java.util.stream.IntStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
@@ -71,16 +70,6 @@ final class StrangerPair implements AutoCloseable {
         notifyAll();
     }
 
-    /** What a scenario says of each board of a cell, as its EEPROM is to be looked at. */
-    static Field.Cell boards(String sketch, int cell, int pairs) {
-        return new Field.Cell(sketch, IntStream.range(0, 2 * pairs)
-                .<Map<String, Object>>mapToObj(i -> Map.of("eeprom", eeprom(cell, i))).toList());
-    }
-
-    private static String eeprom(int cell, int board) {
-        return "eeprom/" + cell + "-" + board + ".bin";
-    }
-
     /** An attacker hears what its boards send, too. */
     void traced(TraceEvent event) {
         if (event.is("rf-tx", one.name()) || event.is("rf-tx", other.name())) {
@@ -106,11 +95,8 @@ final class StrangerPair implements AutoCloseable {
             }
 
             @Override
-            public void unicast(Address from, Address to) {
-                byte[] noise = new byte[random.nextInt(40)];
-                random.nextBytes(noise);
-                send(random.nextBoolean() ? sealed.get(random.nextInt(sealed.size()))
-                        : new Frame(to, from, Bytes.copyOf(noise)));
+            public void unicast(Address from, Address to, Bytes noise) {
+                send(random.nextBoolean() ? sealed.get(random.nextInt(sealed.size())) : new Frame(to, from, noise));
             }
         });
         heard.stream().filter(frame -> Word.isWord(frame.message()))
@@ -130,8 +116,7 @@ final class StrangerPair implements AutoCloseable {
     List<Bytes> eeproms() throws IOException {
         List<Bytes> all = new ArrayList<>();
         for (Field.Post post : List.of(one, other)) {
-            all.add(Bytes.copyOf(Files.readAllBytes(
-                    field.folder().resolve(eeprom(cell, field.cell(cell).indexOf(post))))));
+            all.add(Bytes.copyOf(Files.readAllBytes(field.folder().resolve("eeprom/" + post.name() + ".bin"))));
         }
         return all;
     }

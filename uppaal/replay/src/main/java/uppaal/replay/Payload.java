@@ -142,7 +142,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** Of a frame with room for a nonce: the last 12 bits of that. */
     int lastBits() {
-        return (message[SharedKey.NONCE - 2] & 0xF) << BITS | message[SharedKey.NONCE - 1] & 0xFF;
+        return lastBits(HexFormat.of().formatHex(message, 0, SharedKey.NONCE));
     }
 
     /** The same for every time that the same piece, or frame, is sent. */

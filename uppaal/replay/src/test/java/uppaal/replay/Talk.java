@@ -85,7 +85,7 @@ final class Talk {
         return this;
     }
 
-    private static String kind(byte[] payload) {
+    static String kind(byte[] payload) {
         String to = Payload.lengthIn(payload) == payload.length ? new String(payload, 0, 4, StandardCharsets.US_ASCII)
                 : "";
         return to.isEmpty() ? "no frame" : to.startsWith("+F") ? "piece" : to.startsWith("+K") ? "acknowledgement"
