@@ -147,11 +147,11 @@ TEST(SerialSniffer, tells_whether_the_host_opens_or_blocks_the_radio) {
 TEST(SerialSniffer, tells_whether_the_board_is_a_relay) {
   Line line;
   line.greet();
-  line.host(2, TO_BOARD, {'W', 1});
+  line.host(2, TO_BOARD, {'W', 1, 1, 214});
   line.board(2, {0, 1});
   line.host(3, TO_BOARD, {'W'});
   line.board(3, {0, 0});
-  line.host(4, TO_BOARD, {'W', 1});
+  line.host(4, TO_BOARD, {'W', 1, 1, 214});
   line.board(4, {0x0A});
   auto relaying = line.events("host-relaying");
   ASSERT_EQ(relaying.size(), 2u);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
 
 namespace javino {
@@ -164,8 +165,10 @@ Status Commands::relay(const uint8_t *body, uint16_t length, Reply &reply) {
 
 Status Commands::relaying(const uint8_t *body, uint16_t length, Reply &reply) {
   if (!delivery_.canRelay()) return Status::UNKNOWN_COMMAND;
-  if (length > 1 || (length == 1 && body[0] > 1)) return Status::BAD_ARGUMENT;
-  if (length == 1 && !delivery_.relay(body[0] == 1)) return Status::STORE_FAILED;
+  const bool on = length == 1 + RELAYING_LENGTH && body[0] == 1;
+  const bool off = length == 1 && body[0] == 0;
+  if (length != 0 && !on && !off) return Status::BAD_ARGUMENT;
+  if (length != 0 && !delivery_.relay(on ? body + 1 : nullptr)) return Status::STORE_FAILED;
   reply.add(delivery_.relays() ? 1 : 0);
   return Status::OK;
 }

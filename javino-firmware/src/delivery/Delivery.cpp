@@ -1,7 +1,6 @@
 #include "Delivery.h"
 
 #include "../storage/EepromLayout.h"
-#include "../support/Clock.h"
 
 namespace javino {
 
@@ -15,16 +14,13 @@ bool Delivery::begin() {
   return medium_.begin();
 }
 
-// The moment at which a host asks for it differs from board to board.
-bool Delivery::relay(bool on) {
-  if (on == relays()) return true;
-  if (!on) {
+bool Delivery::relay(const uint8_t *number) {
+  if ((number != nullptr) == relays()) return true;
+  if (number == nullptr) {
     if (!relaying().erase(0)) return false;
     receiver_.relay(false);
     return true;
   }
-  const uint16_t now = static_cast<uint16_t>(clock::millis());
-  const uint8_t number[RELAYING_LENGTH] = {static_cast<uint8_t>(now >> 8), static_cast<uint8_t>(now)};
   if (!relaying().write(number)) return false;
   beginToRelay(number);
   return true;

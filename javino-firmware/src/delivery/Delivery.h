@@ -68,8 +68,9 @@ class Delivery {
   bool canRelay() { return config::RELAY && medium_.canRelay(); }
 
   /// Makes the board a relay, or none, and stores that (SPEC 4.3, relaying).
+  /// @param number RELAYING_LENGTH bytes, by which it waits differently from another relay without RF id; none to end it
   /// @return false where the EEPROM did not keep it
-  bool relay(bool on);
+  bool relay(const uint8_t *number);
 
   bool relays() { return receiver_.forwarding().isOn(); }
 

@@ -211,6 +211,7 @@ field(serial, "radio", "bool", "Radio open")
 field(serial, "overhear", "bool", "Overhear")
 field(serial, "relay", "bytes", "Frame to be relayed")
 field(serial, "relaying", "bool", "Relaying")
+field(serial, "relaying.number", "uint16", "Random number of the relay")
 field(serial, "key.address", "string", "Address of the key")
 field(serial, "key", "bytes", "Key")
 field(serial, "key.role", "uint8", "Role", base.DEC, ROLES)
@@ -1093,7 +1094,7 @@ local function nothing() return true end
 
 local function show_relaying(r)
   local _, bytes = r.take("serial.relaying", 1)
-  return bytes and bytes:byte() < 2
+  return bytes and bytes:byte() < 2, bytes == "\1"
 end
 
 -- Each shows what follows the command byte, and returns whether it is what the command takes.
@@ -1131,7 +1132,12 @@ local REQUESTS = {
     local _, bytes = r.address("key.address")
     return is_device(bytes) and r.take("serial.key", 16)
   end,
-  W = function(r) return r.left() == 0 or show_relaying(r) end,
+  W = function(r)
+    if r.left() == 0 then return true end
+    local right, on = show_relaying(r)
+    if on then right = r.take("serial.relaying.number", 2) end
+    return right
+  end,
   U = key_address, F = key_address, D = key_address, L = nothing, S = nothing,
 }
 REQUESTS.N = REQUESTS.K

@@ -642,7 +642,7 @@ class VectorsTest {
     private void showsRequest(int index, JsonObject vector) {
         Map<String, String> numbers = Map.of("version", "serial.protocol_version", "hold", "serial.poll.hold", "least",
                 "serial.poll.least", "taken", "serial.poll.taken", "offset", "serial.actions.offset", "epoch",
-                "serial.boot_epoch");
+                "serial.boot_epoch", "number", "serial.relaying.number");
         Map<String, String> texts = Map.of("action", "serial.action", "frame", "serial.relay", "key", "serial.key",
                 "content", "content");
         for (String name : vector.keySet()) {

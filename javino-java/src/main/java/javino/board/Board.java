@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
@@ -166,7 +167,8 @@ public final class Board implements AutoCloseable {
      * @return whether the board is a relay now.
      */
     public CompletableFuture<Boolean> relaying(boolean on) {
-        return ask(Request.relaying(on), Reply::relaying);
+        return ask(on ? Request.relaying(ThreadLocalRandom.current().nextInt(0x1_0000)) : Request.notRelaying(),
+                Reply::relaying);
     }
 
     /** Whether the board is a relay; fails as {@link #relaying(boolean)} does. */

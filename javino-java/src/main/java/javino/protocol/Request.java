@@ -212,9 +212,20 @@ public record Request(Command command, Frame frame, String description) {
         return Command.RELAY.with(frame.encode(), "relay from " + frame.origin() + " to " + frame.destination());
     }
 
-    /** {@link Command#RELAYING}. */
-    public static Request relaying(boolean on) {
-        return Command.RELAYING.with(Bytes.of(on ? 1 : 0), on ? "relaying on" : "relaying off");
+    /**
+     * {@link Command#RELAYING}, on.
+     *
+     * @param number 0…0xFFFF, a random one: two relays with the same number may send at the same time, again and again.
+     * @throws IllegalArgumentException if the number is out of range.
+     */
+    public static Request relaying(int number) {
+        check(number >= 0 && number <= 0xFFFF, "a relay's number is 0…65535", number);
+        return Command.RELAYING.with(Bytes.join(Bytes.of(1), Bytes.ofNumber(number, 2)), "relaying on");
+    }
+
+    /** {@link Command#RELAYING}, off. */
+    public static Request notRelaying() {
+        return Command.RELAYING.with(Bytes.of(0), "relaying off");
     }
 
     /** {@link Command#RELAYING}, without a change. */

@@ -50,7 +50,9 @@ class CommandTest {
             case "setRfId" -> Request.setRfId(VectorFile.address(vector, "address"));
             case "radio" -> Request.radio(vector.get("open").getAsBoolean());
             case "overhear" -> Request.overhear(vector.get("on").getAsBoolean());
-            case "relaying" -> Request.relaying(vector.get("on").getAsBoolean());
+            case "relaying" -> vector.get("on").getAsBoolean()
+                    ? Request.relaying(vector.get("number").getAsInt())
+                    : Request.notRelaying();
             case "isRelaying" -> Request.isRelaying();
             case "relay" -> Request.relay(Frame.decode(VectorFile.bytes(vector, "frame")));
             case "setKey" -> Request.setKey(VectorFile.address(vector, "address"),

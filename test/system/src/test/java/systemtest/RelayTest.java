@@ -141,9 +141,10 @@ class RelayTest {
             assertEquals(Outcome.DELIVERED, send("tell;n(" + i + ")"));
         }
         // Not all copies: a relay that does not hear an answer in time sends its copy again, and a host may be late.
+        // Now and then both take the same slot. If they always did, it would be 20.
         long carried = Stream.of("one", "other").mapToLong(
                 relay -> emulator.sentBy(relay).stream().map(copy -> copy.text("payload")).distinct().count()).sum();
-        assertTrue(carried >= 10 && carried <= 12, "5 messages and 5 acknowledgements: " + carried + " by some relay");
+        assertTrue(carried >= 10 && carried <= 15, "5 messages and 5 acknowledgements: " + carried + " by some relay");
     }
 
     /** It answers in the receiver's name, and sends what it hears again, changed and with hops that are not so. */
