@@ -26,6 +26,7 @@ final class LiveRun implements AutoCloseable {
     private final Process process;
     private final Thread reader;
     private Process emulator;
+    private boolean ended;
     private volatile double seconds;
     private final List<String> lines = new ArrayList<>();
     private final CompletableFuture<String> address = new CompletableFuture<>();
@@ -155,6 +156,10 @@ final class LiveRun implements AutoCloseable {
         if (emulator != null) {
             emulator.destroy();
         }
+        if (!process.isAlive() && !ended) {
+            System.err.println("it had ended by itself:\n" + said());
+        }
+        ended = true;
         process.toHandle().destroy();
         process.onExit().join();
         try {
