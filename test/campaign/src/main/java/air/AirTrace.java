@@ -94,7 +94,7 @@ final class AirTrace {
     }
 
     private static double real(TraceEvent event, String field) {
-        double value = event.fields().get(field).getAsDouble();
+        double value = event.real(field);
         if (!(value >= 0 && value <= LAST_SECOND)) {
             throw new NumberFormatException(field);
         }

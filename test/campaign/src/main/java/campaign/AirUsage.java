@@ -30,7 +30,7 @@ final class AirUsage implements Consumer<TraceEvent> {
         if (!event.name().equals("rf-tx")) {
             return;
         }
-        double seconds = event.fields().get("end").getAsDouble() - event.fields().get("start").getAsDouble();
+        double seconds = event.real("end") - event.real("start");
         usages.merge(event.board(), new Sum(1, seconds), Sum::plus);
     }
 

@@ -35,7 +35,7 @@ record GatewayDelay(List<Double> ways, List<Double> broker) {
         @Override
         public synchronized void accept(TraceEvent event) {
             if (event.name().equals("rf-tx")) {
-                ends.put(event.text("payload"), event.fields().get("end").getAsDouble());
+                ends.put(event.text("payload"), event.real("end"));
             } else if (event.name().equals("host-relay") && ends.containsKey(event.text("payload"))) {
                 ways.add(event.seconds() - ends.get(event.text("payload")));
             }

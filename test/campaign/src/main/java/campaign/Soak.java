@@ -1,5 +1,6 @@
 package campaign;
 
+import harness.Crossings;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;

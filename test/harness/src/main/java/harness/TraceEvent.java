@@ -27,4 +27,8 @@ public record TraceEvent(double seconds, String board, String name, JsonObject f
     public int number(String field) {
         return fields.get(field).getAsInt();
     }
+
+    public double real(String field) {
+        return fields.get(field).getAsDouble();
+    }
 }

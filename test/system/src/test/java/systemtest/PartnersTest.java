@@ -49,7 +49,7 @@ class PartnersTest {
             TraceEvent asked = emulator.await("the request", 5, event -> event.is("host-transmit", "police"));
             TraceEvent heard = emulator.await("the first message",
                     event -> event.is("rf-rx", "support") && event.text("destination").equals("SUPP"));
-            double seconds = heard.seconds() - asked.fields().get("asked").getAsDouble();
+            double seconds = heard.seconds() - asked.real("asked");
             assertTrue(seconds < SOON, "after " + seconds + " s");
             for (Transmission transmission : toPresent) {
                 assertEquals(Outcome.DELIVERED, Host.get(transmission.end()));

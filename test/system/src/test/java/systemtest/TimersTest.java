@@ -4,6 +4,7 @@ import static harness.Host.get;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import harness.Crossings;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
@@ -93,16 +94,13 @@ class TimersTest {
     }
 
     /** Each packet was heard; but a host that is late has some sent again, which may meet the acknowledgement. */
-    private static void assertAllHeard(List<TraceEvent> sent, List<TraceEvent> byReceiver, Host receiver) {
-        long alone = sent.stream().filter(packet -> byReceiver.stream().noneMatch(
-                met -> time(met, "start") < time(packet, "end") && time(packet, "start") < time(met, "end"))).count();
+    private static void assertAllHeard(List<TraceEvent> trace, String sender, Host receiver) {
+        Crossings crossings = new Crossings();
+        trace.forEach(crossings::see);
+        long alone = trace.stream().filter(event -> event.is("rf-tx", sender)).count() - crossings.of(sender);
         assertTrue(alone > 0, "all packets have met others");
         long received = receiver.counter(Counter.RADIO_RECEIVED);
         assertTrue(received >= alone, received + " packets were heard of " + alone);
-    }
-
-    private static double time(TraceEvent packet, String field) {
-        return packet.fields().get(field).getAsDouble();
     }
 
     private static void exchange(Emulator emulator, String board, Host one, Host other) throws Exception {
@@ -114,9 +112,8 @@ class TimersTest {
         assertEquals("tell;there", one.message().content().toString());
         assertEquals(1, one.counter(Counter.RADIO_ACKNOWLEDGED));
         assertEquals(1, other.counter(Counter.RADIO_ACKNOWLEDGED));
-        List<TraceEvent> byOne = emulator.sentBy(board);
-        List<TraceEvent> byOther = emulator.sentBy("other");
-        assertAllHeard(byOne, byOther, other);
-        assertAllHeard(byOther, byOne, one);
+        List<TraceEvent> trace = emulator.trace();
+        assertAllHeard(trace, board, other);
+        assertAllHeard(trace, "other", one);
     }
 }

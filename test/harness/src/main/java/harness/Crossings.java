@@ -1,6 +1,5 @@
-package campaign;
+package harness;
 
-import harness.TraceEvent;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -8,7 +7,7 @@ import java.util.Map;
  * Counts, of two boards, the packets of each that were on the air while the other one was sending, and so not
  * listening.
  */
-final class Crossings {
+public final class Crossings {
 
     private record Packet(double start, double end, boolean crossed) {}
 
@@ -16,12 +15,11 @@ final class Crossings {
     private final Map<String, Long> crossed = new HashMap<>();
 
     /** Takes notice of an event of the trace. */
-    synchronized void see(TraceEvent event) {
+    public synchronized void see(TraceEvent event) {
         if (!event.name().equals("rf-tx")) {
             return;
         }
-        Packet packet =
-                new Packet(event.fields().get("start").getAsDouble(), event.fields().get("end").getAsDouble(), false);
+        Packet packet = new Packet(event.real("start"), event.real("end"), false);
         for (Map.Entry<String, Packet> each : last.entrySet()) {
             Packet other = each.getValue();
             if (each.getKey().equals(event.board()) || other.end < packet.start || packet.end < other.start) {
@@ -40,7 +38,7 @@ final class Crossings {
     }
 
     /** Of the packets that this board has sent. */
-    synchronized long of(String board) {
+    public synchronized long of(String board) {
         return crossed.getOrDefault(board, 0L);
     }
 }
