@@ -1135,8 +1135,7 @@ local REQUESTS = {
   W = function(r)
     if r.left() == 0 then return true end
     local right, on = show_relaying(r)
-    if on then right = r.take("serial.relaying.number", 2) end
-    return right
+    return right and (not on or r.take("serial.relaying.number", 2))
   end,
   U = key_address, F = key_address, D = key_address, L = nothing, S = nothing,
 }
