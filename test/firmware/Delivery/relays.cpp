@@ -15,6 +15,10 @@ using javino::Status;
 
 namespace {
 
+BoardReply relaying(TestBoard &board, bool on, uint8_t number = 0) {
+  return board.request('W', on ? Bytes{1, 0xBE, number} : Bytes{0});
+}
+
 // Boards on a line, of which each hears its neighbours. The first and the last one share a key.
 struct Line {
   explicit Line(size_t hops, uint32_t seed = 1) : air(seed) {
@@ -34,7 +38,7 @@ struct Line {
 
   BoardReply relay(size_t i, bool on) {
     stations[i]->board.use();
-    return stations[i]->board.request('W', on ? Bytes{1, 0, 0} : Bytes{0});
+    return relaying(stations[i]->board, on);
   }
 
   uint32_t counter(size_t i, Counter counter) {
@@ -107,7 +111,7 @@ TEST(Relays, without_an_address_do_not_send_at_the_same_time) {
     board->use();
     board->radio.mends = true;
     board->start();
-    ASSERT_EQ(Bytes{1}, board->request('W', {1, 0xBE, static_cast<uint8_t>(board == &two)}).body);
+    ASSERT_EQ(Bytes{1}, relaying(*board, true, board == &two).body);
   }
   int together = 0;
   for (int i = 0; i < 20; i++) {
@@ -137,7 +141,7 @@ TEST(Relays, write_nothing_where_nothing_changes) {
 TEST(Relays, cannot_be_boards_whose_radio_tells_no_hops) {
   TestBoard board;
   board.start();
-  EXPECT_EQ(Status::UNKNOWN_COMMAND, board.request('W', {1, 0, 0}).status);
+  EXPECT_EQ(Status::UNKNOWN_COMMAND, relaying(board, true).status);
 }
 
 TEST(Relays, are_needed_by_none_who_hear_each_other) {
@@ -221,7 +225,7 @@ TEST(Relays, take_one_message_in_pieces_at_a_time_and_two_when_they_are_none) {
   const std::string content(100, 'x');
   uint8_t counter = 0;
   for (bool relays : {true, false, true}) {
-    ASSERT_EQ(Bytes{relays}, board.request('W', relays ? Bytes{1, 0, 0} : Bytes{0}).body);
+    ASSERT_EQ(Bytes{relays}, relaying(board, relays).body);
     const Bytes nonce = {0, 0, 1, 0, 0, ++counter};
     const std::vector<Bytes> one = cut(sealed(KEY, "SUHO", "SUPP", nonce, content), counter);
     const std::vector<Bytes> two = cut(sealed(KEY, "SUHO", "SUPO", nonce, content), counter);
