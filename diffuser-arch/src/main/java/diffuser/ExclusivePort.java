@@ -23,7 +23,7 @@ final class ExclusivePort implements LinkOpener {
     /** A session ends in a fraction of that, unless its port hangs; then it is no use to wait. */
     private static final long LONGEST_SECONDS = 2;
     /** Who has which port, by what the system calls it. */
-    private static final Map<String, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
+    static final Map<String, ExclusivePort> HOLDERS = new ConcurrentHashMap<>();
 
     private final LinkOpener next;
     private final String agent;

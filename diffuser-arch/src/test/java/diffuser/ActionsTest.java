@@ -31,38 +31,34 @@ class ActionsTest {
     @Test
     void act_boardKnowsIt_performedAndIntentionGoesOn() {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = RunningAgent.run(program(".act(speed(80,\"km/h\")[source(self)])"), board)) {
-            RunningAgent.asked(board, "A speed(80,\"km/h\")");
-            agent.notes("done");
-        }
+        RunningAgent agent = RunningAgent.run(program(".act(speed(80,\"km/h\")[source(self)])"), board);
+        RunningAgent.asked(board, "A speed(80,\"km/h\")");
+        agent.notes("done");
     }
 
     @Test
     void act_asString_sentAsItIs() {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = RunningAgent.run(program(".act(\"speed( 80 )\")"), board)) {
-            RunningAgent.asked(board, "A speed( 80 )");
-            agent.notes("done");
-        }
+        RunningAgent agent = RunningAgent.run(program(".act(\"speed( 80 )\")"), board);
+        RunningAgent.asked(board, "A speed( 80 )");
+        agent.notes("done");
     }
 
     @Test
     void act_boardRefuses_failsWithItsError() {
         FakeBoard board = new FakeBoard("body").refusing("A fly", Status.UNKNOWN_ACTION)
                 .refusing("A jump", Status.ACTION_FAILED);
-        try (RunningAgent agent = RunningAgent.run(program(".act(fly)"), board)) {
-            agent.notes("unknown_action act fly failed: UNKNOWN_ACTION, the sketch has no action of this name");
-        }
-        try (RunningAgent agent = RunningAgent.run(program(".act(jump)"), board)) {
-            agent.notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
-        }
+        RunningAgent agent = RunningAgent.run(program(".act(fly)"), board);
+        agent.notes("unknown_action act fly failed: UNKNOWN_ACTION, the sketch has no action of this name");
+        agent.close();
+        RunningAgent.run(program(".act(jump)"), board)
+                .notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
     }
 
     @Test
     void act_boardIsAway_failsWithPortOff() {
-        try (RunningAgent agent = RunningAgent.run(program(".act(stop)"), new FakeBoard("body").unplugged())) {
-            agent.notes("port_off");
-        }
+        RunningAgent agent = RunningAgent.run(program(".act(stop)"), new FakeBoard("body").unplugged());
+        agent.notes("port_off");
     }
 
     @Test
@@ -71,61 +67,55 @@ class ActionsTest {
         String program =
                 "!start. +!start <- .port(body); diffuser.note(ready). +!do <- .act(stop); diffuser.note(done)."
                         + "-!do[error(E)] <- diffuser.note(E).";
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("ready");
-            board.swallow("A stop");
-            agent.achieve("do");
-            RunningAgent.asked(board, "A stop");
-            board.unplug();
-            agent.notes("outcome_unknown");
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("ready");
+        board.swallow("A stop");
+        agent.achieve("do");
+        RunningAgent.asked(board, "A stop");
+        board.unplug();
+        agent.notes("outcome_unknown");
     }
 
     @Test
     void act_plainAction_goesToTheBoard() {
         FakeBoard board = new FakeBoard("body").refusing("A jump", Status.ACTION_FAILED);
-        try (RunningAgent agent = RunningAgent.run(program("stop; jump"), board)) {
-            RunningAgent.asked(board, "A stop");
-            RunningAgent.asked(board, "A jump");
-            agent.notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
-        }
+        RunningAgent agent = RunningAgent.run(program("stop; jump"), board);
+        RunningAgent.asked(board, "A stop");
+        RunningAgent.asked(board, "A jump");
+        agent.notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
     }
 
     @Test
     void act_plainActionNobodyKnows_failsWithUnknownAction() {
         FakeBoard board = new FakeBoard("body").refusing("A fly", Status.UNKNOWN_ACTION);
-        try (RunningAgent agent = RunningAgent.run(program("fly"), board)) {
-            agent.notes("unknown_action act fly failed: UNKNOWN_ACTION, the sketch has no action of this name");
-        }
+        RunningAgent agent = RunningAgent.run(program("fly"), board);
+        agent.notes("unknown_action act fly failed: UNKNOWN_ACTION, the sketch has no action of this name");
     }
 
     @Test
     void act_plainActionWhileBoardIsAwayAndNothingElse_failsWithPortOff() {
-        try (RunningAgent agent = RunningAgent.run(program("stop"), new FakeBoard("body").unplugged())) {
-            agent.notes("port_off");
-        }
+        RunningAgent agent = RunningAgent.run(program("stop"), new FakeBoard("body").unplugged());
+        agent.notes("port_off");
     }
 
     @Test
     void act_plainActionOfTheEnvironment_isNeverAskedOfTheBoard() throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("stop");
-        try (RunningAgent agent = withEnvironment(program("paint(red); paint(blue); stop; stop(now)"), board)) {
-            agent.notes("environment paint(red)");
-            agent.notes("environment paint(blue)");
-            agent.notes("done");
-            RunningAgent.asked(board, "A stop");
-            RunningAgent.asked(board, "A stop(now)");
-        }
+        RunningAgent agent = withEnvironment(program("paint(red); paint(blue); stop; stop(now)"), board);
+        agent.notes("environment paint(red)");
+        agent.notes("environment paint(blue)");
+        agent.notes("done");
+        RunningAgent.asked(board, "A stop");
+        RunningAgent.asked(board, "A stop(now)");
     }
 
     @Test
     void act_plainActionWithAVariable_goesToTheEnvironment() throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("paint", "stop");
-        try (RunningAgent agent = withEnvironment(program("paint(Colour); stop"), board)) {
-            agent.notes("environment paint(Colour)");
-            agent.notes("done");
-            RunningAgent.asked(board, "A stop");
-        }
+        RunningAgent agent = withEnvironment(program("paint(Colour); stop"), board);
+        agent.notes("environment paint(Colour)");
+        agent.notes("done");
+        RunningAgent.asked(board, "A stop");
     }
 
     @ParameterizedTest
@@ -135,75 +125,68 @@ class ActionsTest {
     void act_plainActionThatNamesAnArtifact_goesToTheEnvironmentWhateverTheBoardHas(String annotations)
             throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("paint");
-        try (RunningAgent agent = withEnvironment(program("paint(red)[" + annotations + "]; paint(blue)"), board)) {
-            agent.notes("environment paint(red)[" + annotations + "]");
-            agent.notes("done");
-            RunningAgent.asked(board, "A paint(blue)");
-        }
+        RunningAgent agent = withEnvironment(program("paint(red)[" + annotations + "]; paint(blue)"), board);
+        agent.notes("environment paint(red)[" + annotations + "]");
+        agent.notes("done");
+        RunningAgent.asked(board, "A paint(blue)");
     }
 
     @Test
     void act_plainActionWithAnotherAnnotation_goesToTheBoard() throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("paint");
-        try (RunningAgent agent = withEnvironment(program("paint(red)[fast,colour(red)]"), board)) {
-            RunningAgent.asked(board, "A paint(red)");
-            agent.notes("done");
-        }
+        RunningAgent agent = withEnvironment(program("paint(red)[fast,colour(red)]"), board);
+        RunningAgent.asked(board, "A paint(red)");
+        agent.notes("done");
     }
 
     @Test
     void act_plainActionOfAnArtifactAndNothingBehind_fails() {
         FakeBoard board = new FakeBoard("body").knowing("paint");
-        try (RunningAgent agent = RunningAgent.run(program("paint(red)[art(easel)]"), board)) {
-            agent.notes("action_failed no environment configured!");
-            assertEquals(0, board.requests.size());
-        }
+        RunningAgent agent = RunningAgent.run(program("paint(red)[art(easel)]"), board);
+        agent.notes("action_failed no environment configured!");
+        assertEquals(0, board.requests.size());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"~paint(red)", "studio::paint(red)"})
     void act_plainActionOfANameThatNoSketchCanHave_goesToTheEnvironment(String action) throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("paint");
-        try (RunningAgent agent = withEnvironment(program(action), board)) {
-            agent.notes("environment " + action);
-            agent.notes("done");
-            assertEquals(0, board.requests.size());
-        }
+        RunningAgent agent = withEnvironment(program(action), board);
+        agent.notes("environment " + action);
+        agent.notes("done");
+        assertEquals(0, board.requests.size());
     }
 
     @Test
     void act_plainActionLongerThanABoardReads_failsWhereItIsTheBoards() throws Exception {
         String picture = "x".repeat(600);
         String program = program("paint(\"" + picture + "\")");
-        try (RunningAgent agent = withEnvironment(program, new FakeBoard("body").knowing("paint"))) {
-            agent.notes("action_failed an action has 1…510 bytes of UTF-8, not 609");
-        }
-        try (RunningAgent agent = withEnvironment(program, new FakeBoard("body"))) {
-            agent.notes("environment paint(\"" + picture + "\")");
-            agent.notes("done");
-        }
+        RunningAgent agent = withEnvironment(program, new FakeBoard("body").knowing("paint"));
+        agent.notes("action_failed an action has 1…510 bytes of UTF-8, not 609");
+        agent.close();
+        RunningAgent other = withEnvironment(program, new FakeBoard("body"));
+        other.notes("environment paint(\"" + picture + "\")");
+        other.notes("done");
     }
 
     @Test
     void act_plainActionThatTheBoardCannotRead_failsWithItsError() throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("paint").refusing("A paint(a(b(c)))", Status.BAD_ARGUMENT);
-        try (RunningAgent agent = withEnvironment(program("paint(a(b(c)))"), board)) {
-            agent.notes("action_failed act paint(a(b(c))) failed: BAD_ARGUMENT, " + Status.BAD_ARGUMENT.explanation());
-        }
+        RunningAgent agent = withEnvironment(program("paint(a(b(c)))"), board);
+        agent.notes("action_failed act paint(a(b(c))) failed: BAD_ARGUMENT, " + Status.BAD_ARGUMENT.explanation());
     }
 
     @Test
     void act_noBoardHasAnsweredYet_goesToTheEnvironmentWithOneWarning() throws Exception {
-        try (RunningAgent agent = withEnvironment(program("paint(red); paint; paint(blue)"),
-                new FakeBoard("body").knowing("paint").unplugged())) {
-            agent.notes("environment paint(red)");
-            agent.notes("environment paint");
-            agent.notes("environment paint(blue)");
-            agent.notes("done");
-            assertEquals(List.of("the board is off: body: there is no such port",
-                    "no board has answered on body yet: plain actions go to the environment until one has"),
-                    List.copyOf(agent.warnings));
-        }
+        RunningAgent agent = withEnvironment(program("paint(red); paint; paint(blue)"),
+                new FakeBoard("body").knowing("paint").unplugged());
+        agent.notes("environment paint(red)");
+        agent.notes("environment paint");
+        agent.notes("environment paint(blue)");
+        agent.notes("done");
+        assertEquals(List.of("the board is off: body: there is no such port",
+                "no board has answered on body yet: plain actions go to the environment until one has"),
+                List.copyOf(agent.warnings));
     }
 
     private static final String OUTAGE = """
@@ -227,64 +210,58 @@ class ActionsTest {
 
     @Test
     void act_boardIsAway_actionOfTheEnvironmentGoesThereAndNobodyIsWarned() throws Exception {
-        try (RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop", "go"))) {
-            for (int i = 0; i < 3; i++) {
-                agent.achieve("paint");
-                agent.notes("environment paint(red)");
-                agent.notes("painted");
-            }
-            assertEquals(List.of(), agent.warnings.stream().filter(line -> line.contains("environment")).toList());
+        RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop", "go"));
+        for (int i = 0; i < 3; i++) {
+            agent.achieve("paint");
+            agent.notes("environment paint(red)");
+            agent.notes("painted");
         }
+        assertEquals(List.of(), agent.warnings.stream().filter(line -> line.contains("environment")).toList());
     }
 
     @Test
     void act_boardIsAway_itsOwnActionFailsWithPortOffWhateverIsBehind() throws Exception {
-        try (RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop"))) {
-            agent.achieve("do");
-            agent.notes("port_off");
-        }
+        RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop"));
+        agent.achieve("do");
+        agent.notes("port_off");
     }
 
     @Test
     void act_boardComesBack_performsItsAction() throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("stop");
-        try (RunningAgent agent = inAnOutage(board, "-!do[error(port_off)] <- !do.")) {
-            agent.achieve("do");
-            board.plug();
-            RunningAgent.asked(board, "A stop");
-            agent.notesAll("back", "done");
-        }
+        RunningAgent agent = inAnOutage(board, "-!do[error(port_off)] <- !do.");
+        agent.achieve("do");
+        board.plug();
+        RunningAgent.asked(board, "A stop");
+        agent.notesAll("back", "done");
     }
 
     @Test
     void act_boardComesBackWithAnotherSketch_itsNamesCount() throws Exception {
         FakeBoard board = new FakeBoard("body").knowing("stop");
-        try (RunningAgent agent = inAnOutage(board)) {
-            board.knowing("paint").reset();
-            board.plug();
-            agent.notes("back");
-            agent.achieve("paint");
-            RunningAgent.asked(board, "A paint(red)");
-            agent.notes("painted");
-        }
+        RunningAgent agent = inAnOutage(board);
+        board.knowing("paint").reset();
+        board.plug();
+        agent.notes("back");
+        agent.achieve("paint");
+        RunningAgent.asked(board, "A paint(red)");
+        agent.notes("painted");
     }
 
     @Test
     void act_noPort_goesToTheEnvironment() throws Exception {
-        try (RunningAgent agent = withEnvironment("!do. +!do <- paint(red); diffuser.note(done).",
-                new FakeBoard("body"))) {
-            agent.notes("environment paint(red)");
-            agent.notes("done");
-        }
+        RunningAgent agent = withEnvironment("!do. +!do <- paint(red); diffuser.note(done).",
+                new FakeBoard("body"));
+        agent.notes("environment paint(red)");
+        agent.notes("done");
     }
 
     @Test
     void act_atomicPlan_resumes() {
         FakeBoard board = new FakeBoard("body");
         String program = "!start. @x[atomic] +!start <- .port(body); .act(stop); stop; diffuser.note(done).";
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("done");
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("done");
     }
 
     @Test
@@ -293,18 +270,17 @@ class ActionsTest {
         String program =
                 "!start. +!start <- .port(body); diffuser.note(ready). +!do <- .act(stop); diffuser.note(done)."
                         + "+!drop <- .drop_intention(do); diffuser.note(dropped).";
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("ready");
-            board.swallow("A stop");
-            agent.achieve("do");
-            RunningAgent.asked(board, "A stop");
-            agent.achieve("drop");
-            agent.notes("dropped");
-            board.unplug();
-            agent.warns("the board is off");
-            agent.cycles(3);
-            agent.achieve("drop");
-            agent.notes("dropped");
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("ready");
+        board.swallow("A stop");
+        agent.achieve("do");
+        RunningAgent.asked(board, "A stop");
+        agent.achieve("drop");
+        agent.notes("dropped");
+        board.unplug();
+        agent.warns("the board is off");
+        agent.cycles(3);
+        agent.achieve("drop");
+        agent.notes("dropped");
     }
 }

@@ -39,9 +39,8 @@ class AgentSpeakTest {
                 +!start <- .port(desk); .setMyRFId("SUPO"); !%s; diffuser.note(passed).
                 -!start[error(E),error_msg(M)] <- diffuser.note(E,":",M).
                 """.formatted(goal);
-        try (RunningAgent agent = RunningAgent.run(program + start, board)) {
-            agent.notes("passed");
-        }
+        RunningAgent agent = RunningAgent.run(program + start, board);
+        agent.notes("passed");
     }
 
     private static String resource(String name) throws IOException {

@@ -43,60 +43,55 @@ class AnswersTest {
     })
     void ask_unicast_isAnsweredInItsConversation(String question, String answer) {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("SUPO", "ROMA", question);
-            RunningAgent.asked(board, "ROMA " + answer);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = ready(board);
+        board.receive("SUPO", "ROMA", question);
+        RunningAgent.asked(board, "ROMA " + answer);
+        agent.notesNothingElse();
     }
 
     @Test
     void askHow_planWithStrings_isTheWholePlan() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("SUPO", "ROMA", "askHow#AbC;{ +!go(_) }");
-            String answer = RunningAgent.next(board.requests, "an answer");
-            assertTrue(answer.matches("ROMA tellHow#AbC;\\[\\{ @go \\+!go\\((\\w+)\\) : near\\(\\1,\\w+\\) <- "
-                    + "\\.print\\(\"on my \\\\\"way\\\\\"\\\\n\"\\); run\\(\\1\\) }]"), answer);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = ready(board);
+        board.receive("SUPO", "ROMA", "askHow#AbC;{ +!go(_) }");
+        String answer = RunningAgent.next(board.requests, "an answer");
+        assertTrue(answer.matches("ROMA tellHow#AbC;\\[\\{ @go \\+!go\\((\\w+)\\) : near\\(\\1,\\w+\\) <- "
+                + "\\.print\\(\"on my \\\\\"way\\\\\"\\\\n\"\\); run\\(\\1\\) }]"), answer);
+        agent.notesNothingElse();
     }
 
     @Test
     void ask_group_isAnsweredToTheAskerAloneWhereSomethingIsKnown() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("//SU", "ROMA", "askOne#AAA;unknown");
-            board.receive("//SU", "ROMA", "askAll#AAB;unknown");
-            board.receive("//SU", "ROMA", "askHow#AAC;{ +!stop }");
-            board.receive("//SU", "ROMA", "askOne#AAD;speed(X)");
-            RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = ready(board);
+        board.receive("//SU", "ROMA", "askOne#AAA;unknown");
+        board.receive("//SU", "ROMA", "askAll#AAB;unknown");
+        board.receive("//SU", "ROMA", "askHow#AAC;{ +!stop }");
+        board.receive("//SU", "ROMA", "askOne#AAD;speed(X)");
+        RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
+        agent.notesNothingElse();
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"askOne#AAA;speed(X)", "askAll#AAA;speed(X)", "askHow#AAA;{ +!go(_) }"})
     void ask_broadcast_isRefusedAndCounted(String question) throws Exception {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("////", "ROMA", question);
-            agent.warns(
-                    "dropped " + question.split("#")[0] + " from ROMA: it came as a broadcast, which anyone can send"
-                            + " in anyone's name");
-            board.receive("SUPO", "ROMA", "askOne#AAD;speed(X)");
-            RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
-            assertEquals(1L, agent.diffuser().getStatus().get("rfMessagesRefused"));
-        }
+        RunningAgent agent = ready(board);
+        board.receive("////", "ROMA", question);
+        agent.warns(
+                "dropped " + question.split("#")[0] + " from ROMA: it came as a broadcast, which anyone can send"
+                        + " in anyone's name");
+        board.receive("SUPO", "ROMA", "askOne#AAD;speed(X)");
+        RunningAgent.asked(board, "ROMA tell#AAD;speed(80)");
+        assertEquals(1L, agent.diffuser().getStatus().get("rfMessagesRefused"));
     }
 
     @Test
     void ask_answerIsTooLong_askerIsToldBothLengths() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("SUPO", "ROMA", "askOne#AbC;long(X)");
-            RunningAgent.asked(board, "ROMA sorry#AbC;\"a content has at most 494 bytes of UTF-8, not 617\"");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = ready(board);
+        board.receive("SUPO", "ROMA", "askOne#AbC;long(X)");
+        RunningAgent.asked(board, "ROMA sorry#AbC;\"a content has at most 494 bytes of UTF-8, not 617\"");
+        agent.notesNothingElse();
     }
 }

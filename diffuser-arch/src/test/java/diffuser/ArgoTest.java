@@ -48,25 +48,23 @@ class ArgoTest {
     })
     void architecture_eachNameOfThePublicOnes_isFound(String name, String actions) throws Exception {
         String program = "!start. +!start <- %s; diffuser.note(done).".formatted(actions);
-        try (RunningAgent agent = RunningAgent.run(program, null, List.of(name))) {
-            agent.notes("done");
-            assertInstanceOf(jason.Argo.class, agent.diffuser());
-        }
+        RunningAgent agent = RunningAgent.run(program, null, List.of(name));
+        agent.notes("done");
+        assertInstanceOf(jason.Argo.class, agent.diffuser());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {".", ".argo.", "argo."})
     void agent_eachWayOfWriting_blinks(String prefix) {
         FakeBoard board = new FakeBoard("ttyACM0").perceiving("led(off)");
-        try (RunningAgent agent = argo(BLINKER.formatted(prefix), board)) {
-            agent.notesAll("ttyACM0 connected", "led off");
-            RunningAgent.asked(board, "A ledOn");
-            board.perceiving("led(on)");
-            RunningAgent.asked(board, "A ledOff");
-            agent.notes("led on");
-            board.unplug();
-            agent.notes("ttyACM0 off");
-        }
+        RunningAgent agent = argo(BLINKER.formatted(prefix), board);
+        agent.notesAll("ttyACM0 connected", "led off");
+        RunningAgent.asked(board, "A ledOn");
+        board.perceiving("led(on)");
+        RunningAgent.asked(board, "A ledOff");
+        agent.notes("led on");
+        board.unplug();
+        agent.notes("ttyACM0 off");
     }
 
     @ParameterizedTest
@@ -80,13 +78,12 @@ class ArgoTest {
                 -light(X) <- diffuser.note(no,light,X).
                 +!probe <- diffuser.note(probed).
                 """.formatted(close);
-        try (RunningAgent agent = argo(program, board)) {
-            agent.notes("light 1");
-            agent.notesNothingElse();
-            board.perceiving("light(2)");
-            agent.notesAll("light 2", "no light 1");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = argo(program, board);
+        agent.notes("light 1");
+        agent.notesNothingElse();
+        board.perceiving("light(2)");
+        agent.notesAll("light 2", "no light 1");
+        agent.notesNothingElse();
     }
 
     @Test
@@ -101,15 +98,14 @@ class ArgoTest {
                 -light(X) <- diffuser.note(no,light,X).
                 +!probe <- diffuser.note(probed).
                 """;
-        try (RunningAgent agent = argo(program, board)) {
-            agent.notes("light 1");
-            agent.achieve("close");
-            agent.notes("closed");
-            board.perceiving("light(2)");
-            agent.notesNothingElse();
-            agent.achieve("open");
-            agent.notesAll("no light 1", "light 2");
-        }
+        RunningAgent agent = argo(program, board);
+        agent.notes("light 1");
+        agent.achieve("close");
+        agent.notes("closed");
+        board.perceiving("light(2)");
+        agent.notesNothingElse();
+        agent.achieve("open");
+        agent.notesAll("no light 1", "light 2");
     }
 
     @Test
@@ -117,10 +113,9 @@ class ArgoTest {
         FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
         String program = "!start. +!start <- .percepts(close); .port(ttyACM0); diffuser.note(ready)."
                 + "+light(X) <- diffuser.note(light,X). +!probe <- diffuser.note(probed).";
-        try (RunningAgent agent = argo(program, board)) {
-            agent.notes("ready");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = argo(program, board);
+        agent.notes("ready");
+        agent.notesNothingElse();
     }
 
     @Test
@@ -134,13 +129,12 @@ class ArgoTest {
                 -light(X) <- diffuser.note(no,light,X).
                 +port(_,off) <- diffuser.note(off).
                 """;
-        try (RunningAgent agent = argo(program, board)) {
-            agent.notes("light 1");
-            agent.achieve("close");
-            agent.notes("closed");
-            board.unplug();
-            agent.notesAll("no light 1", "off");
-        }
+        RunningAgent agent = argo(program, board);
+        agent.notes("light 1");
+        agent.achieve("close");
+        agent.notes("closed");
+        board.unplug();
+        agent.notesAll("no light 1", "off");
     }
 
     /** Switches a lamp 20 times, and notes each time what it believes next. */
@@ -162,23 +156,21 @@ class ArgoTest {
     @ParameterizedTest
     @CsvSource({"'',''", ".argo.limit(20);,''", "'',.my_name(_);"})
     void act_beliefIsAskedNext_isFresh(String limit, String between) {
-        try (RunningAgent agent = argo(switching(limit, between), lamp())) {
-            for (int i = 0; i < 10; i++) {
-                agent.notes("ledOn on");
-                agent.notes("ledOff off");
-            }
-            agent.notes("done");
+        RunningAgent agent = argo(switching(limit, between), lamp());
+        for (int i = 0; i < 10; i++) {
+            agent.notes("ledOn on");
+            agent.notes("ledOff off");
         }
+        agent.notes("done");
     }
 
     @Test
     void act_atomicPlan_isFreshToo() {
         String program = "!start. @x[atomic] +!start <- .port(ttyACM0); .percepts(open); .act(ledOn); ?ledStatus(X);"
                 + "diffuser.note(X); .act(ledOff); ?ledStatus(Y); diffuser.note(Y).";
-        try (RunningAgent agent = argo(program, lamp())) {
-            agent.notes("on");
-            agent.notes("off");
-        }
+        RunningAgent agent = argo(program, lamp());
+        agent.notes("on");
+        agent.notes("off");
     }
 
     @Test
@@ -188,10 +180,9 @@ class ArgoTest {
                 +!start <- .port(ttyACM0); .percepts(open); .limit(3600000); .act(ledOn); diffuser.note(acted);
                     .act(ledOn); ?ledStatus(X); diffuser.note(X).
                 """;
-        try (RunningAgent agent = argo(program, lamp())) {
-            agent.notes("acted");
-            agent.notes("off");
-        }
+        RunningAgent agent = argo(program, lamp());
+        agent.notes("acted");
+        agent.notes("off");
     }
 
     @Test
@@ -200,9 +191,8 @@ class ArgoTest {
                 !start.
                 +!start <- .port(ttyACM0); .percepts(open); .limit(2000); .act(ledOn); ?ledStatus(X); diffuser.note(X).
                 """;
-        try (RunningAgent agent = argo(program, lamp())) {
-            agent.notes("on");
-        }
+        RunningAgent agent = argo(program, lamp());
+        agent.notes("on");
     }
 
     @Test
@@ -212,11 +202,10 @@ class ArgoTest {
                 +!start <- .port(ttyACM0); .act(ledOn); diffuser.note(one); .percepts(open); .percepts(close);
                     .act(ledOff); ?ledStatus(X); diffuser.note(X); .port(none); diffuser.note(left).
                 """;
-        try (RunningAgent agent = argo(program, lamp())) {
-            agent.notes("one");
-            agent.notes("on");
-            agent.notes("left");
-        }
+        RunningAgent agent = argo(program, lamp());
+        agent.notes("one");
+        agent.notes("on");
+        agent.notes("left");
     }
 
     @Test
@@ -228,14 +217,13 @@ class ArgoTest {
                 +!act <- .act(ledOn); ?ledStatus(X); diffuser.note(X).
                 +!probe <- diffuser.note(probed).
                 """;
-        try (RunningAgent agent = argo(program, board)) {
-            agent.notes("ready");
-            board.swallow("A ledOn");
-            agent.achieve("act");
-            RunningAgent.asked(board, "A ledOn");
-            agent.achieve("probe");
-            agent.notes("probed");
-        }
+        RunningAgent agent = argo(program, board);
+        agent.notes("ready");
+        board.swallow("A ledOn");
+        agent.achieve("act");
+        RunningAgent.asked(board, "A ledOn");
+        agent.achieve("probe");
+        agent.notes("probed");
     }
 
     @ParameterizedTest
@@ -245,35 +233,32 @@ class ArgoTest {
         for (int i = 0; i < 10; i++) {
             FakeBoard board = new FakeBoard("ttyACM0").perceiving("umidadeSolo(42)");
             String program = "!start. +!start <- " + opening + "; ?umidadeSolo(U); diffuser.note(U).";
-            try (RunningAgent agent = argo(program, board)) {
-                agent.notes("42");
-            }
+            RunningAgent agent = argo(program, board);
+            agent.notes("42");
+            agent.close();
         }
     }
 
     @Test
     void percepts_openedWhileTheBoardIsAway_goesOn() {
         String program = "!start. +!start <- .port(ttyACM0); .percepts(open); ?port(P,S); diffuser.note(P,S).";
-        try (RunningAgent agent = argo(program, new FakeBoard("ttyACM0").unplugged())) {
-            agent.notes("ttyACM0 off");
-        }
+        RunningAgent agent = argo(program, new FakeBoard("ttyACM0").unplugged());
+        agent.notes("ttyACM0 off");
     }
 
     @Test
     void port_pathAsString_isBelievedByItsLastPart() {
         String program =
                 "!start. +!start <- .argo.port(\"/dev/ttyUSB0\",true). +port(ttyUSB0,on) <- diffuser.note(on).";
-        try (RunningAgent agent = argo(program, new FakeBoard("/dev/ttyUSB0"))) {
-            agent.notes("on");
-        }
+        RunningAgent agent = argo(program, new FakeBoard("/dev/ttyUSB0"));
+        agent.notes("on");
     }
 
     @Test
     void port_noAtom_isBelievedAsAString() {
         String program = "!start. +!start <- .port(COM3). +port(\"COM3\",on) <- diffuser.note(on).";
-        try (RunningAgent agent = argo(program, new FakeBoard("COM3"))) {
-            agent.notes("on");
-        }
+        RunningAgent agent = argo(program, new FakeBoard("COM3"));
+        agent.notes("on");
     }
 
     @Test
@@ -287,12 +272,11 @@ class ArgoTest {
                 -light(X) <- diffuser.note(no,light,X).
                 -port(P,on) <- diffuser.note(no,P).
                 """;
-        try (RunningAgent agent = argo(program, board)) {
-            agent.notes("light 1");
-            agent.achieve("leave");
-            agent.notesAll("no light 1", "no ttyACM0");
-            board.awaitClosing();
-        }
+        RunningAgent agent = argo(program, board);
+        agent.notes("light 1");
+        agent.achieve("leave");
+        agent.notesAll("no light 1", "no ttyACM0");
+        board.awaitClosing();
     }
 
     @Test
@@ -300,10 +284,9 @@ class ArgoTest {
         FakeBoard board = new FakeBoard("ttyACM0");
         String program = "!start. +!start <- .argo.port(ttyACM0); .setMyRFId(\"ROMA\"); .diffuse(broadcast,tell,help);"
                 + "diffuser.note(done).";
-        try (RunningAgent agent = argo(program, board)) {
-            RunningAgent.asked(board, "I ROMA");
-            RunningAgent.asked(board, "//// tell;help");
-            agent.notes("done");
-        }
+        RunningAgent agent = argo(program, board);
+        RunningAgent.asked(board, "I ROMA");
+        RunningAgent.asked(board, "//// tell;help");
+        agent.notes("done");
     }
 }

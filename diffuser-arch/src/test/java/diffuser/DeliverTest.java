@@ -47,22 +47,20 @@ class DeliverTest {
     @Test
     void deliver_delivered_goesOnWithoutAnEvent() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            agent.notesNothingElse();
-            board.end("ROMA tell;help", Outcome.DELIVERED);
-            agent.notes("done");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        agent.notesNothingElse();
+        board.end("ROMA tell;help", Outcome.DELIVERED);
+        agent.notes("done");
+        agent.notesNothingElse();
     }
 
     @Test
     void deliver_undelivered_failsWithoutAnEvent() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            board.end("ROMA tell;help", Outcome.UNDELIVERED);
-            agent.notes(UNDELIVERED);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        board.end("ROMA tell;help", Outcome.UNDELIVERED);
+        agent.notes(UNDELIVERED);
+        agent.notesNothingElse();
     }
 
     @ParameterizedTest
@@ -70,79 +68,72 @@ class DeliverTest {
             "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
     void deliver_boardRefuses_failsWithItsError(Status status, String error) {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
     }
 
     @Test
     void deliver_boardIsAway_failsWithPortOff() {
         FakeBoard board = new FakeBoard("antenna").unplugged();
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notes("ready");
-            agent.achieve("do");
-            agent.notes("port_off : transmit to ROMA: tell;help was not performed: antenna: there is no such port");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notes("ready");
+        agent.achieve("do");
+        agent.notes("port_off : transmit to ROMA: tell;help was not performed: antenna: there is no such port");
     }
 
     @Test
     void deliver_cyclesGoOnMeanwhile() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            for (int i = 0; i < 20; i++) {
-                agent.believe("seen(" + i + ")");
-                agent.notes("seen " + i);
-            }
-            board.end("ROMA tell;help", Outcome.DELIVERED);
-            agent.notes("done");
+        RunningAgent agent = waiting(PROGRAM, board);
+        for (int i = 0; i < 20; i++) {
+            agent.believe("seen(" + i + ")");
+            agent.notes("seen " + i);
         }
+        board.end("ROMA tell;help", Outcome.DELIVERED);
+        agent.notes("done");
     }
 
     @Test
     void deliver_boardIsReset_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            agent.notesNothingElse();
-            board.reset();
-            agent.notes(UNDELIVERED);
-            agent.achieve("do");
-            RunningAgent.asked(board, "ROMA tell;help");
-            board.end("ROMA tell;help", Outcome.DELIVERED);
-            agent.notes("done");
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        agent.notesNothingElse();
+        board.reset();
+        agent.notes(UNDELIVERED);
+        agent.achieve("do");
+        RunningAgent.asked(board, "ROMA tell;help");
+        board.end("ROMA tell;help", Outcome.DELIVERED);
+        agent.notes("done");
     }
 
     @Test
     void deliver_boardIsUnpluggedAndComesBackReset_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            agent.notesNothingElse();
-            board.unplug();
-            agent.warns("the board is off");
-            board.reset();
-            board.plug();
-            agent.notes(UNDELIVERED);
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        agent.notesNothingElse();
+        board.unplug();
+        agent.warns("the board is off");
+        board.reset();
+        board.plug();
+        agent.notes(UNDELIVERED);
     }
 
     @Test
     void deliver_boardIsLostBeforeItAnswers_outcomeUnknown() {
         FakeBoard board = new FakeBoard("antenna");
         board.swallow("ROMA tell;help");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith("outcome_unknown : "), note);
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        String note = agent.nextNote();
+        assertTrue(note.startsWith("outcome_unknown : "), note);
     }
 
     @Test
     void deliver_anotherPortIsOpened_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = waiting(PROGRAM, board)) {
-            agent.notesNothingElse();
-            agent.achieve("other");
-            agent.notes(UNDELIVERED);
-        }
+        RunningAgent agent = waiting(PROGRAM, board);
+        agent.notesNothingElse();
+        agent.achieve("other");
+        agent.notes(UNDELIVERED);
     }
 
     @ParameterizedTest
@@ -151,34 +142,32 @@ class DeliverTest {
     void deliver_droppedMeanwhile_nothingIsLeft(String drop) {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!drop <- diffuser.note(dropping); " + drop + ".";
-        try (RunningAgent agent = waiting(program, board)) {
-            agent.notesNothingElse();
-            assertEquals(1, agent.body().getTS().getC().getPendingIntentions().size());
-            agent.achieve("drop");
-            agent.notes("dropping");
-            agent.notesNothingElse();
-            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
-            board.end("ROMA tell;help", Outcome.DELIVERED);
-            agent.notesNothingElse();
-            agent.achieve("do");
-            RunningAgent.asked(board, "ROMA tell;help");
-            board.end("ROMA tell;help", Outcome.UNDELIVERED);
-            agent.notes(UNDELIVERED);
-            assertEquals(List.of(), List.copyOf(agent.warnings));
-        }
+        RunningAgent agent = waiting(program, board);
+        agent.notesNothingElse();
+        assertEquals(1, agent.body().getTS().getC().getPendingIntentions().size());
+        agent.achieve("drop");
+        agent.notes("dropping");
+        agent.notesNothingElse();
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
+        board.end("ROMA tell;help", Outcome.DELIVERED);
+        agent.notesNothingElse();
+        agent.achieve("do");
+        RunningAgent.asked(board, "ROMA tell;help");
+        board.end("ROMA tell;help", Outcome.UNDELIVERED);
+        agent.notes(UNDELIVERED);
+        assertEquals(List.of(), List.copyOf(agent.warnings));
     }
 
     @Test
     void deliver_goalFailedMeanwhile_failsOnce() {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "-!do <- diffuser.note(failed). +!drop <- .fail_goal(do).";
-        try (RunningAgent agent = waiting(program, board)) {
-            agent.notesNothingElse();
-            agent.achieve("drop");
-            agent.notes("failed");
-            board.end("ROMA tell;help", Outcome.UNDELIVERED);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = waiting(program, board);
+        agent.notesNothingElse();
+        agent.achieve("drop");
+        agent.notes("failed");
+        board.end("ROMA tell;help", Outcome.UNDELIVERED);
+        agent.notesNothingElse();
     }
 
     @Test
@@ -186,10 +175,8 @@ class DeliverTest {
         FakeBoard board = new FakeBoard("antenna");
         RunningAgent agent = waiting(PROGRAM, board);
         agent.notesNothingElse();
-        Thread session = PortTest.thread("javino antenna");
         agent.close();
-        session.join(RunningAgent.PATIENCE_SECONDS * 1000L);
-        assertTrue(!session.isAlive());
+        ScriptedDiffuser.join(ScriptedDiffuser.session("antenna"));
         assertEquals(1L, agent.diffuser().getStatus().get("rfUndelivered"));
     }
 
@@ -200,29 +187,27 @@ class DeliverTest {
                 +!all <- !to("ROMA") |&| !to("SUHO") |&| !to("SUAM"); diffuser.note(all).
                 +!to(X) <- .deliver(X,tell,a); diffuser.note(X).
                 """;
-        try (RunningAgent agent = ready(program, board)) {
-            agent.achieve("all");
-            for (int i = 0; i < 3; i++) {
-                RunningAgent.next(board.requests, "a request");
-            }
-            board.end("SUAM tell;a", Outcome.DELIVERED);
-            agent.notes("SUAM");
-            board.end("ROMA tell;a", Outcome.DELIVERED);
-            agent.notes("ROMA");
-            board.end("SUHO tell;a", Outcome.DELIVERED);
-            agent.notes("SUHO");
-            agent.notes("all");
+        RunningAgent agent = ready(program, board);
+        agent.achieve("all");
+        for (int i = 0; i < 3; i++) {
+            RunningAgent.next(board.requests, "a request");
         }
+        board.end("SUAM tell;a", Outcome.DELIVERED);
+        agent.notes("SUAM");
+        board.end("ROMA tell;a", Outcome.DELIVERED);
+        agent.notes("ROMA");
+        board.end("SUHO tell;a", Outcome.DELIVERED);
+        agent.notes("SUHO");
+        agent.notes("all");
     }
 
     @Test
     void deliver_inAnAtomicPlan_goesOn() {
         FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
         String program = PROGRAM + "@a[atomic] +!atomic <- .deliver(\"ROMA\",tell,help); diffuser.note(atomic).";
-        try (RunningAgent agent = ready(program, board)) {
-            agent.achieve("atomic");
-            agent.notes("atomic");
-        }
+        RunningAgent agent = ready(program, board);
+        agent.achieve("atomic");
+        agent.notes("atomic");
     }
 
     @Test
@@ -232,10 +217,9 @@ class DeliverTest {
                 @a[atomic] +!atomic <- .deliver("ROMA",tell,help).
                 -!atomic[error(E)] <- diffuser.note(E).
                 """;
-        try (RunningAgent agent = ready(program, board)) {
-            agent.achieve("atomic");
-            agent.notes("undelivered");
-        }
+        RunningAgent agent = ready(program, board);
+        agent.achieve("atomic");
+        agent.notes("undelivered");
     }
 
     @Test
@@ -245,13 +229,12 @@ class DeliverTest {
                 +!insist <- .deliver("ROMA",tell,help); diffuser.note(insisted).
                 -!insist[error(undelivered)] <- !insist.
                 """;
-        try (RunningAgent agent = ready(program, board)) {
-            agent.achieve("insist");
-            RunningAgent.asked(board, "ROMA tell;help");
-            board.end("ROMA tell;help", Outcome.UNDELIVERED);
-            RunningAgent.asked(board, "ROMA tell;help");
-            board.end("ROMA tell;help", Outcome.DELIVERED);
-            agent.notes("insisted");
-        }
+        RunningAgent agent = ready(program, board);
+        agent.achieve("insist");
+        RunningAgent.asked(board, "ROMA tell;help");
+        board.end("ROMA tell;help", Outcome.UNDELIVERED);
+        RunningAgent.asked(board, "ROMA tell;help");
+        board.end("ROMA tell;help", Outcome.DELIVERED);
+        agent.notes("insisted");
     }
 }

@@ -46,10 +46,9 @@ class DiffuseTest {
     })
     void diffuse_anyDestination_boardIsAsked(String action, String expected) {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run(action, board)) {
-            RunningAgent.asked(board, expected);
-            agent.notes("done");
-        }
+        RunningAgent agent = run(action, board);
+        RunningAgent.asked(board, expected);
+        agent.notes("done");
     }
 
     @ParameterizedTest
@@ -57,94 +56,84 @@ class DiffuseTest {
             "NONCE_EXHAUSTED,nonce_exhausted"})
     void diffuse_boardRefuses_failsWithItsError(Status status, String error) {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
-        try (RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board)) {
-            agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
-        }
+        RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board);
+        agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
     }
 
     @Test
     void diffuse_tooLongForTheBoard_saysBothLengths() {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.TOO_LONG);
-        try (RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board)) {
-            agent.notes("too_long : transmit to ROMA: tell;help failed: TOO_LONG, " + Status.TOO_LONG.explanation()
-                    + "; this one has 9");
-        }
+        RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board);
+        agent.notes("too_long : transmit to ROMA: tell;help failed: TOO_LONG, " + Status.TOO_LONG.explanation()
+                + "; this one has 9");
     }
 
     @Test
     void diffuse_noRfIdSet_fails() {
         String program = "!start. +!start <- .port(antenna); .diffuse(broadcast,tell,help)."
                 + "-!start[error(E)] <- diffuser.note(E).";
-        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"))) {
-            agent.notes("no_rf_id");
-        }
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"));
+        agent.notes("no_rf_id");
     }
 
     @Test
     void diffuse_boardIsAway_failsWithPortOff() {
         FakeBoard board = new FakeBoard("antenna").unplugged();
-        try (RunningAgent agent = RunningAgent.run(program(".diffuse(broadcast,tell,help)"), board)) {
-            agent.notes("port_off : transmit to ////: tell;help was not performed: antenna: there is no such port");
-        }
+        RunningAgent agent = RunningAgent.run(program(".diffuse(broadcast,tell,help)"), board);
+        agent.notes("port_off : transmit to ////: tell;help was not performed: antenna: there is no such port");
     }
 
     @Test
     void diffuse_deviceThatLooksLikeAGroup_goesToTheDeviceAndWarnsOnce() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run(".diffuse(\"SU//\",tell,a); .diffuse(\"SU//\",tell,b)", board)) {
-            RunningAgent.asked(board, "SU// tell;a");
-            RunningAgent.asked(board, "SU// tell;b");
-            agent.notes("done");
-            agent.warns("SU// is the device // of group SU; for the whole group write \"//SU\"");
-            assertTrue(agent.warnings.isEmpty());
-        }
+        RunningAgent agent = run(".diffuse(\"SU//\",tell,a); .diffuse(\"SU//\",tell,b)", board);
+        RunningAgent.asked(board, "SU// tell;a");
+        RunningAgent.asked(board, "SU// tell;b");
+        agent.notes("done");
+        agent.warns("SU// is the device // of group SU; for the whole group write \"//SU\"");
+        assertTrue(agent.warnings.isEmpty());
     }
 
     @Test
     void diffuse_contentHasNoTextThatReadsBack_fails() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run(".substring(\"\\\\\",X,0,1); .diffuse(broadcast,tell,p(X))", board)) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith("bad_content : this cannot be sent:"), note);
-        }
+        RunningAgent agent = run(".substring(\"\\\\\",X,0,1); .diffuse(broadcast,tell,p(X))", board);
+        String note = agent.nextNote();
+        assertTrue(note.startsWith("bad_content : this cannot be sent:"), note);
     }
 
     @Test
     void send_boardRefuses_warns() {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.NO_KEY);
-        try (RunningAgent agent = run(".send(\"ROMA\",tell,help)", board)) {
-            agent.notes("done");
-            agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
-        }
+        RunningAgent agent = run(".send(\"ROMA\",tell,help)", board);
+        agent.notes("done");
+        agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
     }
 
     @Test
     void send_otherForceToRfAddress_fails() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board)) {
-            agent.notes(
-                    "wrong_arguments : the radio takes only tell, untell, achieve, unachieve, signal, askOne, "
-                            + "askAll, askHow,"
-                            + " tellHow, untellHow, not sorry");
-        }
+        RunningAgent agent = run(".send(\"ROMA\",sorry,help)", board);
+        agent.notes(
+                "wrong_arguments : the radio takes only tell, untell, achieve, unachieve, signal, askOne, "
+                        + "askAll, askHow,"
+                        + " tellHow, untellHow, not sorry");
     }
 
     @Test
     void send_noRfAddressAndNoAgent_failsAsEver() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = run(".send(nobody,tell,help)", board)) {
-            String note = agent.nextNote();
-            assertTrue(note.contains("Receiver 'nobody' does not exist"), note);
-        }
+        RunningAgent agent = run(".send(nobody,tell,help)", board);
+        String note = agent.nextNote();
+        assertTrue(note.contains("Receiver 'nobody' does not exist"), note);
     }
 
     @Test
     void send_localAgentOfThatName_getsIt() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent bob = RunningAgent.named("bob1", "+help[source(S)] <- diffuser.note(help,S).");
-                RunningAgent agent = run(".send(bob1,tell,help)", board)) {
-            agent.notes("done");
-            bob.notes("help " + agent.name());
-        }
+        RunningAgent bob = RunningAgent.named("bob1", "+help[source(S)] <- diffuser.note(help,S).");
+        RunningAgent agent = run(".send(bob1,tell,help)", board);
+        agent.notes("done");
+        bob.notes("help " + agent.name());
     }
 }

@@ -271,6 +271,13 @@ final class FakeBoard implements LinkOpener {
         }
     }
 
+    /** It does nothing more, and lets go of whoever waits for it. */
+    void discard() {
+        closesSlowly(false);
+        released.countDown();
+        unplug();
+    }
+
     FakeBoard unplugged() {
         unplug();
         return this;

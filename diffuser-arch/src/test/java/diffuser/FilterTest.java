@@ -49,9 +49,8 @@ class FilterTest {
             ".filter(except, dark); .filter(only, dark); .filter(remove,except) # [off] [myArduino] [17,250] [] [on]",
     })
     void filter_setBeforeThePerceptsAreOpened_leavesTheOthersOut(String filter, String expected) {
-        try (RunningAgent agent = argo(PROGRAM.formatted(filter), board())) {
-            agent.notes(expected);
-        }
+        RunningAgent agent = argo(PROGRAM.formatted(filter), board());
+        agent.notes(expected);
     }
 
     @Test
@@ -66,13 +65,12 @@ class FilterTest {
                 +dark <- diffuser.note(dark).
                 +ledStatus(X) <- diffuser.note(led,X).
                 """;
-        try (RunningAgent agent = argo(program, board())) {
-            agent.notesAll("distance 17", "distance 250");
-            agent.achieve("light");
-            agent.notes("no distance 17");
-            agent.achieve("all");
-            agent.notesAll("distance 17", "dark", "led off");
-        }
+        RunningAgent agent = argo(program, board());
+        agent.notesAll("distance 17", "distance 250");
+        agent.achieve("light");
+        agent.notes("no distance 17");
+        agent.achieve("all");
+        agent.notesAll("distance 17", "dark", "led off");
     }
 
     @ParameterizedTest
@@ -82,9 +80,8 @@ class FilterTest {
                 + ". -!start[error(E),error_msg(M)] <- diffuser.note(E); .print(M);"
                 + ".substring(\"filters are not read from files: write .filter(except, light(_))\",M); "
                 + "diffuser.note(told).";
-        try (RunningAgent agent = argo(program, board())) {
-            agent.notes("wrong_arguments");
-            agent.notes("told");
-        }
+        RunningAgent agent = argo(program, board());
+        agent.notes("wrong_arguments");
+        agent.notes("told");
     }
 }

@@ -117,15 +117,14 @@ class GateTest {
     @MethodSource("jasonsOwn")
     void pass_jasonsOwnAtAnyDepth_refusedByEachCast(String to, String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            String before = plansOf(agent);
-            board.receive(to, "ROMB", content);
-            board.receive(ME, "ROMB", "achieve;e");
-            nothingSoFar(agent, board);
-            assertEquals(before, plansOf(agent));
-            assertTrue(refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed") > 0,
-                    content + " was let in");
-        }
+        RunningAgent agent = ready(board);
+        String before = plansOf(agent);
+        board.receive(to, "ROMB", content);
+        board.receive(ME, "ROMB", "achieve;e");
+        nothingSoFar(agent, board);
+        assertEquals(before, plansOf(agent));
+        assertTrue(refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed") > 0,
+                content + " was let in");
     }
 
     @ParameterizedTest
@@ -146,13 +145,12 @@ class GateTest {
     })
     void pass_plansForJasonsOwn_refusedThoughSealed(String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            String before = plansOf(agent);
-            board.receive(ME, "SUPO", content);
-            nothingSoFar(agent, board);
-            assertEquals(before, plansOf(agent));
-            assertEquals(1L, refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed"));
-        }
+        RunningAgent agent = ready(board);
+        String before = plansOf(agent);
+        board.receive(ME, "SUPO", content);
+        nothingSoFar(agent, board);
+        assertEquals(before, plansOf(agent));
+        assertEquals(1L, refused(agent) + (Long) agent.diffuser().getStatus().get("rfMessagesMalformed"));
     }
 
     @ParameterizedTest
@@ -170,18 +168,17 @@ class GateTest {
     })
     void pass_broadcastThatPretends_nothingItShouldNotDo(String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            String before = plansOf(agent);
-            board.receive(ALL, "ROMB", content);
-            board.receive(ALL, "ROMB", "achieve;e");
-            board.receive(ALL, "ROMB", "achieve;open(g)");
-            nothingSoFar(agent, board);
-            assertEquals(before, plansOf(agent));
-            assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
-            assertEquals("trusted(\"SUPO\")[source(self)]", belief(agent, "trusted(\"SUPO\")"));
-            onlySourceOfWhatCame(agent, "ROMB");
-            assertTrue(board.requests.isEmpty(), () -> "the agent has spoken: " + board.requests);
-        }
+        RunningAgent agent = ready(board);
+        String before = plansOf(agent);
+        board.receive(ALL, "ROMB", content);
+        board.receive(ALL, "ROMB", "achieve;e");
+        board.receive(ALL, "ROMB", "achieve;open(g)");
+        nothingSoFar(agent, board);
+        assertEquals(before, plansOf(agent));
+        assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
+        assertEquals("trusted(\"SUPO\")[source(self)]", belief(agent, "trusted(\"SUPO\")"));
+        onlySourceOfWhatCame(agent, "ROMB");
+        assertTrue(board.requests.isEmpty(), () -> "the agent has spoken: " + board.requests);
     }
 
     private static String belief(RunningAgent agent, String pattern) {
@@ -202,33 +199,31 @@ class GateTest {
     @Test
     void pass_goalOfABroadcastThatAPlanAsksFor_runsThatPlanOnly() throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive(ALL, "ROMB", "achieve;[opened(1),opened(2)]");
-            agent.notesAll("opened 1 ROMB", "opened 2 ROMB");
-            board.receive(ALL, "ROMB", "achieve;maybe(never)");
-            agent.notes("maybe never ROMB");
-            board.receive(ALL, "ROMB", "tell;festival(now)");
-            board.receive(ALL, "ROMB", "achieve;maybe(now)");
-            nothingSoFar(agent, board);
-            assertEquals(1, refused(agent));
-            agent.warns("dropped achieve from ROMB: no plan that asks for it by [cast(broadcast,_)] is applicable now");
-            board.receive(ME, "SUPO", "achieve;opened(3)");
-            agent.notes("shut 3");
-        }
+        RunningAgent agent = ready(board);
+        board.receive(ALL, "ROMB", "achieve;[opened(1),opened(2)]");
+        agent.notesAll("opened 1 ROMB", "opened 2 ROMB");
+        board.receive(ALL, "ROMB", "achieve;maybe(never)");
+        agent.notes("maybe never ROMB");
+        board.receive(ALL, "ROMB", "tell;festival(now)");
+        board.receive(ALL, "ROMB", "achieve;maybe(now)");
+        nothingSoFar(agent, board);
+        assertEquals(1, refused(agent));
+        agent.warns("dropped achieve from ROMB: no plan that asks for it by [cast(broadcast,_)] is applicable now");
+        board.receive(ME, "SUPO", "achieve;opened(3)");
+        agent.notes("shut 3");
     }
 
     @Test
     void pass_goalOfABroadcastThatNoPlanAsksFor_reportedOnceWithTheLineToWrite() throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive(ALL, "ROMB", "achieve;go(1)");
-            board.receive(ALL, "ROMB", "achieve;any(2)");
-            nothingSoFar(agent, board);
-            agent.warns("dropped achieve from ROMB: it came as a broadcast, which anyone can send in anyone's name; if"
-                    + " the agent is to take it, write a plan that asks for it: +!go(X1)[cast(broadcast,S)] <- ...");
-            assertEquals(List.of(), List.copyOf(agent.warnings));
-            assertEquals(2, refused(agent));
-        }
+        RunningAgent agent = ready(board);
+        board.receive(ALL, "ROMB", "achieve;go(1)");
+        board.receive(ALL, "ROMB", "achieve;any(2)");
+        nothingSoFar(agent, board);
+        agent.warns("dropped achieve from ROMB: it came as a broadcast, which anyone can send in anyone's name; if"
+                + " the agent is to take it, write a plan that asks for it: +!go(X1)[cast(broadcast,S)] <- ...");
+        assertEquals(List.of(), List.copyOf(agent.warnings));
+        assertEquals(2, refused(agent));
     }
 
     private static FakeBoard withAStranger() {
@@ -243,17 +238,16 @@ class GateTest {
                 +r(X) <- diffuser.note(neither,X).
                 """;
         FakeBoard board = withAStranger();
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            board.receive(ME, "SUPO", "tell;r(1)[peer(certified,\"SUPO\")]");
-            agent.notes("known 1 SUPO");
-            board.receive(ME, "ROMB", "tell;r(2)[peer(provisioned,\"ROMB\")]");
-            agent.notes("stranger 2 ROMB");
-            // Beside the unicast, it would seem to be a provisioned one of ROMB.
-            board.receive(GROUP, "ROMB", "tell;r(3)[peer(provisioned,\"ROMB\")]");
-            agent.notes("neither 3");
-            board.receive(ALL, "SUPO", "tell;r(4)[peer(provisioned,\"SUPO\")]");
-            agent.notes("neither 4");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        board.receive(ME, "SUPO", "tell;r(1)[peer(certified,\"SUPO\")]");
+        agent.notes("known 1 SUPO");
+        board.receive(ME, "ROMB", "tell;r(2)[peer(provisioned,\"ROMB\")]");
+        agent.notes("stranger 2 ROMB");
+        // Beside the unicast, it would seem to be a provisioned one of ROMB.
+        board.receive(GROUP, "ROMB", "tell;r(3)[peer(provisioned,\"ROMB\")]");
+        agent.notes("neither 3");
+        board.receive(ALL, "SUPO", "tell;r(4)[peer(provisioned,\"SUPO\")]");
+        agent.notes("neither 4");
     }
 
     @ParameterizedTest
@@ -261,163 +255,154 @@ class GateTest {
     void pass_plansOfAStranger_refusedUnlessAPlanAsksForThem(String content) throws Exception {
         FakeBoard board = withAStranger();
         String force = content.split(";")[0];
-        try (RunningAgent agent = RunningAgent.listening(PROGRAM + "@mine +!own <- true.", board)) {
-            String before = plansOf(agent);
-            board.receive(ME, "ROMB", content);
-            agent.warns("it came from a stranger, or under a key that strangers can get; if the agent is to take it,"
-                    + " write a plan that asks for it: +!kqml_received(S," + force + ",X,_)[peer(certified,S)] <- ...");
-            nothingSoFar(agent, board);
-            assertEquals(before, plansOf(agent));
-            assertEquals(1, refused(agent));
-        }
+        RunningAgent agent = RunningAgent.listening(PROGRAM + "@mine +!own <- true.", board);
+        String before = plansOf(agent);
+        board.receive(ME, "ROMB", content);
+        agent.warns("it came from a stranger, or under a key that strangers can get; if the agent is to take it,"
+                + " write a plan that asks for it: +!kqml_received(S," + force + ",X,_)[peer(certified,S)] <- ...");
+        nothingSoFar(agent, board);
+        assertEquals(before, plansOf(agent));
+        assertEquals(1, refused(agent));
+        agent.close();
         String open = "+!kqml_received(S,%s,X,_)[peer(certified,S)] <- diffuser.note(opened,S).".formatted(force);
         FakeBoard again = withAStranger();
-        try (RunningAgent agent = RunningAgent.listening(PROGRAM + open, again)) {
-            again.receive(ME, "ROMB", content);
-            agent.notes("opened ROMB");
-            assertEquals(0, refused(agent));
-        }
+        RunningAgent asking = RunningAgent.listening(PROGRAM + open, again);
+        again.receive(ME, "ROMB", content);
+        asking.notes("opened ROMB");
+        assertEquals(0, refused(asking));
     }
 
     @Test
     void peers_withStoredKeys_areBelieved() {
         String program = "!start. +!start <- .port(radio); .getRFMessages(open); diffuser.note(ready)."
                 + "+peer(S,K)[source(percept)] <- diffuser.note(S,K).";
-        try (RunningAgent agent = RunningAgent.run(program, withAStranger())) {
-            agent.notesAll("ready", "SUPO provisioned");
-        }
+        RunningAgent agent = RunningAgent.run(program, withAStranger());
+        agent.notesAll("ready", "SUPO provisioned");
     }
 
     @Test
     void pass_untellOfABroadcast_takesBackOnlyWhatABroadcastOfTheSameSenderTold() throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive(ME, "SUPO", "tell;q(1)");
-            board.receive(ALL, "SUAM", "tell;q(1)");
-            board.receive(ALL, "ROMB", "tell;q(1)");
-            board.receive(ALL, "SUPO", "untell;q(_)");
-            board.receive(ALL, "ROMB", "untell;q(_)");
-            nothingSoFar(agent, board);
-            assertEquals(
-                    "q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
-                    belief(agent, "q(_)"));
-            assertEquals(1, refused(agent));
-            board.receive(ALL, "SUPO", "tell;q(1)");
-            board.receive(ALL, "SUPO", "untell;q(1)");
-            board.receive(ALL, "SUAM", "untell;q(1)");
-            nothingSoFar(agent, board);
-            assertEquals("q(1)[cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]", belief(agent, "q(_)"));
-            board.receive(ME, "SUPO", "untell;q(1)");
-            nothingSoFar(agent, board);
-            assertEquals("null", belief(agent, "q(_)"));
-        }
+        RunningAgent agent = ready(board);
+        board.receive(ME, "SUPO", "tell;q(1)");
+        board.receive(ALL, "SUAM", "tell;q(1)");
+        board.receive(ALL, "ROMB", "tell;q(1)");
+        board.receive(ALL, "SUPO", "untell;q(_)");
+        board.receive(ALL, "ROMB", "untell;q(_)");
+        nothingSoFar(agent, board);
+        assertEquals(
+                "q(1)[cast(broadcast,SUAM),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUAM),source(SUPO)]",
+                belief(agent, "q(_)"));
+        assertEquals(1, refused(agent));
+        board.receive(ALL, "SUPO", "tell;q(1)");
+        board.receive(ALL, "SUPO", "untell;q(1)");
+        board.receive(ALL, "SUAM", "untell;q(1)");
+        nothingSoFar(agent, board);
+        assertEquals("q(1)[cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]", belief(agent, "q(_)"));
+        board.receive(ME, "SUPO", "untell;q(1)");
+        nothingSoFar(agent, board);
+        assertEquals("null", belief(agent, "q(_)"));
     }
 
     /** Jason looks anew for a belief with variables, and may find another. */
     @Test
     void pass_untellOfABroadcastOfWhatHasVariables_leavesWhatWasToldSealed() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive(ALL, "SUPO", "tell;q(X,Y)");
-            board.receive(ME, "SUPO", "tell;q(1,2)");
-            board.receive(ALL, "SUPO", "tell;q(1,2)");
-            board.receive(ALL, "SUPO", "untell;q(A,A)");
-            nothingSoFar(agent, board);
-            assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]",
-                    belief(agent, "q(1,2)[cast(unicast,SUPO)]"));
-        }
+        RunningAgent agent = ready(board);
+        board.receive(ALL, "SUPO", "tell;q(X,Y)");
+        board.receive(ME, "SUPO", "tell;q(1,2)");
+        board.receive(ALL, "SUPO", "tell;q(1,2)");
+        board.receive(ALL, "SUPO", "untell;q(A,A)");
+        nothingSoFar(agent, board);
+        assertEquals("q(1,2)[cast(broadcast,SUPO),cast(unicast,SUPO),peer(provisioned,SUPO),source(SUPO)]",
+                belief(agent, "q(1,2)[cast(unicast,SUPO)]"));
     }
 
     @Test
     void pass_untellOfABroadcastOfSeveral_eachIsTakenBack() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive(ALL, "ROMB", "tell;[q(1),q(2)]");
-            board.receive(ALL, "ROMB", "untell;[q(1),q(2)]");
-            nothingSoFar(agent, board);
-            assertEquals("null", belief(agent, "q(_)"));
-        }
+        RunningAgent agent = ready(board);
+        board.receive(ALL, "ROMB", "tell;[q(1),q(2)]");
+        board.receive(ALL, "ROMB", "untell;[q(1),q(2)]");
+        nothingSoFar(agent, board);
+        assertEquals("null", belief(agent, "q(_)"));
     }
 
     /** Many at once: each is looked at when the one before has had its effect. */
     @Test
     void pass_tellAndUntellAtOnce_eachIsTakenBack() throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            Inbox inbox = agent.diffuser().inbox();
-            for (int i = 0; i < 20; i++) {
-                for (String content : List.of("tell;q(" + i + ")", "untell;q(" + i + ")")) {
-                    inbox.put(new ReceivedMessage(Address.parse("ROMB"), Address.BROADCAST, 0, Content.parse(content)),
-                            Peer.PROVISIONED, agent.name());
-                }
+        RunningAgent agent = ready(board);
+        Inbox inbox = agent.diffuser().inbox();
+        for (int i = 0; i < 20; i++) {
+            for (String content : List.of("tell;q(" + i + ")", "untell;q(" + i + ")")) {
+                inbox.put(new ReceivedMessage(Address.parse("ROMB"), Address.BROADCAST, 0, Content.parse(content)),
+                        Peer.PROVISIONED, agent.name());
             }
-            nothingSoFar(agent, board);
-            assertEquals("null", belief(agent, "q(_)"));
-            assertEquals(0, refused(agent));
         }
+        nothingSoFar(agent, board);
+        assertEquals("null", belief(agent, "q(_)"));
+        assertEquals(0, refused(agent));
     }
 
     @Test
     void pass_unachieveOfABroadcast_dropsOnlyWhatABroadcastOfTheSameSenderSet() {
         String program = PROGRAM + "+!keep(X) <- diffuser.note(keeping,X,own); .suspend.";
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            board.receive(ME, "SUPO", "achieve;keep(1)");
-            agent.notes("keeping 1 unicast");
-            board.receive(ALL, "SUPO", "achieve;keep(2)");
-            agent.notes("keeping 2 broadcast");
-            agent.achieve("keep(3)");
-            agent.notes("keeping 3 own");
-            board.receive(ALL, "ROMB", "unachieve;keep(_)");
-            board.receive(ALL, "SUPO", "unachieve;keep(1)");
-            board.receive(ALL, "SUPO", "unachieve;keep(3)");
-            nothingSoFar(agent, board);
-            board.receive(ALL, "SUPO", "unachieve;keep(2)");
-            agent.notes("dropped 2");
-            board.receive(ME, "SUPO", "unachieve;keep(1)");
-            agent.notes("dropped 1");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        board.receive(ME, "SUPO", "achieve;keep(1)");
+        agent.notes("keeping 1 unicast");
+        board.receive(ALL, "SUPO", "achieve;keep(2)");
+        agent.notes("keeping 2 broadcast");
+        agent.achieve("keep(3)");
+        agent.notes("keeping 3 own");
+        board.receive(ALL, "ROMB", "unachieve;keep(_)");
+        board.receive(ALL, "SUPO", "unachieve;keep(1)");
+        board.receive(ALL, "SUPO", "unachieve;keep(3)");
+        nothingSoFar(agent, board);
+        board.receive(ALL, "SUPO", "unachieve;keep(2)");
+        agent.notes("dropped 2");
+        board.receive(ME, "SUPO", "unachieve;keep(1)");
+        agent.notes("dropped 1");
     }
 
     /** Jason drops goals at their deadline, and stumbles over one that is no number. */
     @Test
     void pass_goalWithADeadline_isTakenWithoutIt() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent =
-                RunningAgent.listening(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board)) {
-            board.receive(ME, "SUPO", "achieve;keep(1)[hard_deadline(0)]");
-            agent.notes("keeping 1 unicast");
-            board.receive(ME, "SUPO", "achieve;keep(2)[hard_deadline(x)]");
-            agent.notes("keeping 2 unicast");
-            nothingSoFar(agent, board);
-            assertEquals(List.of(), List.copyOf(agent.warnings));
-        }
+        RunningAgent agent =
+                RunningAgent.listening(PROGRAM + "+!kqml_received(S,tellHow,_,_) <- .print(S).", board);
+        board.receive(ME, "SUPO", "achieve;keep(1)[hard_deadline(0)]");
+        agent.notes("keeping 1 unicast");
+        board.receive(ME, "SUPO", "achieve;keep(2)[hard_deadline(x)]");
+        agent.notes("keeping 2 unicast");
+        nothingSoFar(agent, board);
+        assertEquals(List.of(), List.copyOf(agent.warnings));
     }
 
     @Test
     void pass_originIsAnAgentOfThisMas_refused() throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board); RunningAgent beside = RunningAgent.named("suam", "")) {
-            board.receive(ME, beside.name(), "tell;p(1)");
-            board.receive(ALL, beside.name(), "achieve;opened(1)");
-            nothingSoFar(agent, board);
-            agent.warns("dropped tell from suam: an agent of this MAS has that name; give the agent or the device"
-                    + " another");
-            assertEquals(2, refused(agent));
-        }
+        RunningAgent agent = ready(board);
+        RunningAgent beside = RunningAgent.named("suam", "");
+        board.receive(ME, beside.name(), "tell;p(1)");
+        board.receive(ALL, beside.name(), "achieve;opened(1)");
+        nothingSoFar(agent, board);
+        agent.warns("dropped tell from suam: an agent of this MAS has that name; give the agent or the device"
+                + " another");
+        assertEquals(2, refused(agent));
     }
 
     @ParameterizedTest
     @CsvSource({"tell;p(1)", "untell;own(1)", "achieve;go(1)"})
     void pass_originIsSelf_neverReachesTheAgent(String content) throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive(ALL, "self", content);
-            board.receive(ME, "self", content);
-            nothingSoFar(agent, board);
-            assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
-            assertEquals("null", belief(agent, "p(_)"));
-        }
+        RunningAgent agent = ready(board);
+        board.receive(ALL, "self", content);
+        board.receive(ME, "self", content);
+        nothingSoFar(agent, board);
+        assertEquals("own(1)[source(self)]", belief(agent, "own(_)"));
+        assertEquals("null", belief(agent, "p(_)"));
     }
 
     @Test
@@ -427,14 +412,13 @@ class GateTest {
                 -!ask[error(E)] <- diffuser.note(E).
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            agent.achieve("ask");
-            RunningAgent.asked(board, "I CAFE");
-            String asked = RunningAgent.next(board.requests, "a question");
-            String conversation = asked.substring(asked.indexOf('#'), asked.indexOf(';'));
-            board.receive(ME, "SUPO", "tell" + conversation + ";kqml_received(a,b,c,d)");
-            agent.notes("no_answer");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        agent.achieve("ask");
+        RunningAgent.asked(board, "I CAFE");
+        String asked = RunningAgent.next(board.requests, "a question");
+        String conversation = asked.substring(asked.indexOf('#'), asked.indexOf(';'));
+        board.receive(ME, "SUPO", "tell" + conversation + ";kqml_received(a,b,c,d)");
+        agent.notes("no_answer");
     }
 
     /** As the README shows it, in a program around it. */
@@ -452,20 +436,19 @@ class GateTest {
                 +!go(X) <- diffuser.note(went,X).
                 """ + guard;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            for (String told : List.of("trusted('ROMB')", "trusted(romb)", "trusted('ROMB')[source(self)]",
-                    "trusted(X)", "trusted(X)[source(self)]", "trusted('ROMB')[|T]")) {
-                board.receive(ALL, "ROMB", "tell;" + told);
-                board.receive(ME, "ROMB", "tell;" + told);
-            }
-            board.receive(ME, "ROMB", "achieve;open(gate)");
-            board.receive(ALL, "SUPO", "achieve;open(gate)");
-            board.receive(ALL, "SUPO", "achieve;open(gate)[cast(unicast,'SUPO')]");
-            nothingSoFar(agent, board);
-            assertTrue(board.requests.isEmpty());
-            board.receive(ME, "SUPO", "achieve;open(gate)");
-            RunningAgent.asked(board, "A open(gate)");
+        RunningAgent agent = RunningAgent.listening(program, board);
+        for (String told : List.of("trusted('ROMB')", "trusted(romb)", "trusted('ROMB')[source(self)]",
+                "trusted(X)", "trusted(X)[source(self)]", "trusted('ROMB')[|T]")) {
+            board.receive(ALL, "ROMB", "tell;" + told);
+            board.receive(ME, "ROMB", "tell;" + told);
         }
+        board.receive(ME, "ROMB", "achieve;open(gate)");
+        board.receive(ALL, "SUPO", "achieve;open(gate)");
+        board.receive(ALL, "SUPO", "achieve;open(gate)[cast(unicast,'SUPO')]");
+        nothingSoFar(agent, board);
+        assertTrue(board.requests.isEmpty());
+        board.receive(ME, "SUPO", "achieve;open(gate)");
+        RunningAgent.asked(board, "A open(gate)");
     }
 
     /** Whatever Jason's parser says of it, and whatever a plan prints of it. */
@@ -490,7 +473,8 @@ class GateTest {
                 +!sum(X) <- Y = X * 2.
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (PlainLog log = new PlainLog(); RunningAgent agent = RunningAgent.listening(program, board)) {
+        try (PlainLog log = new PlainLog()) {
+            RunningAgent agent = RunningAgent.listening(program, board);
             board.receive(ME, "ROMB", content);
             board.receive(ALL, "ROMB", content);
             nothingSoFar(agent, board);
@@ -505,7 +489,8 @@ class GateTest {
     @Test
     void pass_planWithAnActionThatNobodyHas_writesOneLineAndWhereItFailed() {
         FakeBoard board = new FakeBoard("radio");
-        try (PlainLog log = new PlainLog(); RunningAgent agent = ready(board)) {
+        try (PlainLog log = new PlainLog()) {
+            RunningAgent agent = ready(board);
             board.receive(ME, "ROMB", "tellHow;{ +!e <- dang.er }");
             // The agent may see to a goal before it has learnt the plan.
             for (int i = 0; i < 100 && log.lines.stream().noneMatch(line -> line.getThrown() != null); i++) {

@@ -25,34 +25,31 @@ class MessagesTest {
     @Test
     void checkMail_tellAndUntell_beliefOfTheSenderComesAndGoes() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("////", "ROMA", "tell;p(1)");
-            agent.notes("plus 1 ROMA");
-            board.receive("//SU", "SUPO", "tell;p(1)");
-            agent.notes("plus 1 SUPO");
-            board.receive("////", "ROMA", "untell;p(1)");
-            agent.notes("minus 1 ROMA");
-        }
+        RunningAgent agent = ready(board);
+        board.receive("////", "ROMA", "tell;p(1)");
+        agent.notes("plus 1 ROMA");
+        board.receive("//SU", "SUPO", "tell;p(1)");
+        agent.notes("plus 1 SUPO");
+        board.receive("////", "ROMA", "untell;p(1)");
+        agent.notes("minus 1 ROMA");
     }
 
     @Test
     void checkMail_achieveAndUnachieve_goalIsAdoptedAndDropped() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("CAFE", "ROMA", "achieve;go(12)");
-            agent.notes("going 12 ROMA");
-            board.receive("CAFE", "ROMA", "unachieve;go(12)");
-            agent.notes("dropped 12");
-        }
+        RunningAgent agent = ready(board);
+        board.receive("CAFE", "ROMA", "achieve;go(12)");
+        agent.notes("going 12 ROMA");
+        board.receive("CAFE", "ROMA", "unachieve;go(12)");
+        agent.notes("dropped 12");
     }
 
     @Test
     void checkMail_listOfBeliefs_eachIsBelieved() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("////", "ROMA", "tell;[p(1),p(2)]");
-            agent.notesAll("plus 1 ROMA", "plus 2 ROMA");
-        }
+        RunningAgent agent = ready(board);
+        board.receive("////", "ROMA", "tell;[p(1),p(2)]");
+        agent.notesAll("plus 1 ROMA", "plus 2 ROMA");
     }
 
     @ParameterizedTest
@@ -64,14 +61,13 @@ class MessagesTest {
                 +!run(X)[cast(C,S)] <- diffuser.note(C,S,X).
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            board.receive(to, "ROMA", "tell;q(1)");
-            agent.notes(cast + " ROMA");
-            board.receive(to, "ROMA", "achieve;run(2)");
-            agent.notes(cast + " ROMA 2");
-            board.receive(to, "ROMA", "tell;[q(3),q(4)]");
-            agent.notesAll(cast + " ROMA", cast + " ROMA");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        board.receive(to, "ROMA", "tell;q(1)");
+        agent.notes(cast + " ROMA");
+        board.receive(to, "ROMA", "achieve;run(2)");
+        agent.notes(cast + " ROMA 2");
+        board.receive(to, "ROMA", "tell;[q(3),q(4)]");
+        agent.notesAll(cast + " ROMA", cast + " ROMA");
     }
 
     /** Among forgeries of all kinds, of one belief that several devices share. */
@@ -89,24 +85,22 @@ class MessagesTest {
     void checkMail_triggerDemandsUnicast_onlySealedOnesCount() {
         String program = PROGRAM + "+help[cast(unicast,S)] <- diffuser.note(S).";
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            sealedAmongForged(board);
-            agent.notes("ROMA");
-            agent.notes("SUHO");
-            board.receive("CAFE", "SUPO", "tell;help");
-            agent.notes("SUPO");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        sealedAmongForged(board);
+        agent.notes("ROMA");
+        agent.notes("SUHO");
+        board.receive("CAFE", "SUPO", "tell;help");
+        agent.notes("SUPO");
     }
 
     @Test
     void checkMail_triggerDemandsUnicastOfAnybody_onlySealedOnesCount() {
         String program = PROGRAM + "+help[source(S),cast(unicast,_)] <- diffuser.note(S).";
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            sealedAmongForged(board);
-            agent.notes("ROMA");
-            agent.notes("SUHO");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        sealedAmongForged(board);
+        agent.notes("ROMA");
+        agent.notes("SUHO");
     }
 
     @Test
@@ -117,51 +111,47 @@ class MessagesTest {
                     diffuser.note(Sealed,All).
                 """;
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = RunningAgent.listening(program, board)) {
-            sealedAmongForged(board);
-            board.receive("////", "SUAM", "tell;check");
-            agent.notes("[ROMA,SUHO] [ROMA,SUAM,SUHO,SUPO]");
-        }
+        RunningAgent agent = RunningAgent.listening(program, board);
+        sealedAmongForged(board);
+        board.receive("////", "SUAM", "tell;check");
+        agent.notes("[ROMA,SUHO] [ROMA,SUAM,SUHO,SUPO]");
     }
 
     @Test
     void checkMail_contentHasSemicolonAndStrings_arrivesWhole() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("////", "ROMA", "tell;p(\"a;b ü\")");
-            agent.notes("plus a;b ü ROMA");
-        }
+        RunningAgent agent = ready(board);
+        board.receive("////", "ROMA", "tell;p(\"a;b ü\")");
+        agent.notes("plus a;b ü ROMA");
     }
 
     @Test
     void checkMail_malformedContent_droppedCountedAndTheNextArrives() throws Exception {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("////", "ROMA", "tell;p(");
-            board.receive("////", "ROMA", "tell;3");
-            board.receive("////", "ROMA", "achieve;.stopMAS");
-            board.receive("////", "ROMA", "tell;[p(1),3]");
-            board.receive("////", "ROMA", "sing;p(1)");
-            board.receive("////", "ROMA", "tell;p(1)");
-            agent.notes("plus 1 ROMA");
-            agent.warns("dropped a message from ROMA that is no AgentSpeak, \"p(\"");
-            agent.warns("\"3\"");
-            agent.warns("\".stopMAS\"");
-            agent.warns("\"[p(1),3]\"");
-            agent.warns("sing;p(1)");
-            assertEquals(4L, agent.diffuser().getStatus().get("rfMessagesMalformed"));
-            assertEquals(1L, agent.diffuser().getStatus().get("rfMessages"));
-        }
+        RunningAgent agent = ready(board);
+        board.receive("////", "ROMA", "tell;p(");
+        board.receive("////", "ROMA", "tell;3");
+        board.receive("////", "ROMA", "achieve;.stopMAS");
+        board.receive("////", "ROMA", "tell;[p(1),3]");
+        board.receive("////", "ROMA", "sing;p(1)");
+        board.receive("////", "ROMA", "tell;p(1)");
+        agent.notes("plus 1 ROMA");
+        agent.warns("dropped a message from ROMA that is no AgentSpeak, \"p(\"");
+        agent.warns("\"3\"");
+        agent.warns("\".stopMAS\"");
+        agent.warns("\"[p(1),3]\"");
+        agent.warns("sing;p(1)");
+        assertEquals(4L, agent.diffuser().getStatus().get("rfMessagesMalformed"));
+        assertEquals(1L, agent.diffuser().getStatus().get("rfMessages"));
     }
 
     @Test
     void wake_agentSleeps_messageEndsItsSleep() {
         FakeBoard board = new FakeBoard("radio");
-        try (RunningAgent agent = ready(board)) {
-            agent.cycles(3);
-            assertTrue(agent.body().getTS().canSleep(), "an idle agent can sleep");
-            board.receive("////", "ROMA", "tell;p(1)");
-            agent.notes("plus 1 ROMA");
-        }
+        RunningAgent agent = ready(board);
+        agent.cycles(3);
+        assertTrue(agent.body().getTS().canSleep(), "an idle agent can sleep");
+        board.receive("////", "ROMA", "tell;p(1)");
+        agent.notes("plus 1 ROMA");
     }
 }

@@ -28,21 +28,22 @@ class OpennessBeliefTest {
 
     /** An agent that has come from totally closed to a state. */
     private static RunningAgent in(Openness state, FakeBoard board) {
-        return open(board).after(agent -> {
-            if (state.abilities().contains(Ability.MOB)) {
-                agent.achieve("allow(lte,[mob])");
-                changes(agent, "closed", "open");
-            }
-            if (!state.abilities().contains(Ability.COM)) {
-                board.unplug();
-                changes(agent, state.abilities().contains(Ability.MOB) ? "open" : "closed", state.atom());
-            }
-        });
+        RunningAgent agent = open(board);
+        if (state.abilities().contains(Ability.MOB)) {
+            agent.achieve("allow(lte,[mob])");
+            changes(agent, "closed", "open");
+        }
+        if (!state.abilities().contains(Ability.COM)) {
+            board.unplug();
+            changes(agent, state.abilities().contains(Ability.MOB) ? "open" : "closed", state.atom());
+        }
+        return agent;
     }
 
     private static RunningAgent open(FakeBoard board) {
-        return RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board)
-                .after(agent -> agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready"));
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board);
+        agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
+        return agent;
     }
 
     private static void changes(RunningAgent agent, String from, String to) {
@@ -53,199 +54,182 @@ class OpennessBeliefTest {
     @FigureOne
     void figureOne_eachTransition_isAChangeOfTheBelief(Openness from, String symbol, Openness to) throws Exception {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = in(from, board)) {
-            assertEquals(from, agent.diffuser().openness());
-            switch (symbol) {
-                case "-com" -> board.unplug();
-                case "+com" -> board.plug();
-                case "-mob" -> agent.achieve("allow(lte,[])");
-                default -> agent.achieve("allow(lte,[mob])");
-            }
-            changes(agent, from.atom(), to.atom());
-            assertEquals(to, agent.diffuser().openness());
-            assertEquals(to.atom(), agent.diffuser().getStatus().get("openness"));
+        RunningAgent agent = in(from, board);
+        assertEquals(from, agent.diffuser().openness());
+        switch (symbol) {
+            case "-com" -> board.unplug();
+            case "+com" -> board.plug();
+            case "-mob" -> agent.achieve("allow(lte,[])");
+            default -> agent.achieve("allow(lte,[mob])");
         }
+        changes(agent, from.atom(), to.atom());
+        assertEquals(to, agent.diffuser().openness());
+        assertEquals(to.atom(), agent.diffuser().getStatus().get("openness"));
     }
 
     @Test
     void belief_noPortOpened_isTotallyClosedFromTheFirst() {
         String program = "!start. +!start : openness(totallyClosed)[source(percept)] <- diffuser.note(known).";
-        try (RunningAgent agent = RunningAgent.run(program)) {
-            agent.notes("known");
-        }
+        RunningAgent agent = RunningAgent.run(program);
+        agent.notes("known");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {".percepts(open)", ".getRFMessages(block)"})
     void radioNotOpened_staysTotallyClosed(String instead) {
-        try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(instead), new FakeBoard("antenna"))) {
-            agent.notesAll("totallyClosed", "ready");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(instead), new FakeBoard("antenna"));
+        agent.notesAll("totallyClosed", "ready");
+        agent.notesNothingElse();
     }
 
     @Test
     void boardHasNoAddress_staysTotallyClosedUntilItHas() {
         String program = PROGRAM.replace("; .setMyRFId(\"SUPO\")", "").formatted(".getRFMessages(open)")
                 + "+!name <- .setMyRFId(\"SUPO\").";
-        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"))) {
-            agent.notesAll("totallyClosed", "ready");
-            agent.notesNothingElse();
-            agent.achieve("name");
-            changes(agent, "totallyClosed", "closed");
-        }
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"));
+        agent.notesAll("totallyClosed", "ready");
+        agent.notesNothingElse();
+        agent.achieve("name");
+        changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void boardRefusesItsAddress_staysTotallyClosed() {
         FakeBoard board = new FakeBoard("antenna").refusing("I SUPO", Status.STORE_FAILED);
         String program = PROGRAM.formatted(".getRFMessages(open)") + "-!start <- .getRFMessages(open); !probe.";
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notesAll("totallyClosed", "probed");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notesAll("totallyClosed", "probed");
+        agent.notesNothingElse();
     }
 
     @Test
     void boardKnowsItsAddress_agentNeedNotSetIt() {
         String program = PROGRAM.replace("; .setMyRFId(\"SUPO\")", "").formatted(".getRFMessages(open)");
-        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna").withRfId("SUPO"))) {
-            agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
-        }
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna").withRfId("SUPO"));
+        agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
     }
 
     @Test
     void radioBlockedAndOpened_communicabilityIsLostAndRestored() {
-        try (RunningAgent agent = open(new FakeBoard("antenna"))) {
-            agent.achieve("radio(block)");
-            changes(agent, "closed", "totallyClosed");
-            agent.achieve("radio(open)");
-            changes(agent, "totallyClosed", "closed");
-        }
+        RunningAgent agent = open(new FakeBoard("antenna"));
+        agent.achieve("radio(block)");
+        changes(agent, "closed", "totallyClosed");
+        agent.achieve("radio(open)");
+        changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void boardFallsSilentAndAnswersAgain_communicabilityIsLostAndRestored() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = open(board)) {
-            board.silent(true);
-            changes(agent, "closed", "totallyClosed");
-            board.silent(false);
-            changes(agent, "totallyClosed", "closed");
-        }
+        RunningAgent agent = open(board);
+        board.silent(true);
+        changes(agent, "closed", "totallyClosed");
+        board.silent(false);
+        changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void anotherPortOpened_onlyTheNewBoardCounts() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("other");
-            changes(agent, "closed", "totallyClosed");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("other");
+        changes(agent, "closed", "totallyClosed");
+        agent.notesNothingElse();
     }
 
     @Test
     void communicability_severalMeans_isLostWithTheLast() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("allow(lte,[com])");
-            agent.achieve("allow(\"wifi\",[com])");
-            agent.notesNothingElse();
-            board.unplug();
-            agent.warns("the board is off");
-            agent.notesNothingElse();
-            agent.achieve("allow(wifi,[])");
-            agent.notesNothingElse();
-            agent.achieve("allow(lte,[])");
-            changes(agent, "closed", "totallyClosed");
-            agent.achieve("allow(lte,[mob,com])");
-            changes(agent, "totallyClosed", "open");
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("allow(lte,[com])");
+        agent.achieve("allow(\"wifi\",[com])");
+        agent.notesNothingElse();
+        board.unplug();
+        agent.warns("the board is off");
+        agent.notesNothingElse();
+        agent.achieve("allow(wifi,[])");
+        agent.notesNothingElse();
+        agent.achieve("allow(lte,[])");
+        changes(agent, "closed", "totallyClosed");
+        agent.achieve("allow(lte,[mob,com])");
+        changes(agent, "totallyClosed", "open");
     }
 
     @Test
     void silence_nobodyIsHeardAndSomebodyAgain_communicabilityIsLostAndRestored() {
         FakeBoard board = new FakeBoard("antenna").hearing(true);
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("silence(20)");
-            agent.notesNothingElse();
-            board.hearing(false);
-            changes(agent, "closed", "totallyClosed");
-            board.hearing(true);
-            changes(agent, "totallyClosed", "closed");
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("silence(20)");
+        agent.notesNothingElse();
+        board.hearing(false);
+        changes(agent, "closed", "totallyClosed");
+        board.hearing(true);
+        changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void silence_setLaterAndTakenBack_counts() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("silence(20)");
-            changes(agent, "closed", "totallyClosed");
-            agent.achieve("silence(0)");
-            changes(agent, "totallyClosed", "closed");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("silence(20)");
+        changes(agent, "closed", "totallyClosed");
+        agent.achieve("silence(0)");
+        changes(agent, "totallyClosed", "closed");
+        agent.notesNothingElse();
     }
 
     @Test
     void silence_messageComes_isHeardAtOnceAndForAWhile() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("silence(20)");
-            changes(agent, "closed", "totallyClosed");
-            board.receive("////", "ROMA", "tell;x");
-            changes(agent, "totallyClosed", "closed");
-            changes(agent, "closed", "totallyClosed");
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("silence(20)");
+        changes(agent, "closed", "totallyClosed");
+        board.receive("////", "ROMA", "tell;x");
+        changes(agent, "totallyClosed", "closed");
+        changes(agent, "closed", "totallyClosed");
     }
 
     @Test
     void silence_messageIsDelivered_isHeard() {
         FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("silence(20)");
-            changes(agent, "closed", "totallyClosed");
-            agent.achieve("send");
-            changes(agent, "totallyClosed", "closed");
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("silence(20)");
+        changes(agent, "closed", "totallyClosed");
+        agent.achieve("send");
+        changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void silence_messageIsUndelivered_isNotHeard() {
         FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
         String program = PROGRAM + "+undelivered(_,_,_) <- diffuser.note(undelivered).";
-        try (RunningAgent agent = RunningAgent.run(program.formatted(".getRFMessages(open)"), board)) {
-            agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
-            agent.achieve("silence(20)");
-            changes(agent, "closed", "totallyClosed");
-            agent.achieve("send");
-            agent.notes("undelivered");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = RunningAgent.run(program.formatted(".getRFMessages(open)"), board);
+        agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
+        agent.achieve("silence(20)");
+        changes(agent, "closed", "totallyClosed");
+        agent.achieve("send");
+        agent.notes("undelivered");
+        agent.notesNothingElse();
     }
 
     @Test
     void silence_boardHasNoCounters_isReportedAndMeansNothing() {
         FakeBoard board = new FakeBoard("antenna").uncounting();
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("silence(5)");
-            agent.warns("cannot tell whether the radio hears anybody: statistics failed: UNKNOWN_COMMAND");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("silence(5)");
+        agent.warns("cannot tell whether the radio hears anybody: statistics failed: UNKNOWN_COMMAND");
+        agent.notesNothingElse();
     }
 
     @Test
     void silence_boardGoesAndComes_listensAnew() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = open(board)) {
-            agent.achieve("silence(20)");
-            changes(agent, "closed", "totallyClosed");
-            board.unplug();
-            board.plug();
-            changes(agent, "totallyClosed", "closed");
-            changes(agent, "closed", "totallyClosed");
-        }
+        RunningAgent agent = open(board);
+        agent.achieve("silence(20)");
+        changes(agent, "closed", "totallyClosed");
+        board.unplug();
+        board.plug();
+        changes(agent, "totallyClosed", "closed");
+        changes(agent, "closed", "totallyClosed");
     }
 }

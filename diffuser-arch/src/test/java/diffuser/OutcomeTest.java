@@ -57,27 +57,25 @@ class OutcomeTest {
     })
     void unicast_ended_isAnEventOfWhatWasGivenAndNoBelief(String action, String request, String event) {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = taken(action, request, board)) {
-            board.end(request, Outcome.DELIVERED);
-            agent.notes("delivered " + event);
-            agent.achieve("do");
-            RunningAgent.asked(board, request);
-            agent.notes("taken");
-            board.end(request, Outcome.UNDELIVERED);
-            agent.notes("undelivered " + event + " undelivered");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = taken(action, request, board);
+        board.end(request, Outcome.DELIVERED);
+        agent.notes("delivered " + event);
+        agent.achieve("do");
+        RunningAgent.asked(board, request);
+        agent.notes("taken");
+        board.end(request, Outcome.UNDELIVERED);
+        agent.notes("undelivered " + event + " undelivered");
+        agent.notesNothingElse();
     }
 
     @Test
     void unicast_variableInIt_isOneInTheEventToo() {
         FakeBoard board = new FakeBoard("antenna");
         String request = "ROMA achieve;find(F)";
-        try (RunningAgent agent = taken(".diffuse(\"ROMA\",achieve,find(F))", request, board)) {
-            board.end(request, Outcome.DELIVERED);
-            String note = agent.nextNote();
-            assertTrue(note.startsWith("delivered quoted(\"ROMA\") achieve find(_"), note);
-        }
+        RunningAgent agent = taken(".diffuse(\"ROMA\",achieve,find(F))", request, board);
+        board.end(request, Outcome.DELIVERED);
+        String note = agent.nextNote();
+        assertTrue(note.startsWith("delivered quoted(\"ROMA\") achieve find(_"), note);
     }
 
     @Test
@@ -86,64 +84,59 @@ class OutcomeTest {
         String program = PROGRAM + """
                 +!go <- !!do; .wait({+delivered("ROMA",tell,a)}); diffuser.note(waited).
                 """;
-        try (RunningAgent agent = RunningAgent.run(program.formatted(".diffuse(ROMA,tell,a)"), board)) {
-            agent.notes("ready");
-            agent.achieve("go");
-            agent.notes("taken");
-            board.end("ROMA tell;a", Outcome.DELIVERED);
-            agent.notesAll("delivered quoted(\"ROMA\") tell a", "waited");
-        }
+        RunningAgent agent = RunningAgent.run(program.formatted(".diffuse(ROMA,tell,a)"), board);
+        agent.notes("ready");
+        agent.achieve("go");
+        agent.notes("taken");
+        board.end("ROMA tell;a", Outcome.DELIVERED);
+        agent.notesAll("delivered quoted(\"ROMA\") tell a", "waited");
     }
 
     @Test
     void unicast_severalUnderWay_eachHasItsOwnOutcome() {
         FakeBoard board = new FakeBoard("antenna");
         String action = ".diffuse(ROMA,tell,a); .diffuse(SUHO,tell,a); .diffuse(ROMA,tell,b)";
-        try (RunningAgent agent = doing(action, board)) {
-            agent.notes("taken");
-            board.end("ROMA tell;b", Outcome.UNDELIVERED);
-            agent.notes("undelivered quoted(\"ROMA\") tell b undelivered");
-            board.end("ROMA tell;a", Outcome.DELIVERED);
-            agent.notes("delivered quoted(\"ROMA\") tell a");
-            board.end("SUHO tell;a", Outcome.DELIVERED);
-            agent.notes("delivered quoted(\"SUHO\") tell a");
-        }
+        RunningAgent agent = doing(action, board);
+        agent.notes("taken");
+        board.end("ROMA tell;b", Outcome.UNDELIVERED);
+        agent.notes("undelivered quoted(\"ROMA\") tell b undelivered");
+        board.end("ROMA tell;a", Outcome.DELIVERED);
+        agent.notes("delivered quoted(\"ROMA\") tell a");
+        board.end("SUHO tell;a", Outcome.DELIVERED);
+        agent.notes("delivered quoted(\"SUHO\") tell a");
     }
 
     @Test
     void unicast_moreThanThereAreNumbers_eachHasItsOwnOutcome() throws Exception {
         FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
-        try (RunningAgent agent = doing("for (.range(I,1,300)) { .diffuse(ROMA,tell,p(I)) }", board)) {
-            for (int i = 1, heard = 0; heard < 300; i++) {
-                String note = agent.nextNote();
-                if (!note.equals("taken")) {
-                    heard++;
-                    assertEquals("delivered quoted(\"ROMA\") tell p(" + heard + ")", note);
-                }
-                assertTrue(i <= 301);
+        RunningAgent agent = doing("for (.range(I,1,300)) { .diffuse(ROMA,tell,p(I)) }", board);
+        for (int i = 1, heard = 0; heard < 300; i++) {
+            String note = agent.nextNote();
+            if (!note.equals("taken")) {
+                heard++;
+                assertEquals("delivered quoted(\"ROMA\") tell p(" + heard + ")", note);
             }
-            assertEquals(300L, agent.diffuser().getStatus().get("rfDelivered"));
-            assertEquals(0L, agent.diffuser().getStatus().get("rfUndelivered"));
+            assertTrue(i <= 301);
         }
+        assertEquals(300L, agent.diffuser().getStatus().get("rfDelivered"));
+        assertEquals(0L, agent.diffuser().getStatus().get("rfUndelivered"));
     }
 
     @Test
     void unicast_outcomeOfNobodysMessage_isIgnored() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board)) {
-            board.end(200, Outcome.DELIVERED);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board);
+        board.end(200, Outcome.DELIVERED);
+        agent.notesNothingElse();
     }
 
     @ParameterizedTest
     @CsvSource({"broadcast,////", "\"//SU\",//SU"})
     void unacknowledged_sent_isNoEvent(String to, String address) {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board)) {
-            board.end(address + " tell;a", Outcome.SENT);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board);
+        board.end(address + " tell;a", Outcome.SENT);
+        agent.notesNothingElse();
     }
 
     @ParameterizedTest
@@ -151,24 +144,22 @@ class OutcomeTest {
             value = {"\"ROMA\" | ROMA", "\"//SU\" | //SU", "broadcast | ////"})
     void underWay_boardIsReset_undelivered(String to, String address) {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board)) {
-            board.reset();
-            agent.notes("undelivered quoted(" + to + ") tell a undelivered");
-            agent.achieve("do");
-            RunningAgent.asked(board, address + " tell;a");
-            agent.notes("taken");
-            board.end(address + " tell;a", Outcome.DELIVERED);
-            agent.notes("delivered quoted(" + to + ") tell a");
-        }
+        RunningAgent agent = taken(".diffuse(" + to + ",tell,a)", address + " tell;a", board);
+        board.reset();
+        agent.notes("undelivered quoted(" + to + ") tell a undelivered");
+        agent.achieve("do");
+        RunningAgent.asked(board, address + " tell;a");
+        agent.notes("taken");
+        board.end(address + " tell;a", Outcome.DELIVERED);
+        agent.notes("delivered quoted(" + to + ") tell a");
     }
 
     @Test
     void underWay_anotherPortIsOpened_undelivered() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board)) {
-            agent.achieve("other");
-            agent.notes("undelivered quoted(\"ROMA\") tell a undelivered");
-        }
+        RunningAgent agent = taken(".diffuse(ROMA,tell,a)", "ROMA tell;a", board);
+        agent.achieve("other");
+        agent.notes("undelivered quoted(\"ROMA\") tell a undelivered");
     }
 
     @ParameterizedTest
@@ -183,9 +174,8 @@ class OutcomeTest {
                 +!start <- .port(antenna); .setMyRFId("SUPO"); .diffuse(%s,tell,a).
                 +undelivered(_,_,_)[error(E),error_msg(M)] <- diffuser.note(E,":",M).
                 """.formatted(to);
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("undelivered : tell;a to " + address + " " + why + "; it may have arrived all the same");
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("undelivered : tell;a to " + address + " " + why + "; it may have arrived all the same");
     }
 
     @Test
@@ -199,74 +189,68 @@ class OutcomeTest {
                 -!start[error(undelivered)] <- diffuser.note(last).
                 +!count <- .count(undelivered(_,_,_), N); diffuser.note(N).
                 """;
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("last");
-            agent.achieve("count");
-            agent.notes("0");
-            assertEquals(101L, agent.diffuser().getStatus().get("rfUndelivered"));
-            assertEquals(List.of(), List.copyOf(agent.warnings));
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("last");
+        agent.achieve("count");
+        agent.notes("0");
+        assertEquals(101L, agent.diffuser().getStatus().get("rfUndelivered"));
+        assertEquals(List.of(), List.copyOf(agent.warnings));
     }
 
     @Test
     void outcome_tellsTheAgentByRadio_isNotTheBodysWord() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board)) {
-            agent.notes("ready");
-            agent.achieve("do");
-            agent.notes("taken");
-            board.receive("////", "ROMA", "tell;delivered(\"ROMA\",tell,a)");
-            board.receive("////", "ROMA", "tell;delivered(\"ROMA\",tell,b)[source(percept)]");
-            board.receive("////", "ROMA", "tell;[undelivered(\"ROMA\",tell,c)[source(percept),error(undelivered)]]");
-            board.receive("////", "ROMA", "tell;seen");
-            agent.notes("seen");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(".getRFMessages(open)"), board);
+        agent.notes("ready");
+        agent.achieve("do");
+        agent.notes("taken");
+        board.receive("////", "ROMA", "tell;delivered(\"ROMA\",tell,a)");
+        board.receive("////", "ROMA", "tell;delivered(\"ROMA\",tell,b)[source(percept)]");
+        board.receive("////", "ROMA", "tell;[undelivered(\"ROMA\",tell,c)[source(percept),error(undelivered)]]");
+        board.receive("////", "ROMA", "tell;seen");
+        agent.notes("seen");
+        agent.notesNothingElse();
     }
 
     @Test
     void send_refused_isAnEventWithItsError() {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.NO_KEY);
-        try (RunningAgent agent = doing(".send(\"ROMA\",tell,help)", board)) {
-            agent.notesAll("taken", "undelivered quoted(\"ROMA\") tell help no_key");
-            agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",tell,help)", board);
+        agent.notesAll("taken", "undelivered quoted(\"ROMA\") tell help no_key");
+        agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
     }
 
     @Test
     void send_toSeveral_eachHasItsOwnOutcome() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = doing(".send([\"ROMA\",\"SUHO\"],tell,a)", board)) {
-            RunningAgent.asked(board, "ROMA tell;a");
-            RunningAgent.asked(board, "SUHO tell;a");
-            agent.notes("taken");
-            board.end("SUHO tell;a", Outcome.UNDELIVERED);
-            agent.notes("undelivered quoted(\"SUHO\") tell a undelivered");
-            board.end("ROMA tell;a", Outcome.DELIVERED);
-            agent.notes("delivered quoted(\"ROMA\") tell a");
-        }
+        RunningAgent agent = doing(".send([\"ROMA\",\"SUHO\"],tell,a)", board);
+        RunningAgent.asked(board, "ROMA tell;a");
+        RunningAgent.asked(board, "SUHO tell;a");
+        agent.notes("taken");
+        board.end("SUHO tell;a", Outcome.UNDELIVERED);
+        agent.notes("undelivered quoted(\"SUHO\") tell a undelivered");
+        board.end("ROMA tell;a", Outcome.DELIVERED);
+        agent.notes("delivered quoted(\"ROMA\") tell a");
     }
 
     @Test
     void diffuse_refused_failsThePlanAndIsNoEvent() {
         FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;a", Status.QUEUE_FULL);
         String program = PROGRAM + "-!do[error(E)] <- diffuser.note(failed,E).";
-        try (RunningAgent agent = RunningAgent.run(program.formatted(".diffuse(ROMA,tell,a)"), board)) {
-            agent.notes("ready");
-            agent.achieve("do");
-            agent.notes("failed queue_full");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = RunningAgent.run(program.formatted(".diffuse(ROMA,tell,a)"), board);
+        agent.notes("ready");
+        agent.achieve("do");
+        agent.notes("failed queue_full");
+        agent.notesNothingElse();
     }
 
     @Test
     void diffuse_longestContent_isTaken() {
         FakeBoard board = new FakeBoard("antenna");
         String longest = "a".repeat(494 - "tell;".length());
-        try (RunningAgent agent = doing(".diffuse(ROMA,tell," + longest + ")", board)) {
-            RunningAgent.asked(board, "ROMA tell;" + longest);
-            agent.notes("taken");
-            assertNull(note.of(agent.name()).peek());
-        }
+        RunningAgent agent = doing(".diffuse(ROMA,tell," + longest + ")", board);
+        RunningAgent.asked(board, "ROMA tell;" + longest);
+        agent.notes("taken");
+        assertNull(note.of(agent.name()).peek());
     }
 }

@@ -28,27 +28,25 @@ class PerceptsTest {
     @Test
     void percepts_sensorsChange_beliefsAppearAreReplacedAndDisappear() {
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notesAll("on", "plus 1");
-            board.perceiving("p(2)", "p(3)");
-            agent.notesAll("minus 1", "plus 2", "plus 3");
-            board.perceiving("p(3)");
-            agent.notes("minus 2");
-            board.perceiving();
-            agent.notes("minus 3");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("on", "plus 1");
+        board.perceiving("p(2)", "p(3)");
+        agent.notesAll("minus 1", "plus 2", "plus 3");
+        board.perceiving("p(3)");
+        agent.notes("minus 2");
+        board.perceiving();
+        agent.notes("minus 3");
     }
 
     @Test
     void percepts_blockedAndOpened_beliefsGoAndComeButThePortStays() throws Exception {
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notesAll("on", "plus 1");
-            agent.achieve("block");
-            agent.notes("minus 1");
-            agent.achieve("open");
-            agent.notes("plus 1");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("on", "plus 1");
+        agent.achieve("block");
+        agent.notes("minus 1");
+        agent.achieve("open");
+        agent.notes("plus 1");
     }
 
     @Test
@@ -56,43 +54,40 @@ class PerceptsTest {
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
         String program = "!start. +!start <- .port(board). +p(X) <- diffuser.note(p). +q <- diffuser.note(q)."
                 + "+port(_,S) <- diffuser.note(S).";
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("on");
-            agent.cycles(3);
-            agent.believe("q");
-            agent.notes("q");
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("on");
+        agent.cycles(3);
+        agent.believe("q");
+        agent.notes("q");
     }
 
     @Test
     void percepts_someMalformed_skippedOneByOneAndReportedOnce() throws Exception {
         FakeBoard board =
                 new FakeBoard("board").perceiving("p(1)", "p(", "P", "p(X)", "3", ".print(hello)", "", "p(2)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notesAll("on", "plus 1", "plus 2");
-            agent.warns("skipped a percept of the board on board that is no AgentSpeak, \"p(\"");
-            agent.warns("\"P\"");
-            agent.warns("\"p(X)\": it has a variable");
-            agent.warns("\"3\"");
-            agent.warns("\".print(hello)\"");
-            agent.warns("\"\"");
-            board.perceiving("p(1)", "p(");
-            agent.notes("minus 2");
-            assertEquals(List.of(), List.copyOf(agent.warnings));
-            assertEquals(7L, agent.diffuser().getStatus().get("perceptsMalformed"));
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("on", "plus 1", "plus 2");
+        agent.warns("skipped a percept of the board on board that is no AgentSpeak, \"p(\"");
+        agent.warns("\"P\"");
+        agent.warns("\"p(X)\": it has a variable");
+        agent.warns("\"3\"");
+        agent.warns("\".print(hello)\"");
+        agent.warns("\"\"");
+        board.perceiving("p(1)", "p(");
+        agent.notes("minus 2");
+        assertEquals(List.of(), List.copyOf(agent.warnings));
+        assertEquals(7L, agent.diffuser().getStatus().get("perceptsMalformed"));
     }
 
     @Test
     void percepts_boardGoesAndComes_beliefsFollowIt() {
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notesAll("on", "plus 1");
-            board.unplug();
-            agent.notesAll("no on", "off", "minus 1");
-            board.plug();
-            agent.notesAll("no off", "on", "plus 1");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("on", "plus 1");
+        board.unplug();
+        agent.notesAll("no on", "off", "minus 1");
+        board.plug();
+        agent.notesAll("no off", "on", "plus 1");
     }
 
     @Test
@@ -101,47 +96,43 @@ class PerceptsTest {
         TestEnvironment world = (TestEnvironment) environment.getUserEnvironment();
         world.show("e(1)");
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, environment,
-                List.of(ScriptedDiffuser.class.getName()), board)) {
-            agent.notesAll("plus e 1", "on", "plus 1");
-            board.perceiving("p(2)");
-            agent.notesAll("minus 1", "plus 2");
-            world.show("e(2)");
-            agent.notesAll("minus e 1", "plus e 2");
-            board.perceiving();
-            agent.notes("minus 2");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, environment,
+                List.of(ScriptedDiffuser.class.getName()), board);
+        agent.notesAll("plus e 1", "on", "plus 1");
+        board.perceiving("p(2)");
+        agent.notesAll("minus 1", "plus 2");
+        world.show("e(2)");
+        agent.notesAll("minus e 1", "plus e 2");
+        board.perceiving();
+        agent.notes("minus 2");
     }
 
     @Test
     void perceive_anotherArchitectureBehind_bothStay() {
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, null,
-                List.of(ScriptedDiffuser.class.getName(), PerceivingArch.class.getName()), board)) {
-            agent.notesAll("other 1", "on", "plus 1");
-            board.perceiving("p(2)");
-            agent.notesAll("minus 1", "plus 2");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, null,
+                List.of(ScriptedDiffuser.class.getName(), PerceivingArch.class.getName()), board);
+        agent.notesAll("other 1", "on", "plus 1");
+        board.perceiving("p(2)");
+        agent.notesAll("minus 1", "plus 2");
     }
 
     @Test
     void perceive_anotherArchitectureInFront_bothStay() {
         FakeBoard board = new FakeBoard("board").perceiving("p(1)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, null,
-                List.of(PassingArch.class.getName(), ScriptedDiffuser.class.getName()), board)) {
-            agent.notesAll("on", "plus 1");
-            board.perceiving("p(2)");
-            agent.notesAll("minus 1", "plus 2");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, null,
+                List.of(PassingArch.class.getName(), ScriptedDiffuser.class.getName()), board);
+        agent.notesAll("on", "plus 1");
+        board.perceiving("p(2)");
+        agent.notesAll("minus 1", "plus 2");
     }
 
     @Test
     void perceive_noPortOpened_nothingChangesForTheAgent() throws Exception {
         LocalEnvironment environment = RunningAgent.environment();
         ((TestEnvironment) environment.getUserEnvironment()).show("e(1)");
-        try (RunningAgent agent = RunningAgent.run("+e(X) <- diffuser.note(e,X).", environment,
-                List.of(ScriptedDiffuser.class.getName()))) {
-            agent.notes("e 1");
-        }
+        RunningAgent agent = RunningAgent.run("+e(X) <- diffuser.note(e,X).", environment,
+                List.of(ScriptedDiffuser.class.getName()));
+        agent.notes("e 1");
     }
 }

@@ -24,28 +24,26 @@ class PlanOneTest {
     @Test
     void plan1_boardIsThere_runsAsPrinted() {
         FakeBoard board = new FakeBoard("COM5").perceiving("proximity(17)");
-        try (RunningAgent agent = RunningAgent.run(PLAN_ONE, board)) {
-            agent.notes("COM5 on");
-            RunningAgent.asked(board, "I ROMA");
-            RunningAgent.asked(board, "R open");
-            agent.notesAll("ready", "proximity 17");
-            board.receive("////", "SUPO", "tell;help");
-            agent.notes("help SUPO");
-            RunningAgent.asked(board, "SUPO tell;helpComing");
-        }
+        RunningAgent agent = RunningAgent.run(PLAN_ONE, board);
+        agent.notes("COM5 on");
+        RunningAgent.asked(board, "I ROMA");
+        RunningAgent.asked(board, "R open");
+        agent.notesAll("ready", "proximity 17");
+        board.receive("////", "SUPO", "tell;help");
+        agent.notes("help SUPO");
+        RunningAgent.asked(board, "SUPO tell;helpComing");
     }
 
     @Test
     void plan1_boardIsNotThere_runsAllTheSameAndHoldsOnceItComes() {
         FakeBoard board = new FakeBoard("COM5").perceiving("proximity(17)").unplugged();
-        try (RunningAgent agent = RunningAgent.run(PLAN_ONE, board)) {
-            agent.notesAll("COM5 off", "ready");
-            agent.warns("the board is off: COM5: there is no such port");
-            board.plug();
-            agent.notesAll("COM5 on", "proximity 17");
-            board.receive("ROMA", "SUPO", "tell;help");
-            agent.notes("help SUPO");
-            assertEquals("ROMA", board.rfId().toString());
-        }
+        RunningAgent agent = RunningAgent.run(PLAN_ONE, board);
+        agent.notesAll("COM5 off", "ready");
+        agent.warns("the board is off: COM5: there is no such port");
+        board.plug();
+        agent.notesAll("COM5 on", "proximity 17");
+        board.receive("ROMA", "SUPO", "tell;help");
+        agent.notes("help SUPO");
+        assertEquals("ROMA", board.rfId().toString());
     }
 }

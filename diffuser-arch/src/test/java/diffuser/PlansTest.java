@@ -36,16 +36,15 @@ class PlansTest {
     void tellHow_sealed_planRunsUntilItIsTakenBack(String to) {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "-!run(_) <- diffuser.note(unable).";
-        try (RunningAgent agent = ready(program, board)) {
-            board.receive(to, "ROMA", "tellHow;" + PLAN);
-            agent.cycles(5);
-            agent.achieve("run(2)");
-            agent.notes("a \"b\"\n\u00e9 2");
-            board.receive(to, "ROMA", "untellHow;run");
-            agent.cycles(5);
-            agent.achieve("run(2)");
-            agent.notes("unable");
-        }
+        RunningAgent agent = ready(program, board);
+        board.receive(to, "ROMA", "tellHow;" + PLAN);
+        agent.cycles(5);
+        agent.achieve("run(2)");
+        agent.notes("a \"b\"\n\u00e9 2");
+        board.receive(to, "ROMA", "untellHow;run");
+        agent.cycles(5);
+        agent.achieve("run(2)");
+        agent.notes("unable");
     }
 
     @ParameterizedTest
@@ -53,93 +52,86 @@ class PlansTest {
             "[\"+!run(X) <- diffuser.note(X).\",{ @other +!stay <- true }]", "[{ +!run(X) <- diffuser.note(X) }]"})
     void tellHow_stringOrList_planRuns(String plans) {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("SUPO", "ROMA", "tellHow;" + plans);
-            agent.cycles(5);
-            agent.achieve("run(2)");
-            agent.notes("2");
-        }
+        RunningAgent agent = ready(board);
+        board.receive("SUPO", "ROMA", "tellHow;" + plans);
+        agent.cycles(5);
+        agent.achieve("run(2)");
+        agent.notes("2");
     }
 
     @Test
     void tellHow_broadcast_isRefusedCountedAndReportedOnce() throws Exception {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            for (int i = 0; i < 3; i++) {
-                board.receive("////", "ROMA", "tellHow;{ @p" + i + " +!go <- diffuser.note(theirs) }");
-            }
-            board.receive("////", "ROMA", "untellHow;start");
-            agent.warns("dropped tellHow from ROMA: it came as a broadcast");
-            agent.warns("dropped untellHow from ROMA: it came as a broadcast");
-            agent.notesNothingElse();
-            assertEquals(4L, agent.diffuser().getStatus().get("rfMessagesRefused"));
-            assertEquals(0, agent.warnings.size());
-            agent.achieve("count({ +!go })");
-            agent.notes("1");
-            agent.achieve("count({ +!start })");
-            agent.notes("1");
+        RunningAgent agent = ready(board);
+        for (int i = 0; i < 3; i++) {
+            board.receive("////", "ROMA", "tellHow;{ @p" + i + " +!go <- diffuser.note(theirs) }");
         }
+        board.receive("////", "ROMA", "untellHow;start");
+        agent.warns("dropped tellHow from ROMA: it came as a broadcast");
+        agent.warns("dropped untellHow from ROMA: it came as a broadcast");
+        agent.notesNothingElse();
+        assertEquals(4L, agent.diffuser().getStatus().get("rfMessagesRefused"));
+        assertEquals(0, agent.warnings.size());
+        agent.achieve("count({ +!go })");
+        agent.notes("1");
+        agent.achieve("count({ +!start })");
+        agent.notes("1");
     }
 
     @Test
     void tellHow_agentHasAPlanAgainstIt_isNotTaught() {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!kqml_received(S,tellHow,_,_) <- diffuser.note(S,refused).";
-        try (RunningAgent agent = ready(program, board)) {
-            board.receive("SUPO", "ROMA", "tellHow;{ @p +!run(_) <- diffuser.note(theirs) }");
-            agent.notes("ROMA refused");
-            agent.achieve("count({ +!run(_) })");
-            agent.notes("0");
-        }
+        RunningAgent agent = ready(program, board);
+        board.receive("SUPO", "ROMA", "tellHow;{ @p +!run(_) <- diffuser.note(theirs) }");
+        agent.notes("ROMA refused");
+        agent.achieve("count({ +!run(_) })");
+        agent.notes("0");
     }
 
     @Test
     void untellHow_planOfTheAgentItself_stays() {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "@mine +!stay <- diffuser.note(stayed).";
-        try (RunningAgent agent = ready(program, board)) {
-            board.receive("SUPO", "ROMA", "untellHow;mine");
-            agent.notesNothingElse();
-            agent.achieve("stay");
-            agent.notes("stayed");
-        }
+        RunningAgent agent = ready(program, board);
+        board.receive("SUPO", "ROMA", "untellHow;mine");
+        agent.notesNothingElse();
+        agent.achieve("stay");
+        agent.notes("stayed");
     }
 
     @Test
     void askHow_answered_plansArriveAtTheAskerAndRun() {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!learn <- .send(\"ROMA\",askHow,{ +!run(_) },P); .add_plan(P,roma); !run(2).";
-        try (RunningAgent agent = ready(program, board)) {
-            agent.achieve("learn");
-            String id = Conversing.asked(board, "ROMA askHow;\\{ \\+!run\\(\\w+\\) }");
-            board.receive("SUPO", "ROMA", "tellHow#" + id + ";[" + PLAN + "]");
-            agent.notes("a \"b\"\n\u00e9 2");
-        }
+        RunningAgent agent = ready(program, board);
+        agent.achieve("learn");
+        String id = Conversing.asked(board, "ROMA askHow;\\{ \\+!run\\(\\w+\\) }");
+        board.receive("SUPO", "ROMA", "tellHow#" + id + ";[" + PLAN + "]");
+        agent.notes("a \"b\"\n\u00e9 2");
     }
 
     @Test
     void askHow_notAwaited_answerIsLearnt() {
         FakeBoard board = new FakeBoard("antenna");
         String program = PROGRAM + "+!learn <- .send(\"ROMA\",askHow,\"+!run(_)\").";
-        try (RunningAgent agent = ready(program, board)) {
-            agent.achieve("learn");
-            String id = Conversing.asked(board, "ROMA askHow;\"\\+!run\\(_\\)\"");
-            board.receive("SUPO", "ROMA", "tellHow#" + id + ";[" + PLAN + "]");
-            agent.cycles(5);
-            agent.achieve("run(2)");
-            agent.notes("a \"b\"\n\u00e9 2");
-        }
+        RunningAgent agent = ready(program, board);
+        agent.achieve("learn");
+        String id = Conversing.asked(board, "ROMA askHow;\"\\+!run\\(_\\)\"");
+        board.receive("SUPO", "ROMA", "tellHow#" + id + ";[" + PLAN + "]");
+        agent.cycles(5);
+        agent.achieve("run(2)");
+        agent.notes("a \"b\"\n\u00e9 2");
     }
 
     @Test
     void signal_anyCast_isAnEventAndNoBelief() {
         FakeBoard board = new FakeBoard("antenna");
-        try (RunningAgent agent = ready(board)) {
-            board.receive("////", "ROMA", "signal;bell(1)");
-            agent.notes("bell 1 ROMA broadcast");
-            board.receive("SUPO", "ROMA", "signal;bell(2)");
-            agent.notes("bell 2 ROMA unicast");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = ready(board);
+        board.receive("////", "ROMA", "signal;bell(1)");
+        agent.notes("bell 1 ROMA broadcast");
+        board.receive("SUPO", "ROMA", "signal;bell(2)");
+        agent.notes("bell 2 ROMA unicast");
+        agent.notesNothingElse();
     }
 }

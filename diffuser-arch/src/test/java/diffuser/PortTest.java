@@ -1,12 +1,12 @@
 package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class PortTest {
 
@@ -25,48 +25,45 @@ class PortTest {
     @Test
     void port_unpluggedAndPluggedAgain_beliefFollowsAndAgentGoesOn() {
         FakeBoard board = new FakeBoard("left");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notesAll("left on", "ready");
-            board.unplug();
-            agent.notesAll("no left on", "left off");
-            board.plug();
-            agent.notesAll("no left off", "left on");
-            agent.achieve("do");
-            agent.notes("done");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("left on", "ready");
+        board.unplug();
+        agent.notesAll("no left on", "left off");
+        board.plug();
+        agent.notesAll("no left off", "left on");
+        agent.achieve("do");
+        agent.notes("done");
     }
 
     @Test
     void port_boardFallsSilent_beliefFollowsAndCyclesGoOn() {
         FakeBoard board = new FakeBoard("left");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, board)) {
-            agent.notesAll("left on", "ready");
-            board.swallow("A stop");
-            agent.achieve("do");
-            RunningAgent.asked(board, "A stop");
-            for (int i = 0; i < 20; i++) {
-                agent.believe("count(" + i + ")");
-            }
-            for (int i = 0; i < 20; i++) {
-                agent.notes("count " + i);
-            }
-            agent.notesAll("outcome_unknown", "no left on", "left off");
+        RunningAgent agent = RunningAgent.run(PROGRAM, board);
+        agent.notesAll("left on", "ready");
+        board.swallow("A stop");
+        agent.achieve("do");
+        RunningAgent.asked(board, "A stop");
+        for (int i = 0; i < 20; i++) {
+            agent.believe("count(" + i + ")");
         }
+        for (int i = 0; i < 20; i++) {
+            agent.notes("count " + i);
+        }
+        agent.notesAll("outcome_unknown", "no left on", "left off");
     }
 
     @Test
     void port_another_replacesTheFirst() {
         FakeBoard left = new FakeBoard("left").perceiving("count(1)");
         FakeBoard right = new FakeBoard("right").perceiving("count(2)");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, left, right)) {
-            agent.notesAll("left on", "ready");
-            agent.achieve("right");
-            agent.notesAll("no left on", "right on", "changed");
-            agent.achieve("do");
-            RunningAgent.asked(right, "A stop");
-            agent.notes("done");
-            assertEquals(0, left.requests.size());
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, left, right);
+        agent.notesAll("left on", "ready");
+        agent.achieve("right");
+        agent.notesAll("no left on", "right on", "changed");
+        agent.achieve("do");
+        RunningAgent.asked(right, "A stop");
+        agent.notes("done");
+        assertEquals(0, left.requests.size());
     }
 
     @Test
@@ -78,24 +75,22 @@ class PortTest {
                 +!start <- .port(left); diffuser.note(replaced).
                 +!other <- .port(missing); diffuser.note(decided).
                 """;
-        try (RunningAgent agent = RunningAgent.run(program, left)) {
-            agent.notesAll("replaced", "decided");
-        }
+        RunningAgent agent = RunningAgent.run(program, left);
+        agent.notesAll("replaced", "decided");
     }
 
     @Test
     void port_formerSessionHangs_agentGoesOnAndTheNextSessionWaits() {
         FakeBoard left = new FakeBoard("left");
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, left, new FakeBoard("right"))) {
-            agent.notesAll("left on", "ready");
-            left.closesSlowly(true);
-            agent.achieve("right");
-            left.awaitClosing();
-            agent.believe("count(1)");
-            agent.notesAll("no left on", "count 1");
-            left.closesSlowly(false);
-            agent.notesAll("right on", "changed");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, left, new FakeBoard("right"));
+        agent.notesAll("left on", "ready");
+        left.closesSlowly(true);
+        agent.achieve("right");
+        left.awaitClosing();
+        agent.believe("count(1)");
+        agent.notesAll("no left on", "count 1");
+        left.closesSlowly(false);
+        agent.notesAll("right on", "changed");
     }
 
     @Test
@@ -106,28 +101,25 @@ class PortTest {
                 +!start <- .port(left); .port(left); .port(left); .act(stop); diffuser.note(done).
                 +port(P,off) <- diffuser.note(P,off).
                 """;
-        try (RunningAgent agent = RunningAgent.run(program, left)) {
-            agent.notes("done");
-            assertEquals(1, left.mostOpenAtOnce());
-        }
+        RunningAgent agent = RunningAgent.run(program, left);
+        agent.notes("done");
+        assertEquals(1, left.mostOpenAtOnce());
     }
 
     @Test
     void port_missing_beliefIsOffAndNoFailure() {
-        try (RunningAgent agent = RunningAgent.run(PROGRAM, new FakeBoard("left"))) {
-            agent.notesAll("left on", "ready");
-            agent.achieve("missing");
-            agent.notesAll("no left on", "missing off", "changed");
-            agent.warns("the board is off: missing: there is no such port");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM, new FakeBoard("left"));
+        agent.notesAll("left on", "ready");
+        agent.achieve("missing");
+        agent.notesAll("no left on", "missing off", "changed");
+        agent.warns("the board is off: missing: there is no such port");
     }
 
     @Test
     void port_variableBoundToName_itsValueCounts() {
         String program = "!start. +!start <- P = left; .port(P). +port(P,S) <- diffuser.note(P,S).";
-        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("left"))) {
-            agent.notes("left on");
-        }
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("left"));
+        agent.notes("left on");
     }
 
     @Test
@@ -135,15 +127,8 @@ class PortTest {
         FakeBoard board = new FakeBoard("left");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("left on", "ready");
-        Thread session = thread("javino left");
         agent.close();
-        session.join(RunningAgent.PATIENCE_SECONDS * 1000L);
-        assertFalse(session.isAlive());
-    }
-
-    static Thread thread(String name) {
-        return Thread.getAllStackTraces().keySet().stream()
-                .filter(any -> any.getName().equals(name) && any.isAlive()).findAny().orElseThrow();
+        ScriptedDiffuser.join(ScriptedDiffuser.session("left"));
     }
 
     @Test
@@ -151,16 +136,15 @@ class PortTest {
         FakeBoard left = new FakeBoard("left");
         RunningAgent one = RunningAgent.run(PROGRAM, left);
         one.notesAll("left on", "ready");
-        try (RunningAgent other = RunningAgent.run(PROGRAM)) {
-            other.warns(
-                    "the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
-                            + " its own, or end that agent first");
-            other.notesAll("left off", "ready");
-            assertEquals(1, left.mostOpenAtOnce());
-            one.close();
-            other.notesAll("no left off", "left on");
-            assertEquals(1, left.mostOpenAtOnce());
-        }
+        RunningAgent other = RunningAgent.run(PROGRAM);
+        other.warns(
+                "the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
+                        + " its own, or end that agent first");
+        other.notesAll("left off", "ready");
+        assertEquals(1, left.mostOpenAtOnce());
+        one.close();
+        other.notesAll("no left off", "left on");
+        assertEquals(1, left.mostOpenAtOnce());
     }
 
     @Test
@@ -171,30 +155,24 @@ class PortTest {
         left.closesSlowly(true);
         Thread end = new Thread(one::close);
         end.start();
-        try (RunningAgent next = RunningAgent.run(PROGRAM)) {
-            left.awaitClosing();
-            left.closesSlowly(false);
-            next.notesAll("left on", "ready");
-            assertEquals(1, left.mostOpenAtOnce());
-        }
+        RunningAgent next = RunningAgent.run(PROGRAM);
+        left.awaitClosing();
+        left.closesSlowly(false);
+        next.notesAll("left on", "ready");
+        assertEquals(1, left.mostOpenAtOnce());
     }
 
     @Test
-    void port_bothNamesOfOnePort_areOnePort() throws Exception {
-        Path port = Files.createTempFile("port", "");
-        Path link = Files.createSymbolicLink(port.resolveSibling(port.getFileName() + "-by-id"), port);
+    void port_bothNamesOfOnePort_areOnePort(@TempDir Path folder) throws Exception {
+        Path port = Files.createFile(folder.resolve("port"));
+        Path link = Files.createSymbolicLink(folder.resolve("port-by-id"), port);
         FakeBoard board = new FakeBoard(port.toString());
         String program = "!start. +!start <- .port(\"%s\"). +port(_,S) <- diffuser.note(S).";
-        try (RunningAgent one = RunningAgent.run(program.formatted(port), board)) {
-            one.notes("on");
-            try (RunningAgent other = RunningAgent.run(program.formatted(link), new FakeBoard(link.toString()))) {
-                other.warns("agent " + one.name() + " of this MAS has it");
-                other.notes("off");
-            }
-        } finally {
-            Files.delete(link);
-            Files.delete(port);
-        }
+        RunningAgent one = RunningAgent.run(program.formatted(port), board);
+        one.notes("on");
+        RunningAgent other = RunningAgent.run(program.formatted(link), new FakeBoard(link.toString()));
+        other.warns("agent " + one.name() + " of this MAS has it");
+        other.notes("off");
     }
 
     @Test
@@ -203,12 +181,11 @@ class PortTest {
                 + "+p(X) <- diffuser.note(p,X).";
         FakeBoard left = new FakeBoard("left").perceiving("p(1)");
         FakeBoard right = new FakeBoard("right").perceiving("p(2)");
-        try (RunningAgent one = RunningAgent.run(program.formatted("left"), left);
-                RunningAgent two = RunningAgent.run(program.formatted("right"), right)) {
-            one.notesAll("done", "p 1");
-            two.notesAll("done", "p 2");
-            RunningAgent.asked(left, "A left");
-            RunningAgent.asked(right, "A right");
-        }
+        RunningAgent one = RunningAgent.run(program.formatted("left"), left);
+        RunningAgent two = RunningAgent.run(program.formatted("right"), right);
+        one.notesAll("done", "p 1");
+        two.notesAll("done", "p 2");
+        RunningAgent.asked(left, "A left");
+        RunningAgent.asked(right, "A right");
     }
 }

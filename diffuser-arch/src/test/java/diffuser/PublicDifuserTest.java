@@ -40,67 +40,62 @@ class PublicDifuserTest {
     @Test
     void receiver_messagesByRadio_areEventsEachTimeAndAnswered() {
         FakeBoard board = board("ttyExogenous3");
-        try (RunningAgent agent = difuser(RECEIVER, board)) {
-            agent.notes("listening");
-            RunningAgent.asked(board, "R open");
-            for (int i = 0; i < 2; i++) {
-                board.receive("////", "ROMA", "signal;message(random(7,0.5))");
-                agent.notes("message 7 0.5");
-                RunningAgent.asked(board, "//// signal;message(ack(7))");
-            }
+        RunningAgent agent = difuser(RECEIVER, board);
+        agent.notes("listening");
+        RunningAgent.asked(board, "R open");
+        for (int i = 0; i < 2; i++) {
+            board.receive("////", "ROMA", "signal;message(random(7,0.5))");
+            agent.notes("message 7 0.5");
+            RunningAgent.asked(board, "//// signal;message(ack(7))");
         }
     }
 
     @Test
     void receiver_messageAsPercept_isAnEvent() {
         FakeBoard board = board("ttyExogenous3");
-        try (RunningAgent agent = difuser(RECEIVER, board)) {
-            agent.notes("listening");
-            board.perceiving("message(random(8,0.25))");
-            agent.notes("message 8 0.25");
-        }
+        RunningAgent agent = difuser(RECEIVER, board);
+        agent.notes("listening");
+        board.perceiving("message(random(8,0.25))");
+        agent.notes("message 8 0.25");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"close", "block"})
     void listen_closed_hearsNothing(String how) {
         FakeBoard board = board("ttyExogenous3");
-        try (RunningAgent agent = difuser(RECEIVER + "+!probe <- diffuser.note(probed).", board)) {
-            agent.notes("listening");
-            RunningAgent.asked(board, "R open");
-            agent.achieve("deaf(" + how + ")");
-            agent.notes("deaf");
-            RunningAgent.asked(board, "R block");
-            board.perceiving("message(random(8,0.25))");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = difuser(RECEIVER + "+!probe <- diffuser.note(probed).", board);
+        agent.notes("listening");
+        RunningAgent.asked(board, "R open");
+        agent.achieve("deaf(" + how + ")");
+        agent.notes("deaf");
+        RunningAgent.asked(board, "R block");
+        board.perceiving("message(random(8,0.25))");
+        agent.notesNothingElse();
     }
 
     @Test
     void transmit_sketchHasTheAction_performsIt() {
         FakeBoard board = new FakeBoard("ttyEmulatedPort3").knowing("stop", "message");
-        try (RunningAgent agent = difuser(TRANSMITTER, board)) {
-            RunningAgent.asked(board, "R open");
-            RunningAgent.asked(board, "A message(random(2,0.5))");
-            board.perceiving("message(ack(2))");
-            agent.notes("ack 2");
-            RunningAgent.asked(board, "A message(random(1,0.5))");
-        }
+        RunningAgent agent = difuser(TRANSMITTER, board);
+        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "A message(random(2,0.5))");
+        board.perceiving("message(ack(2))");
+        agent.notes("ack 2");
+        RunningAgent.asked(board, "A message(random(1,0.5))");
     }
 
     @Test
     void transmitter_eachAcknowledgement_sendsTheNext() {
         FakeBoard board = board("ttyEmulatedPort3");
-        try (RunningAgent agent = difuser(TRANSMITTER, board)) {
-            RunningAgent.asked(board, "R open");
-            RunningAgent.asked(board, "//// signal;message(random(2,0.5))");
-            board.receive("////", "ROMA", "signal;message(ack(2))");
-            agent.notes("ack 2");
-            RunningAgent.asked(board, "//// signal;message(random(1,0.5))");
-            board.receive("////", "ROMA", "signal;message(ack(1))");
-            agent.notes("ack 1");
-            agent.notes("end no_applicable");
-        }
+        RunningAgent agent = difuser(TRANSMITTER, board);
+        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "//// signal;message(random(2,0.5))");
+        board.receive("////", "ROMA", "signal;message(ack(2))");
+        agent.notes("ack 2");
+        RunningAgent.asked(board, "//// signal;message(random(1,0.5))");
+        board.receive("////", "ROMA", "signal;message(ack(1))");
+        agent.notes("ack 1");
+        agent.notes("end no_applicable");
     }
 
     @ParameterizedTest
@@ -115,11 +110,10 @@ class PublicDifuserTest {
     void action_thatFails_saysWhy(String action, String error, String fragment) {
         String program = "!start. +!start <- .difuser.port(desk); !do. +!do <- " + action + "; diffuser.note(done)."
                 + "-!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
-        try (RunningAgent agent = difuser(program, new FakeBoard("desk"))) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith(error + " :"), note);
-            assertTrue(note.contains(fragment), note);
-        }
+        RunningAgent agent = difuser(program, new FakeBoard("desk"));
+        String note = agent.nextNote();
+        assertTrue(note.startsWith(error + " :"), note);
+        assertTrue(note.contains(fragment), note);
     }
 
     @ParameterizedTest
@@ -127,9 +121,8 @@ class PublicDifuserTest {
     void action_ofAnAgentWithAnotherArchitecture_saysWhichItNeeds(String action) {
         String program =
                 "!start. +!start <- " + action + ". -!start[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
-        try (RunningAgent agent = RunningAgent.run(program)) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith("no_diffuser :") && note.contains("jason.Difuser"), note);
-        }
+        RunningAgent agent = RunningAgent.run(program);
+        String note = agent.nextNote();
+        assertTrue(note.startsWith("no_diffuser :") && note.contains("jason.Difuser"), note);
     }
 }

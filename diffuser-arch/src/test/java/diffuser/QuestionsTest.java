@@ -74,22 +74,20 @@ class QuestionsTest {
     void send_answerComes_intentionGoesOnWithIt(String force, String question, String answer, String bound) {
         FakeBoard board = board();
         String action = ".send(\"ROMA\",%s,%s,A); .term2string(A,T); diffuser.note(T)".formatted(force, question);
-        try (RunningAgent agent = doing(action, board)) {
-            String id = Conversing.asked(board, "ROMA " + force + ";.*");
-            board.receive("SUPO", "ROMA", answer.formatted(id));
-            agent.notes(bound);
-            agent.notes("done");
-        }
+        RunningAgent agent = doing(action, board);
+        String id = Conversing.asked(board, "ROMA " + force + ";.*");
+        board.receive("SUPO", "ROMA", answer.formatted(id));
+        agent.notes(bound);
+        agent.notes("done");
     }
 
     @Test
     void send_answerMatchesPattern_itsVariablesAreBound() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),speed(V),9000); diffuser.note(V)", board)) {
-            board.receive("SUPO", "ROMA", "tell#%s;speed(80)".formatted(Conversing.asked(board, SPEED)));
-            agent.notes("80");
-            agent.notes("done");
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),speed(V),9000); diffuser.note(V)", board);
+        board.receive("SUPO", "ROMA", "tell#%s;speed(80)".formatted(Conversing.asked(board, SPEED)));
+        agent.notes("80");
+        agent.notes("done");
     }
 
     @ParameterizedTest
@@ -102,154 +100,144 @@ class QuestionsTest {
                 +!got(false, unknown).
                 +!got(distance(D), D).
                 """.formatted(timeout);
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("ready");
-            RunningAgent.asked(board, "I SUPO");
-            RunningAgent.asked(board, "R open");
-            agent.achieve("do");
-            String id = Conversing.asked(board, "ROMA askOne;distance\\(_\\w*\\)");
-            if (answer != null) {
-                board.receive("SUPO", "ROMA", answer.formatted(id));
-            }
-            agent.notes(end);
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "R open");
+        agent.achieve("do");
+        String id = Conversing.asked(board, "ROMA askOne;distance\\(_\\w*\\)");
+        if (answer != null) {
+            board.receive("SUPO", "ROMA", answer.formatted(id));
         }
+        agent.notes(end);
     }
 
     @Test
     void send_severalWait_eachGetsItsOwnAnswer() {
         FakeBoard board = board();
         String action = "!ask(1) |&| !ask(2)";
-        try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action)
-                + "+!ask(N) <- .send(\"ROMA\",askOne,p(N,X),p(_,V)); diffuser.note(N,V).", board)) {
-            agent.notes("ready");
-            RunningAgent.asked(board, "I SUPO");
-            RunningAgent.asked(board, "R open");
-            agent.achieve("do");
-            String first = Conversing.asked(board, "ROMA askOne;p\\(.*");
-            String second = Conversing.asked(board, "ROMA askOne;p\\(.*");
-            assertNotEquals(first, second);
-            board.receive("SUPO", "ROMA", "tell#%s;p(0,b)".formatted(second));
-            agent.notes("2 b");
-            board.receive("SUPO", "ROMA", "tell#%s;p(0,a)".formatted(first));
-            agent.notes("1 a");
-            agent.notes("done");
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action)
+                + "+!ask(N) <- .send(\"ROMA\",askOne,p(N,X),p(_,V)); diffuser.note(N,V).", board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "R open");
+        agent.achieve("do");
+        String first = Conversing.asked(board, "ROMA askOne;p\\(.*");
+        String second = Conversing.asked(board, "ROMA askOne;p\\(.*");
+        assertNotEquals(first, second);
+        board.receive("SUPO", "ROMA", "tell#%s;p(0,b)".formatted(second));
+        agent.notes("2 b");
+        board.receive("SUPO", "ROMA", "tell#%s;p(0,a)".formatted(first));
+        agent.notes("1 a");
+        agent.notes("done");
     }
 
     @Test
     void send_listOfReceivers_answersAreCollected() {
         FakeBoard board = board();
-        try (RunningAgent agent =
-                doing(".send([\"ROMA\",\"SUHO\"],askOne,free,A); .length(A,N); diffuser.note(N)", board)) {
-            String roma = Conversing.asked(board, "ROMA askOne;free");
-            String suho = Conversing.asked(board, "SUHO askOne;free");
-            board.receive("SUPO", "SUHO", "tell#%s;free".formatted(suho));
-            agent.notesNothingElse();
-            board.receive("SUPO", "ROMA", "untell#%s;free".formatted(roma));
-            agent.notes("2");
-            agent.notes("done");
-        }
+        RunningAgent agent =
+                doing(".send([\"ROMA\",\"SUHO\"],askOne,free,A); .length(A,N); diffuser.note(N)", board);
+        String roma = Conversing.asked(board, "ROMA askOne;free");
+        String suho = Conversing.asked(board, "SUHO askOne;free");
+        board.receive("SUPO", "SUHO", "tell#%s;free".formatted(suho));
+        agent.notesNothingElse();
+        board.receive("SUPO", "ROMA", "untell#%s;free".formatted(roma));
+        agent.notes("2");
+        agent.notes("done");
     }
 
     @Test
     void send_answerFromElsewhereTwiceOrInAnotherForm_isRefusedAndCounted() throws Exception {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),speed(V)); diffuser.note(V)", board)) {
-            String id = Conversing.asked(board, SPEED);
-            board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
-            agent.warns("dropped tell from SUHO: it answers no question that is open");
-            board.receive("//SU", "ROMA", "tell#%s;speed(2)".formatted(id));
-            agent.warns("dropped tell from ROMA: an answer must come to the asker alone");
-            board.receive("////", "ROMA", "tell#%s;speed(3)".formatted(id));
-            board.receive("SUPO", "ROMA", "tell#%s;speed(4)".formatted(id.equals("AAA") ? "AAB" : "AAA"));
-            agent.warns("dropped tell from ROMA: it answers no question that is open");
-            agent.notesNothingElse();
-            board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
-            agent.notes("5");
-            agent.notes("done");
-            board.receive("SUPO", "ROMA", "tell#%s;speed(6)".formatted(id));
-            board.receive("SUPO", "ROMA", "tell;speed(7)");
-            agent.notes("speed 7 ROMA unicast");
-            assertEquals(5, refused(agent));
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),speed(V)); diffuser.note(V)", board);
+        String id = Conversing.asked(board, SPEED);
+        board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
+        agent.warns("dropped tell from SUHO: it answers no question that is open");
+        board.receive("//SU", "ROMA", "tell#%s;speed(2)".formatted(id));
+        agent.warns("dropped tell from ROMA: an answer must come to the asker alone");
+        board.receive("////", "ROMA", "tell#%s;speed(3)".formatted(id));
+        board.receive("SUPO", "ROMA", "tell#%s;speed(4)".formatted(id.equals("AAA") ? "AAB" : "AAA"));
+        agent.warns("dropped tell from ROMA: it answers no question that is open");
+        agent.notesNothingElse();
+        board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
+        agent.notes("5");
+        agent.notes("done");
+        board.receive("SUPO", "ROMA", "tell#%s;speed(6)".formatted(id));
+        board.receive("SUPO", "ROMA", "tell;speed(7)");
+        agent.notes("speed 7 ROMA unicast");
+        assertEquals(5, refused(agent));
     }
 
     @Test
     void send_answerIsNoAgentSpeak_isDroppedAndTheQuestionStaysOpen() throws Exception {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),speed(V)); diffuser.note(V)", board)) {
-            String id = Conversing.asked(board, SPEED);
-            board.receive("SUPO", "ROMA", "tell#%s;speed(".formatted(id));
-            board.receive("SUPO", "ROMA", "tell#%s;.stopMAS".formatted(id));
-            agent.warns("\".stopMAS\": an internal action cannot be sent");
-            board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
-            agent.notes("5");
-            assertEquals(2L, agent.diffuser().getStatus().get("rfMessagesMalformed"));
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),speed(V)); diffuser.note(V)", board);
+        String id = Conversing.asked(board, SPEED);
+        board.receive("SUPO", "ROMA", "tell#%s;speed(".formatted(id));
+        board.receive("SUPO", "ROMA", "tell#%s;.stopMAS".formatted(id));
+        agent.warns("\".stopMAS\": an internal action cannot be sent");
+        board.receive("SUPO", "ROMA", "tell#%s;speed(5)".formatted(id));
+        agent.notes("5");
+        assertEquals(2L, agent.diffuser().getStatus().get("rfMessagesMalformed"));
     }
 
     @Test
     void send_noAnswerInTime_isTimeoutAndALateOneIsRefused() throws Exception {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),A,20); diffuser.note(A)", board)) {
-            String id = Conversing.asked(board, SPEED);
-            agent.notes("timeout");
-            agent.notes("done");
-            board.receive("SUPO", "ROMA", "tell#%s;speed(1)".formatted(id));
-            agent.warns("it answers no question that is open");
-            agent.notesNothingElse();
-            assertEquals(1, refused(agent));
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,speed(X),A,20); diffuser.note(A)", board);
+        String id = Conversing.asked(board, SPEED);
+        agent.notes("timeout");
+        agent.notes("done");
+        board.receive("SUPO", "ROMA", "tell#%s;speed(1)".formatted(id));
+        agent.warns("it answers no question that is open");
+        agent.notesNothingElse();
+        assertEquals(1, refused(agent));
     }
 
     @Test
     void send_undelivered_failsAtOnceAndALateAnswerIsRefused() throws Exception {
         FakeBoard board = board().endingAll(Outcome.UNDELIVERED);
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board)) {
-            String id = Conversing.asked(board, "ROMA askOne;free");
-            agent.notes(
-                    "undelivered : askOne#" + id + ";free to ROMA was not acknowledged: its receiver is out of reach"
-                            + " or a board was lost; it may have arrived all the same");
-            board.receive("SUPO", "ROMA", "tell#%s;free".formatted(id));
-            agent.warns("it answers no question that is open");
-            agent.notesNothingElse();
-            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board);
+        String id = Conversing.asked(board, "ROMA askOne;free");
+        agent.notes(
+                "undelivered : askOne#" + id + ";free to ROMA was not acknowledged: its receiver is out of reach"
+                        + " or a board was lost; it may have arrived all the same");
+        board.receive("SUPO", "ROMA", "tell#%s;free".formatted(id));
+        agent.warns("it answers no question that is open");
+        agent.notesNothingElse();
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
     }
 
     @Test
     void send_undeliveredWithTimeout_answerMayStillCome() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A,9000); diffuser.note(A)", board)) {
-            String id = Conversing.asked(board, "ROMA askOne;free");
-            board.end("ROMA askOne#" + id + ";free", Outcome.UNDELIVERED);
-            agent.notesNothingElse();
-            board.receive("SUPO", "ROMA", "untell#%s;free".formatted(id));
-            agent.notes("false");
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A,9000); diffuser.note(A)", board);
+        String id = Conversing.asked(board, "ROMA askOne;free");
+        board.end("ROMA askOne#" + id + ";free", Outcome.UNDELIVERED);
+        agent.notesNothingElse();
+        board.receive("SUPO", "ROMA", "untell#%s;free".formatted(id));
+        agent.notes("false");
     }
 
     @Test
     void send_answerOvertakesUndelivered_goesOnOnce() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board)) {
-            String id = Conversing.asked(board, "ROMA askOne;free");
-            board.receive("SUPO", "ROMA", "untell#%s;free".formatted(id));
-            agent.notes("done");
-            board.end("ROMA askOne#" + id + ";free", Outcome.UNDELIVERED);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board);
+        String id = Conversing.asked(board, "ROMA askOne;free");
+        board.receive("SUPO", "ROMA", "untell#%s;free".formatted(id));
+        agent.notes("done");
+        board.end("ROMA askOne#" + id + ";free", Outcome.UNDELIVERED);
+        agent.notesNothingElse();
     }
 
     @Test
     void send_anotherPortIsOpenedMeanwhile_undelivered() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board)) {
-            Conversing.asked(board, "ROMA askOne;free");
-            agent.notesNothingElse();
-            agent.achieve("other");
-            assertEquals("undelivered", agent.nextNote().split(" ")[0]);
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board);
+        Conversing.asked(board, "ROMA askOne;free");
+        agent.notesNothingElse();
+        agent.achieve("other");
+        assertEquals("undelivered", agent.nextNote().split(" ")[0]);
     }
 
     @ParameterizedTest
@@ -257,77 +245,70 @@ class QuestionsTest {
     void send_boardIsAway_failsWithPortOff(String timeout) {
         FakeBoard board = board().unplugged();
         String program = PROGRAM.formatted(".send(\"ROMA\",askOne,free,A" + timeout + ")");
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("ready");
-            agent.achieve("do");
-            assertEquals("port_off", agent.nextNote().split(" ")[0]);
-            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("ready");
+        agent.achieve("do");
+        assertEquals("port_off", agent.nextNote().split(" ")[0]);
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
     }
 
     @ParameterizedTest
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full"})
     void send_boardRefuses_failsWithItsErrorEvenWithATimeout(Status status, String error) {
         FakeBoard board = board().refusingAll(status);
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A,9000)", board)) {
-            assertEquals(error, agent.nextNote().split(" ")[0]);
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A,9000)", board);
+        assertEquals(error, agent.nextNote().split(" ")[0]);
+        agent.notesNothingElse();
     }
 
     @Test
     void send_oneOfManyRefused_failsAndNothingWaits() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send([\"ROMA\",nobody],askOne,free,A)", board)) {
-            String note = agent.nextNote();
-            assertEquals(true, note.contains("Receiver 'nobody' does not exist"), note);
-            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
-        }
+        RunningAgent agent = doing(".send([\"ROMA\",nobody],askOne,free,A)", board);
+        String note = agent.nextNote();
+        assertEquals(true, note.contains("Receiver 'nobody' does not exist"), note);
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
     }
 
     @Test
     void send_otherCannotAnswer_failsAndSaysWhy() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askAll,speed(_),A)", board)) {
-            String id = Conversing.asked(board, "ROMA askAll;.*");
-            board.receive("SUPO", "ROMA",
-                    "sorry#%s;\"a content has at most 494 bytes of UTF-8, not 600\"".formatted(id));
-            String note = agent.nextNote();
-            assertEquals(true, note.startsWith("no_answer : ROMA cannot answer askAll#" + id + ";speed(")
-                    && note.endsWith("): a content has at most 494 bytes of UTF-8, not 600"), note);
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askAll,speed(_),A)", board);
+        String id = Conversing.asked(board, "ROMA askAll;.*");
+        board.receive("SUPO", "ROMA",
+                "sorry#%s;\"a content has at most 494 bytes of UTF-8, not 600\"".formatted(id));
+        String note = agent.nextNote();
+        assertEquals(true, note.startsWith("no_answer : ROMA cannot answer askAll#" + id + ";speed(")
+                && note.endsWith("): a content has at most 494 bytes of UTF-8, not 600"), note);
     }
 
     @Test
     void send_questionIsTooLong_failsWithBothLengthsAndNothingWaits() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,p(\"" + "x".repeat(600) + "\"),A)", board)) {
-            agent.notes("too_long : a content has at most 494 bytes of UTF-8, not 616");
-            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,p(\"" + "x".repeat(600) + "\"),A)", board);
+        agent.notes("too_long : a content has at most 494 bytes of UTF-8, not 616");
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"//SU", "SU\\\\"})
     void send_groupAndAnswerAwaited_fails(String group) {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"" + group + "\",askOne,free,A)", board)) {
-            agent.notes(
-                    "wrong_arguments : an answer can be awaited from one device, not from //SU; without the argument"
-                            + " for it, each answer comes as a belief");
-            assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
-        }
+        RunningAgent agent = doing(".send(\"" + group + "\",askOne,free,A)", board);
+        agent.notes(
+                "wrong_arguments : an answer can be awaited from one device, not from //SU; without the argument"
+                        + " for it, each answer comes as a belief");
+        assertEquals(0, agent.body().getTS().getC().getPendingIntentions().size());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"askOne,free", "askAll,free", "askHow,{ +!go }", "tellHow,{ +!go <- run }", "untellHow,go"})
     void diffuse_toAllWhatNobodyTakesUnsealed_fails(String what) {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".diffuse(broadcast," + what + ")", board)) {
-            agent.notes("not_sealed : " + what.split(",")[0]
-                    + " goes to a device or a group, not to all: no agent accepts it"
-                    + " from a broadcast, which anyone can send in anyone's name");
-        }
+        RunningAgent agent = doing(".diffuse(broadcast," + what + ")", board);
+        agent.notes("not_sealed : " + what.split(",")[0]
+                + " goes to a device or a group, not to all: no agent accepts it"
+                + " from a broadcast, which anyone can send in anyone's name");
     }
 
     @ParameterizedTest
@@ -335,41 +316,39 @@ class QuestionsTest {
             ".deliver(\"ROMA\",askOne,speed(X))"})
     void ask_withoutWaiting_answerIsBelievedOnceOrTakenBack(String action) throws Exception {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(action + "; .wait(speed(_))", board)) {
-            String id = Conversing.asked(board, SPEED);
-            board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
-            agent.warns("it answers no question that is open");
-            if (action.startsWith(".deliver")) {
-                board.endLast(Outcome.DELIVERED);
-            }
-            board.receive("SUPO", "ROMA", "tell#%s;speed(80)".formatted(id));
-            agent.notesAll("speed 80 ROMA unicast", "done");
-            board.receive("SUPO", "ROMA", "tell#%s;speed(90)".formatted(id));
-            agent.notesNothingElse();
-            assertEquals(2, refused(agent));
-            agent.achieve("do");
-            board.receive("SUPO", "ROMA", "untell#%s;speed(80)".formatted(Conversing.asked(board, SPEED)));
-            assertEquals(true, List.of("gone 80 ROMA", "done").contains(agent.nextNote()));
+        RunningAgent agent = doing(action + "; .wait(speed(_))", board);
+        String id = Conversing.asked(board, SPEED);
+        board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
+        agent.warns("it answers no question that is open");
+        if (action.startsWith(".deliver")) {
+            board.endLast(Outcome.DELIVERED);
         }
+        board.receive("SUPO", "ROMA", "tell#%s;speed(80)".formatted(id));
+        agent.notesAll("speed 80 ROMA unicast", "done");
+        board.receive("SUPO", "ROMA", "tell#%s;speed(90)".formatted(id));
+        agent.notesNothingElse();
+        assertEquals(2, refused(agent));
+        agent.achieve("do");
+        board.receive("SUPO", "ROMA", "untell#%s;speed(80)".formatted(Conversing.asked(board, SPEED)));
+        assertEquals(true, List.of("gone 80 ROMA", "done").contains(agent.nextNote()));
     }
 
     @Test
     void ask_group_eachMemberAnswersOnceAndIsNoMoreThanAGroupsWord() throws Exception {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".diffuse(\"//SU\",askOne,speed(X))", board)) {
-            String id = Conversing.asked(board, "//SU askOne;.*");
-            agent.notes("done");
-            board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
-            agent.notes("speed 1 SUHO multicast");
-            board.receive("SUPO", "SUAM", "tell#%s;speed(2)".formatted(id));
-            agent.notes("speed 2 SUAM multicast");
-            board.receive("SUPO", "SUHO", "tell#%s;speed(3)".formatted(id));
-            board.receive("SUPO", "ROMA", "tell#%s;speed(4)".formatted(id));
-            agent.warns("dropped tell from SUHO");
-            agent.warns("dropped tell from ROMA");
-            agent.notesNothingElse();
-            assertEquals(2, refused(agent));
-        }
+        RunningAgent agent = doing(".diffuse(\"//SU\",askOne,speed(X))", board);
+        String id = Conversing.asked(board, "//SU askOne;.*");
+        agent.notes("done");
+        board.receive("SUPO", "SUHO", "tell#%s;speed(1)".formatted(id));
+        agent.notes("speed 1 SUHO multicast");
+        board.receive("SUPO", "SUAM", "tell#%s;speed(2)".formatted(id));
+        agent.notes("speed 2 SUAM multicast");
+        board.receive("SUPO", "SUHO", "tell#%s;speed(3)".formatted(id));
+        board.receive("SUPO", "ROMA", "tell#%s;speed(4)".formatted(id));
+        agent.warns("dropped tell from SUHO");
+        agent.warns("dropped tell from ROMA");
+        agent.notesNothingElse();
+        assertEquals(2, refused(agent));
     }
 
     @Test
@@ -377,39 +356,36 @@ class QuestionsTest {
         FakeBoard board = board();
         String action = "for (.range(I,1,%d)) { .diffuse(\"ROMA\",askOne,p(I)) }"
                 .formatted(Questions.MOST_UNAWAITED + 1);
-        try (RunningAgent agent = doing(action, board)) {
-            String first = Conversing.asked(board, "ROMA askOne;p\\(1\\)");
-            String second = Conversing.asked(board, "ROMA askOne;p\\(2\\)");
-            agent.notes("done");
-            board.receive("SUPO", "ROMA", "tell#%s;speed(1)".formatted(first));
-            board.receive("SUPO", "ROMA", "tell#%s;speed(2)".formatted(second));
-            agent.notes("speed 2 ROMA unicast");
-            assertEquals(1, refused(agent));
-        }
+        RunningAgent agent = doing(action, board);
+        String first = Conversing.asked(board, "ROMA askOne;p\\(1\\)");
+        String second = Conversing.asked(board, "ROMA askOne;p\\(2\\)");
+        agent.notes("done");
+        board.receive("SUPO", "ROMA", "tell#%s;speed(1)".formatted(first));
+        board.receive("SUPO", "ROMA", "tell#%s;speed(2)".formatted(second));
+        agent.notes("speed 2 ROMA unicast");
+        assertEquals(1, refused(agent));
     }
 
     @Test
     void ask_withoutWaitingAndOtherCannotAnswer_warns() {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askAll,speed(1))", board)) {
-            board.receive("SUPO", "ROMA", "sorry#%s;\"bad_content\"".formatted(
-                    Conversing.asked(board, "ROMA askAll;.*")));
-            agent.warns(";speed(1): bad_content");
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askAll,speed(1))", board);
+        board.receive("SUPO", "ROMA", "sorry#%s;\"bad_content\"".formatted(
+                Conversing.asked(board, "ROMA askAll;.*")));
+        agent.warns(";speed(1): bad_content");
     }
 
     @Test
     void send_intentionIsDroppedMeanwhile_answerIsRefused() throws Exception {
         FakeBoard board = board();
-        try (RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board)) {
-            String id = Conversing.asked(board, "ROMA askOne;free");
-            agent.achieve("forget");
-            agent.notesNothingElse();
-            board.receive("SUPO", "ROMA", "tell#%s;free".formatted(id));
-            agent.warns("it answers no question that is open");
-            agent.notesNothingElse();
-            assertEquals(1, refused(agent));
-        }
+        RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board);
+        String id = Conversing.asked(board, "ROMA askOne;free");
+        agent.achieve("forget");
+        agent.notesNothingElse();
+        board.receive("SUPO", "ROMA", "tell#%s;free".formatted(id));
+        agent.warns("it answers no question that is open");
+        agent.notesNothingElse();
+        assertEquals(1, refused(agent));
     }
 
     @Test
@@ -419,11 +395,10 @@ class QuestionsTest {
                 @a[atomic] +!atomic <- .send("ROMA",askOne,free,A); diffuser.note(A).
                 -!atomic[error(E)] <- diffuser.note(E).
                 """;
-        try (RunningAgent agent = RunningAgent.run(program, board)) {
-            agent.notes("ready");
-            agent.achieve("atomic");
-            agent.notes("undelivered");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = RunningAgent.run(program, board);
+        agent.notes("ready");
+        agent.achieve("atomic");
+        agent.notes("undelivered");
+        agent.notesNothingElse();
     }
 }

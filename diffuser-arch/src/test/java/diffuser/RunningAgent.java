@@ -9,13 +9,14 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.Consumer;
 import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
@@ -32,13 +33,11 @@ import jason.mas2j.ClassParameters;
 import jason.runtime.Settings;
 import jason.util.Config;
 
-/** A real Jason agent on its own thread, and what the test waits for. */
-final class RunningAgent implements AutoCloseable {
-
-    /** No test waits that long unless it fails. */
-    static final int PATIENCE_SECONDS = 120;
+/** A real Jason agent on its own thread, and what the test waits for. {@link ClosedAgents} closes it after the test. */
+final class RunningAgent {
 
     private static final AtomicInteger COUNT = new AtomicInteger();
+    private static final Deque<RunningAgent> OPEN = new ConcurrentLinkedDeque<>();
 
     static {
         Config.get().setProperty(Config.START_WEB_MI, "false");
@@ -114,6 +113,7 @@ final class RunningAgent implements AutoCloseable {
         body.setAgName(name);
         body.setEnvInfraTier(environment);
         body.createArchs(archs, Agent.class.getName(), null, source(program), new Settings());
+        OPEN.push(this);
         BaseLocalMAS.getRunner().addAg(body);
         Thread thread = new Thread(body);
         thread.setDaemon(true);
@@ -172,17 +172,6 @@ final class RunningAgent implements AutoCloseable {
         notes("probed");
     }
 
-    /** Brings the agent to where a test begins; one that does not come there is ended, and keeps no board. */
-    RunningAgent after(Consumer<RunningAgent> steps) {
-        try {
-            steps.accept(this);
-            return this;
-        } catch (AssertionError e) {
-            close();
-            throw e;
-        }
-    }
-
     String nextNote() {
         return next(note.of(name), "a note");
     }
@@ -206,9 +195,13 @@ final class RunningAgent implements AutoCloseable {
         assertEquals(expected, next(board.requests, "a request"));
     }
 
-    static String next(BlockingQueue<String> queue, String what) {
+    static <T> T next(BlockingQueue<T> queue, String what) {
         try {
-            String item = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            Patience patience = new Patience();
+            T item = null;
+            while (item == null && patience.lasts()) {
+                item = queue.poll(Patience.STEP.toNanos(), TimeUnit.NANOSECONDS);
+            }
             return item != null ? item : fail("waited in vain for " + what);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -218,18 +211,31 @@ final class RunningAgent implements AutoCloseable {
 
     /** The agent completes that many further cycles. */
     void cycles(int more) {
-        int target = body.getCycleNumber() + more;
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (body.getCycleNumber() < target && System.nanoTime() < end) {
-            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        for (int target = body.getCycleNumber() + more; body.getCycleNumber() < target;) {
+            cycle();
         }
-        assertTrue(body.getCycleNumber() >= target, "the agent stands still");
     }
 
-    @Override
-    public void close() {
-        body.stopAg();
-        BaseLocalMAS.getRunner().delAg(name);
-        root.removeHandler(handler);
+    private void cycle() {
+        int before = body.getCycleNumber();
+        Patience patience = new Patience();
+        while (body.getCycleNumber() == before) {
+            assertTrue(patience.lasts(), "the agent stands still");
+            LockSupport.parkNanos(Patience.STEP.toNanos() / 10);
+        }
+    }
+
+    /** Ends the agent, if it has not ended yet, and waits until its port is free. */
+    void close() {
+        if (OPEN.remove(this)) {
+            body.stopAg();
+            BaseLocalMAS.getRunner().delAg(name);
+            root.removeHandler(handler);
+        }
+    }
+
+    /** Ends all agents that have not ended yet, the last one first. */
+    static void closeAll() {
+        OPEN.forEach(RunningAgent::close);
     }
 }

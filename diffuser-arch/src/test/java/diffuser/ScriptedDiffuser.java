@@ -1,5 +1,7 @@
 package diffuser;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
 import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -15,6 +17,8 @@ public class ScriptedDiffuser extends Diffuser {
     private static final long serialVersionUID = 1L;
 
     private static final Map<String, FakeBoard> BOARDS = new ConcurrentHashMap<>();
+    /** Who has opened a port last; a link is opened on its session's thread. */
+    private static final Map<String, Thread> SESSIONS = new ConcurrentHashMap<>();
 
     static void plug(FakeBoard board) {
         BOARDS.put(board.name(), board);
@@ -30,13 +34,46 @@ public class ScriptedDiffuser extends Diffuser {
         return quick();
     }
 
+    /** The thread of the session that has opened a port last. */
+    static Thread session(String port) {
+        return SESSIONS.get(port);
+    }
+
+    /** Ends all sessions that are left, and unplugs all boards. */
+    static void endAll() throws InterruptedException {
+        Map<String, FakeBoard> boards = Map.copyOf(BOARDS);
+        BOARDS.clear();
+        boards.values().forEach(FakeBoard::discard);
+        for (Thread session : SESSIONS.values()) {
+            join(session);
+        }
+        SESSIONS.clear();
+    }
+
+    /** Waits until a session has ended. */
+    static void join(Thread session) throws InterruptedException {
+        Patience patience = new Patience();
+        while (session.isAlive() && patience.lasts()) {
+            session.join(Patience.STEP.toMillis());
+        }
+        assertFalse(session.isAlive(), "the session goes on");
+    }
+
     /** To the fake board of that name, or to a port that is missing. */
     static LinkOpener linkTo(String port) {
         FakeBoard board = BOARDS.get(port);
-        return board != null ? board : new LinkOpener() {
+        Object test = ClosedAgents.test();
+        return new LinkOpener() {
             @Override
             public Link open() throws LinkException {
-                throw new LinkException(port, "there is no such port");
+                SESSIONS.put(port, Thread.currentThread());
+                if (test != ClosedAgents.test()) {
+                    throw new IllegalStateException(port + ": a session goes on that another test has left behind");
+                }
+                if (board == null) {
+                    throw new LinkException(port, "there is no such port");
+                }
+                return board.open();
             }
 
             @Override

@@ -44,8 +44,7 @@ class SilenceWatchTest {
     }
 
     private CompletableFuture<Long> question() throws InterruptedException {
-        CompletableFuture<Long> question = questions.poll(RunningAgent.PATIENCE_SECONDS, TimeUnit.SECONDS);
-        assertTrue(question != null, "the board was asked no more");
+        CompletableFuture<Long> question = RunningAgent.next(questions, "a question to the board");
         while (question.getNumberOfDependents() == 0) {
             // The timer's thread has asked, and does not wait for the answer yet.
             Thread.onSpinWait();

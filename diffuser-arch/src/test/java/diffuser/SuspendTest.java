@@ -66,15 +66,14 @@ class SuspendTest {
     @CsvSource({".act(stop),do", ".act(stop),outer", "stop,do", "stop,outer"})
     void suspend_boardHasDoneIt_goesOnAfterResumeOnly(String action, String goal) {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = waiting(action, "A stop", board)) {
-            suspend(agent, goal);
-            board.release();
-            answerToAnother(agent, board);
-            resume(agent, goal);
-            agent.notes("done");
-            agent.notes("outer");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = waiting(action, "A stop", board);
+        suspend(agent, goal);
+        board.release();
+        answerToAnother(agent, board);
+        resume(agent, goal);
+        agent.notes("done");
+        agent.notes("outer");
+        agent.notesNothingElse();
     }
 
     /** When the board has answered this, the answer before is there too. */
@@ -89,32 +88,30 @@ class SuspendTest {
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_boardIsLost_failsAfterResumeOnly(String action) {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = waiting(action, "A stop", board)) {
-            suspend(agent, "do");
-            board.unplug();
-            board.release();
-            agent.warns("the board is off");
-            agent.notesNothingElse();
-            resume(agent, "do");
-            agent.notes("failed");
-            agent.notes("outer");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = waiting(action, "A stop", board);
+        suspend(agent, "do");
+        board.unplug();
+        board.release();
+        agent.warns("the board is off");
+        agent.notesNothingElse();
+        resume(agent, "do");
+        agent.notes("failed");
+        agent.notes("outer");
+        agent.notesNothingElse();
     }
 
     @ParameterizedTest
     @CsvSource({"DELIVERED,done", "UNDELIVERED,failed"})
     void suspend_messageHasEnded_goesOnAfterResumeOnly(Outcome outcome, String note) {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = waiting(".deliver(\"ROMA\",tell,help)", "ROMA tell;help", board)) {
-            board.release();
-            suspend(agent, "do");
-            board.end("ROMA tell;help", outcome);
-            answerToAnother(agent, board);
-            resume(agent, "do");
-            agent.notes(note);
-            agent.notes("outer");
-        }
+        RunningAgent agent = waiting(".deliver(\"ROMA\",tell,help)", "ROMA tell;help", board);
+        board.release();
+        suspend(agent, "do");
+        board.end("ROMA tell;help", outcome);
+        answerToAnother(agent, board);
+        resume(agent, "do");
+        agent.notes(note);
+        agent.notes("outer");
     }
 
     @Test
@@ -122,69 +119,65 @@ class SuspendTest {
         FakeBoard board = new FakeBoard("body").endingAll(Outcome.UNDELIVERED);
         String ask = ".send(\"ROMA\",askOne,p(_),_)";
         board.hold("ROMA askOne");
-        try (RunningAgent agent = run(PROGRAM.formatted(ask), board)) {
-            agent.notes("ready");
-            RunningAgent.asked(board, "I SUPO");
-            agent.achieve("outer");
-            Conversing.asked(board, "ROMA askOne;p\\(\\w+\\)");
-            suspend(agent, "do");
-            board.release();
-            answerToAnother(agent, board);
-            resume(agent, "do");
-            agent.notes("failed");
-            agent.notes("outer");
-        }
+        RunningAgent agent = run(PROGRAM.formatted(ask), board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        agent.achieve("outer");
+        Conversing.asked(board, "ROMA askOne;p\\(\\w+\\)");
+        suspend(agent, "do");
+        board.release();
+        answerToAnother(agent, board);
+        resume(agent, "do");
+        agent.notes("failed");
+        agent.notes("outer");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_resumedBeforeTheBoardAnswers_goesOnWhenItHas(String action) {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = waiting(action, "A stop", board)) {
-            suspend(agent, "do");
-            resume(agent, "do");
-            agent.notesNothingElse();
-            board.release();
-            agent.notes("done");
-            agent.notes("outer");
-        }
+        RunningAgent agent = waiting(action, "A stop", board);
+        suspend(agent, "do");
+        resume(agent, "do");
+        agent.notesNothingElse();
+        board.release();
+        agent.notes("done");
+        agent.notes("outer");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_droppedMeanwhile_nothingElseHappens(String action) {
         FakeBoard board = new FakeBoard("body");
-        try (RunningAgent agent = waiting(action, "A stop", board)) {
-            suspend(agent, "do");
-            board.release();
-            answerToAnother(agent, board);
-            agent.achieve("drop");
-            agent.notes("dropped");
-            resume(agent, "do");
-            agent.notesNothingElse();
-        }
+        RunningAgent agent = waiting(action, "A stop", board);
+        suspend(agent, "do");
+        board.release();
+        answerToAnother(agent, board);
+        agent.achieve("drop");
+        agent.notes("dropped");
+        resume(agent, "do");
+        agent.notesNothingElse();
     }
 
     @Test
     void suspend_plainActionBesideAnother_onlyTheOtherGoesOn() {
         FakeBoard board = new FakeBoard("body");
         String more = "+!second <- go; diffuser.note(second).";
-        try (RunningAgent agent = run(PROGRAM.formatted("stop") + more, board)) {
-            agent.notes("ready");
-            RunningAgent.asked(board, "I SUPO");
-            board.hold("A stop");
-            agent.achieve("outer");
-            RunningAgent.asked(board, "A stop");
-            suspend(agent, "do");
-            board.release();
-            for (int i = 0; i < 3; i++) {
-                agent.achieve("second");
-                RunningAgent.asked(board, "A go");
-                agent.notes("second");
-            }
-            agent.notesNothingElse();
-            resume(agent, "do");
-            agent.notes("done");
+        RunningAgent agent = run(PROGRAM.formatted("stop") + more, board);
+        agent.notes("ready");
+        RunningAgent.asked(board, "I SUPO");
+        board.hold("A stop");
+        agent.achieve("outer");
+        RunningAgent.asked(board, "A stop");
+        suspend(agent, "do");
+        board.release();
+        for (int i = 0; i < 3; i++) {
+            agent.achieve("second");
+            RunningAgent.asked(board, "A go");
+            agent.notes("second");
         }
+        agent.notesNothingElse();
+        resume(agent, "do");
+        agent.notes("done");
     }
 }

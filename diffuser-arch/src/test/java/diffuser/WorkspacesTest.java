@@ -41,49 +41,50 @@ class WorkspacesTest {
     @Test
     void act_boardIsOn_eachOperationIsInItsIntentionsWorkspace() {
         FakeBoard board = new FakeBoard("body").knowing("lampOn", "lampOff");
-        try (RunningAgent agent = run(board)) {
-            agent.achieve("go");
-            agent.notesAll("a", "b");
-            assertEquals(List.of(), board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
-        }
+        RunningAgent agent = run(board);
+        agent.achieve("go");
+        agent.notesAll("a", "b");
+        assertEquals(List.of(), board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
     }
 
     @Test
     void act_boardGoesAndComes_eachOperationIsInItsIntentionsWorkspace() {
         for (int run = 0; run < 5; run++) {
             FakeBoard board = new FakeBoard("body").knowing("lampOn", "lampOff");
-            try (RunningAgent agent = run(board)) {
-                Thread cable = new Thread(() -> {
-                    while (!Thread.currentThread().isInterrupted()) {
-                        board.unplug();
-                        agent.cycles(3);
-                        board.reset();
-                        board.plug();
-                        agent.cycles(3);
-                    }
-                });
-                cable.start();
+            RunningAgent agent = run(board);
+            Thread cable = new Thread(() -> {
+                while (!Thread.currentThread().isInterrupted()) {
+                    board.unplug();
+                    agent.cycles(3);
+                    board.reset();
+                    board.plug();
+                    agent.cycles(3);
+                }
+            });
+            cable.start();
+            try {
                 agent.achieve("go");
                 agent.notesAll("a", "b");
+            } finally {
                 cable.interrupt();
                 join(cable);
-                assertEquals(List.of(),
-                        board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
             }
+            assertEquals(List.of(),
+                    board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
+            agent.close();
         }
     }
 
     @Test
     void act_boardNeverCame_allGoesBehindWithOneWarning() {
         FakeBoard board = new FakeBoard("body").knowing("lampOn", "lampOff").unplugged();
-        try (RunningAgent agent = run(board)) {
-            agent.warns("there is no such port");
-            agent.achieve("go");
-            agent.notesAll("a", "b");
-            assertEquals(
-                    List.of("no board has answered on body yet: plain actions go to the environment until one has"),
-                    List.copyOf(agent.warnings));
-        }
+        RunningAgent agent = run(board);
+        agent.warns("there is no such port");
+        agent.achieve("go");
+        agent.notesAll("a", "b");
+        assertEquals(
+                List.of("no board has answered on body yet: plain actions go to the environment until one has"),
+                List.copyOf(agent.warnings));
     }
 
     private static void join(Thread thread) {

@@ -95,20 +95,18 @@ class WrongArgumentsTest {
             "speed(X)                          | action_failed   | the action speed(X) has a variable without a value",
     })
     void action_wrongArgument_failsThePlanAndSaysWhatWasExpected(String action, String error, String fragment) {
-        try (RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action), new FakeBoard("desk"))) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith(error + " :"), note);
-            assertTrue(note.contains(fragment), note);
-        }
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action), new FakeBoard("desk"));
+        String note = agent.nextNote();
+        assertTrue(note.startsWith(error + " :"), note);
+        assertTrue(note.contains(fragment), note);
     }
 
     @Test
     void infrastructure_listWithAnOpenEnd_failsThePlan() {
         String program = PROGRAM.formatted(".infrastructure(lte,[com|X])");
-        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"))) {
-            String note = agent.nextNote();
-            assertTrue(note.contains("a list of com and mob, or [], was expected, not '[com|X]'"), note);
-        }
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"));
+        String note = agent.nextNote();
+        assertTrue(note.contains("a list of com and mob, or [], was expected, not '[com|X]'"), note);
     }
 
     @Test
@@ -116,11 +114,10 @@ class WrongArgumentsTest {
         String atom = "a".repeat(520);
         String program = PROGRAM.formatted(".act(" + atom + ")") + "+!say <- .diffuse(broadcast,tell," + atom + ")."
                 + "-!say[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
-        try (RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"))) {
-            agent.notes("too_long : an action has 1…510 bytes of UTF-8, not 520");
-            agent.achieve("say");
-            agent.notes("too_long : a content has at most 494 bytes of UTF-8, not 525");
-        }
+        RunningAgent agent = RunningAgent.run(program, new FakeBoard("desk"));
+        agent.notes("too_long : an action has 1…510 bytes of UTF-8, not 520");
+        agent.achieve("say");
+        agent.notes("too_long : a content has at most 494 bytes of UTF-8, not 525");
     }
 
     @ParameterizedTest
@@ -128,11 +125,10 @@ class WrongArgumentsTest {
             ".deliver(\"ROMA\",tell,help)"})
     void action_noPortOpened_failsWithNoPort(String action) {
         String program = "!do. +!do <- " + action + ". -!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
-        try (RunningAgent agent = RunningAgent.run(program)) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith("no_port : agent "), note);
-            assertTrue(note.contains("open one with .port"), note);
-        }
+        RunningAgent agent = RunningAgent.run(program);
+        String note = agent.nextNote();
+        assertTrue(note.startsWith("no_port : agent "), note);
+        assertTrue(note.contains("open one with .port"), note);
     }
 
     @ParameterizedTest
@@ -142,10 +138,9 @@ class WrongArgumentsTest {
             ".deliver(\"ROMA\",tell,help)", ".act(stop)"})
     void action_agentHasNoDiffuser_failsAndSaysWhichArchitecture(String action) {
         String program = "!do. +!do <- " + action + ". -!do[error(E),error_msg(M)] <- diffuser.note(E,\":\",M).";
-        try (RunningAgent agent = RunningAgent.run(program, null, List.of())) {
-            String note = agent.nextNote();
-            assertTrue(note.startsWith("no_diffuser : "), note);
-            assertTrue(note.contains("diffuser.Diffuser"), note);
-        }
+        RunningAgent agent = RunningAgent.run(program, null, List.of());
+        String note = agent.nextNote();
+        assertTrue(note.startsWith("no_diffuser : "), note);
+        assertTrue(note.contains("diffuser.Diffuser"), note);
     }
 }

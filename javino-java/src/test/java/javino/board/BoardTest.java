@@ -19,6 +19,7 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import javino.JavinoException;
 import javino.link.Link;
+import javino.link.LinkException;
 import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
@@ -69,6 +70,33 @@ class BoardTest extends BoardFixture {
     /** So that a busy machine has nothing repeated, hello included. */
     private static BoardConfig.Builder withoutHurry(BoardConfig.Builder config) {
         return config.setReplyTimeout(Duration.ofSeconds(30)).setHelloInterval(Duration.ofSeconds(30));
+    }
+
+    @Test
+    void open_onJava21AndNewer_sessionIsAVirtualThread() throws Exception {
+        CompletableFuture<Thread> session = new CompletableFuture<>();
+        board = Board.open(new LinkOpener() {
+            @Override
+            public Link open() throws LinkException {
+                session.complete(Thread.currentThread());
+                return port.open();
+            }
+
+            @Override
+            public String name() {
+                return port.name();
+            }
+        }, quick(config -> {}), listener);
+        assertEquals(Runtime.version().feature() >= 21, isVirtual(session.get()));
+        assertTrue(session.get().isDaemon());
+    }
+
+    private static boolean isVirtual(Thread thread) throws ReflectiveOperationException {
+        try {
+            return (boolean) Thread.class.getMethod("isVirtual").invoke(thread);
+        } catch (NoSuchMethodException e) {
+            return false;
+        }
     }
 
     @Test
