@@ -108,8 +108,17 @@ if [ "$(id -u)" -ne 0 ]; then
     as_root=(sudo)
 fi
 export DEBIAN_FRONTEND=noninteractive
-"${as_root[@]}" apt-get update -qq
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# What apt prints is shown only if it fails.
+apt() {
+    "${as_root[@]}" apt-get "$@" >"$log" 2>&1 && return
+    tail -n 20 "$log" >&2
+    say "apt-get $1 has failed; its last lines are above" >&2
+    exit 1
+}
+apt update -qq
 for i in "${!missing[@]}"; do missing[i]=$(first_known "${missing[i]}"); done
 say "installing ${missing[*]}"
-"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+apt install -y -qq --no-install-recommends "${missing[@]}"
 say "done"
