@@ -6,8 +6,8 @@ import java.time.Duration;
 import com.sun.management.OperatingSystemMXBean;
 
 /**
- * How long a test waits before it fails: some seconds in which nothing happens. A step that ends late, or in which this process
- * computes, does not count, up to 120 s in all: so no test fails because the machine is busy.
+ * How long a test waits before it fails: some seconds in which nothing happens. A step that ends late, or in which this
+ * process computes, does not count, up to 120 s in all: so no test fails because the machine is busy.
  */
 final class Patience {
 
