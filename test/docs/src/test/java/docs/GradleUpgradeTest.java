@@ -2,6 +2,7 @@ package docs;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
@@ -11,13 +12,16 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.codehaus.groovy.control.CompilationFailedException;
+import org.codehaus.groovy.control.CompilationUnit;
+import org.codehaus.groovy.control.Phases;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * The build files, and those of `javino new`, have nothing that Gradle 5 to 9 have removed, but on lines that end in
- * "before" and a version, which older ones alone run. No newer Gradle is run here: this reads.
+ * "before" and a version, which older ones alone run. No newer Gradle is run here, only the parser of Gradle 9.
  */
 class GradleUpgradeTest {
 
@@ -119,6 +123,21 @@ class GradleUpgradeTest {
                         file + " marks what is there in all versions: " + lines.get(line));
             }
         }
+    }
+
+    /** upgrading_major_version_9, groovy-4; upgrading_version_6, Changes to Groovy and Groovy DSL. */
+    @Test
+    void buildFiles_parserOfGradle9_acceptsThem() {
+        for (Path file : Repository.files("", ".gradle")) {
+            parse(Repository.text(file), file.toString());
+        }
+        assertThrows(CompilationFailedException.class, () -> parse("task a {\n    doLast { println 1 \n}\n", "a"));
+    }
+
+    private static void parse(String text, String name) {
+        CompilationUnit unit = new CompilationUnit();
+        unit.addSource(name, text);
+        unit.compile(Phases.CONVERSION);
     }
 
     /** upgrading_major_version_9, test_task_fails_when_no_tests_are_discovered. */
