@@ -14,10 +14,11 @@ import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
+import javino.protocol.Status;
 
 /**
- * A board in memory that greets, has no actions, perceives one thing, and holds its replies to polls as a real one
- * does. All of them share a thread.
+ * A board in memory that greets, has no actions, no keys and no radio, perceives one thing, and holds its replies to
+ * polls as a real one does. All of them share a thread.
  */
 final class MemoryBoard implements LinkOpener {
 
@@ -25,7 +26,13 @@ final class MemoryBoard implements LinkOpener {
             Bytes.join(Bytes.of(0, 1), Bytes.ofText("ROMA"), Bytes.of(0, 0, 1), Bytes.ofText("memory"));
 
     private static final Bytes NO_ACTIONS = Bytes.of(0, 0);
+    /** An empty list, of keys or of counters. */
+    private static final Bytes NONE = Bytes.of(0);
     private static final Bytes NOTHING_NEW = Bytes.of(0, 0);
+    /** Flags of a poll (SPEC 4.3). */
+    private static final int WANTED = 1;
+    private static final int AT_ONCE = 2;
+    private static final int LOST = 4;
     /** How often a sketch reads its sensors by default. */
     private static final Duration SAMPLE = Duration.ofMillis(20);
     private static final ScheduledExecutorService PLAYER = Executors.newSingleThreadScheduledExecutor(task -> {
@@ -73,6 +80,7 @@ final class MemoryBoard implements LinkOpener {
         private final InMemoryLink.Pair pair;
         private final PacketDecoder decoder = new PacketDecoder();
         private int light;
+        private boolean greeted;
         private boolean told;
         private Packet held;
         private Future<?> end;
@@ -97,17 +105,38 @@ final class MemoryBoard implements LinkOpener {
 
         private void answer(Packet request) {
             Bytes message = request.frame().message();
-            switch (message.at(0)) {
-                case 'P' -> poll(request, message);
-                case 'C' -> reply(request, NO_ACTIONS);
-                default -> reply(request, GREETING);
+            boolean isCommand = request.frame().destination().equals(Address.SERIAL) && message.length() > 0;
+            int command = isCommand ? message.at(0) : 0;
+            if (command == 'P' && greeted) {
+                poll(request, message);
+            } else {
+                reply(request, answer(command));
             }
         }
 
+        private Bytes answer(int command) {
+            if (command == 'H') {
+                greeted = true;
+                told = false;
+                return GREETING;
+            }
+            if (!greeted) {
+                return Bytes.of(Status.NOT_GREETED.ordinal());
+            }
+            return switch (command) {
+                case 'C' -> NO_ACTIONS;
+                case 'L', 'S' -> NONE;
+                default -> Bytes.of(Status.UNKNOWN_COMMAND.ordinal());
+            };
+        }
+
         private void poll(Packet request, Bytes message) {
-            boolean news = (message.at(1) & 1) != 0 && (changes || !told);
+            int flags = message.at(1);
+            told = told && (flags & (WANTED | LOST)) == WANTED;
+            boolean now = !told || (flags & AT_ONCE) != 0;
+            boolean news = (flags & WANTED) != 0 && (changes || now);
             held = request;
-            Duration time = !news ? Duration.ofMillis(message.number(2, 4)) : told ? SAMPLE : Duration.ZERO;
+            Duration time = !news ? Duration.ofMillis(message.number(2, 4)) : now ? Duration.ZERO : SAMPLE;
             end = PLAYER.schedule(() -> endHold(request, news), time.toNanos(), TimeUnit.NANOSECONDS);
         }
 

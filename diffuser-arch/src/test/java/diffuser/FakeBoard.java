@@ -397,7 +397,7 @@ final class FakeBoard implements LinkOpener {
 
     private Bytes actions(int offset) {
         Bytes names = Bytes.ofText(String.join("", actions.stream().map(name -> name + "\0").toList()));
-        return Bytes.join(Bytes.of(actions.size()), names.from(offset));
+        return Bytes.join(Bytes.of(actions.size()), names.from(Math.min(offset, names.length())));
     }
 
     private Bytes hello() {

@@ -290,7 +290,7 @@ public final class FakeBoard {
     private Bytes listActions(int offset) {
         Bytes names = Bytes.ofText(String.join("", actions.stream().map(name -> name + "\0").toList()));
         int end = Math.min(names.length(), offset + actionBytesInAReply);
-        return Bytes.join(Bytes.of(0, actions.size()), names.slice(offset, end));
+        return Bytes.join(Bytes.of(0, actions.size()), names.slice(Math.min(offset, end), end));
     }
 
     /** The check values of an address's keys: what seals, and beside it a next or a previous one, or null. */

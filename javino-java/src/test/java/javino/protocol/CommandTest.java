@@ -5,11 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
-import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonPrimitive;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -78,91 +74,6 @@ class CommandTest {
         return Reply.decode(new Frame(Address.SERIAL, Address.SERIAL, VectorFile.bytes(vector, "message")));
     }
 
-    /** What the reply to a command says, in the form of the vectors. */
-    private static JsonObject read(String name, Reply reply) throws ProtocolException {
-        JsonObject fields = new JsonObject();
-        switch (name) {
-            case "hello" -> {
-                BoardInfo info = reply.boardInfo();
-                fields.addProperty("version", info.protocolVersion());
-                fields.add("rfId", info.rfId().<JsonElement>map(id -> new JsonPrimitive(id.toString()))
-                        .orElse(JsonNull.INSTANCE));
-                fields.addProperty("bootEpoch", info.bootEpoch());
-                fields.addProperty("firmware", info.firmware());
-            }
-            case "poll" -> {
-                PollReply poll = reply.poll();
-                fields.addProperty("more", poll.more());
-                fields.addProperty("leftOut", poll.leftOut());
-                fields.addProperty("reading", poll.reading());
-                JsonArray records = new JsonArray();
-                for (PollReply.Item item : poll.records()) {
-                    records.add(describe(item));
-                }
-                fields.add("records", records);
-            }
-            case "listActions" -> {
-                ActionNames actions = reply.actionNames();
-                fields.addProperty("count", actions.count());
-                fields.addProperty("told", actions.told().hex());
-                fields.addProperty("all", actions.areAll());
-                JsonArray names = new JsonArray();
-                actions.names().forEach(names::add);
-                fields.add("names", names);
-            }
-            case "setKey", "renewKey", "setSessionKey" -> fields.addProperty("check", reply.checkValue().hex());
-            case "listKeys" -> {
-                JsonArray keys = new JsonArray();
-                for (Reply.StoredKey key : reply.storedKeys()) {
-                    JsonObject entry = new JsonObject();
-                    entry.addProperty("address", key.address().toString());
-                    entry.addProperty("role", key.role().ordinal());
-                    entry.addProperty("check", key.check().hex());
-                    keys.add(entry);
-                }
-                fields.add("keys", keys);
-            }
-            case "statistics" -> {
-                JsonObject counters = new JsonObject();
-                reply.statistics().forEach((counter, value) -> counters.addProperty(counter.toString(), value));
-                fields.add("counters", counters);
-            }
-            case "relaying", "isRelaying" -> fields.addProperty("on", reply.relaying());
-            case "transmit", "relay" -> fields.addProperty("number", reply.transmissionNumber());
-            default -> reply.nothing();
-        }
-        return fields;
-    }
-
-    private static JsonObject describe(PollReply.Item item) throws ProtocolException {
-        JsonObject described = new JsonObject();
-        if (item instanceof PollReply.Percept percept) {
-            described.addProperty("type", "percept");
-            described.addProperty("literal", percept.literal().text());
-        } else if (item instanceof PollReply.Transmission transmission) {
-            described.addProperty("type", "transmission");
-            described.addProperty("number", transmission.number());
-            described.addProperty("outcome", transmission.outcome().ordinal());
-        } else if (item instanceof PollReply.Message message) {
-            described.addProperty("type", "message");
-            described.addProperty("number", message.number());
-            described.addProperty("destination", message.destination().toString());
-            described.addProperty("origin", message.origin().toString());
-            described.addProperty("id", message.id());
-            described.addProperty("content", Content.decode(message.content()).toString());
-        } else if (item instanceof PollReply.NoKey frame) {
-            described.addProperty("type", "noKey");
-            described.addProperty("destination", frame.destination().toString());
-            described.addProperty("origin", frame.origin().toString());
-        } else if (item instanceof PollReply.Overheard packet) {
-            described.addProperty("type", "overheard");
-            described.addProperty("millis", packet.millis());
-            described.addProperty("how", packet.how().ordinal());
-            described.addProperty("payload", packet.payload().hex());
-        }
-        return described;
-    }
-
     @ParameterizedTest
     @MethodSource("requests")
     void frame_requestVector_carriesItsMessage(JsonObject vector) throws ProtocolException {
@@ -179,13 +90,14 @@ class CommandTest {
         Reply reply = replyOf(vector);
         assertEquals(VectorFile.text(vector, "status"), reply.status().name());
         assertEquals(vector.getAsJsonObject("fields").toString(),
-                read(VectorFile.text(vector, "name"), reply).toString());
+                BoardVectors.read(VectorFile.text(vector, "name"), reply).toString());
     }
 
     @ParameterizedTest
     @MethodSource("badReplies")
     void decode_badReplyVector_throws(JsonObject vector) {
-        assertThrows(ProtocolException.class, () -> read(VectorFile.text(vector, "name"), replyOf(vector)));
+        assertThrows(ProtocolException.class,
+                () -> BoardVectors.read(VectorFile.text(vector, "name"), replyOf(vector)));
     }
 
     @Test
@@ -211,7 +123,7 @@ class CommandTest {
     private static void assertReadOrRefused(JsonObject vector, Bytes message) {
         try {
             Reply reply = Reply.decode(new Frame(Address.SERIAL, Address.SERIAL, message));
-            read(VectorFile.text(vector, "name"), reply);
+            BoardVectors.read(VectorFile.text(vector, "name"), reply);
         } catch (ProtocolException e) {
             assertFalse(e.getMessage().isBlank());
         }
