@@ -13,7 +13,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 import uppaal.replay.Replay;
 
 /** The launcher of the five-vehicle scenario: exit status 0 if all behaviours were observed and the model
- * allows what the boards did, 1 if not. */
+ * allows what the boards did, 1 if not; also of a run with a page that a signal ends. */
 @Command(name = "highway", description = "Runs the five-vehicle scenario on emulated boards.")
 public final class Highway implements Callable<Integer> {
 
@@ -54,7 +54,8 @@ public final class Highway implements Callable<Integer> {
         Runtime.getRuntime().addShutdownHook(new Thread(() -> {
             scenario.close();
             if (options.live() && scenario.agentsStarted()) {
-                tellVerdict(scenario.model(), timeline);
+                // Java's own status would be that of the signal.
+                Runtime.getRuntime().halt(verdict(scenario, timeline));
             }
         }, "end everything"));
         try (scenario) {
@@ -68,14 +69,15 @@ public final class Highway implements Callable<Integer> {
             return CommandLine.ExitCode.SOFTWARE;
         }
         timeline.table(scenario.behaviours());
-        Replay model = scenario.model();
-        tellVerdict(model, timeline);
-        return scenario.allObserved() && model.refusal().isEmpty() ? CommandLine.ExitCode.OK
-                : CommandLine.ExitCode.SOFTWARE;
+        return verdict(scenario, timeline);
     }
 
-    private static void tellVerdict(Replay model, Timeline timeline) {
-        timeline.verdict(model.verdict(), model.refusal().isEmpty());
+    /** Says what the model thinks of the run; the exit status. */
+    private static int verdict(Scenario scenario, Timeline timeline) {
+        Replay model = scenario.model();
+        boolean accepted = model.refusal().isEmpty();
+        timeline.verdict(model.verdict(), accepted);
+        return scenario.allObserved() && accepted ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
     }
 
     private void run(Scenario scenario, Timeline timeline)

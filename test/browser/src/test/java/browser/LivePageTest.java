@@ -48,8 +48,9 @@ class LivePageTest {
             page.await("tr.packet", 8);
             page.screenshot("sniffer");
             assertClean(page);
-            run.end();
+            int status = run.end();
             assertTrue(run.said().contains("model: trace accepted"), run::said);
+            assertEquals(0, status, run::said);
         }
         try (LiveRun watch = LiveRun.watch(folder, "--trace", "build/trace.jsonl");
                 Page page = Page.open(watch.address())) {

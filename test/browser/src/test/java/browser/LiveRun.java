@@ -151,8 +151,8 @@ final class LiveRun implements AutoCloseable {
         return events;
     }
 
-    /** Ends it as Ctrl-C does, and waits for what it says at the end. */
-    void end() {
+    /** Ends it as Ctrl-C does, and waits for what it says at the end; its exit status. */
+    int end() {
         if (emulator != null) {
             emulator.destroy();
         }
@@ -167,6 +167,7 @@ final class LiveRun implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        return process.exitValue();
     }
 
     @Override
