@@ -144,9 +144,9 @@ void Reassembly::takeBack() {
   lent_ = false;
 }
 
-// As bytes, which are of any type: so the compiler mixes up nothing of what was there and what will be.
+// The last one, which is lent. As bytes, which are of any type: so the compiler mixes up nothing of what was there and what will be.
 PartialFrame &Reassembly::lastCleared() {
-  PartialFrame &last = frames_[config::REASSEMBLIES - 1];
+  PartialFrame &last = *end();
   memset(static_cast<void *>(&last), 0, sizeof last);
   return last;
 }

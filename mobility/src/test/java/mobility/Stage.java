@@ -35,10 +35,10 @@ final class Stage extends AgArch {
     }
 
     /** What the agent has done, an action each. */
-    final List<String> done = new ArrayList<>();
-    final TransitionSystem ts;
+    final transient List<String> done = new ArrayList<>();
+    final transient TransitionSystem ts;
     /** The intention that has said {@code mobility.leave}. */
-    Intention mover;
+    transient Intention mover;
 
     private Stage(Agent agent) throws Exception {
         ts = new TransitionSystem(agent, null, new Settings(), this);
