@@ -125,7 +125,7 @@ class CommandsTest {
         });
         thief.start();
         try {
-            for (int i = 0; i < 100; i++) {
+            for (int i = 0; i < 30; i++) {
                 Files.deleteIfExists(file);
                 run("keygen", "--out", file.toString(), "--group", "SU");
             }
