@@ -27,7 +27,8 @@ final class Forger {
     /**
      * Says some words of handshakes in all names again and again.
      *
-     * @param kinds each that of a host's word, or {@code SEALED} for what its board cannot open.
+     * @param kinds each that of a host's word; or {@code SEALED} for what its board cannot open, or {@code OTHERS} for
+     *              words to somebody else.
      * @param share of the air that is taken for it.
      * @param until so long, in ms.
      */
@@ -46,13 +47,19 @@ final class Forger {
 
     /** One word in a device's name to the next one. */
     private List<Air.Packet> packets(String kind, Address name) {
-        Address to = names.get((names.indexOf(name) + 1) % names.size());
+        boolean others = kind.equals("OTHERS");
+        Address to = others ? any.certificate().address() : names.get((names.indexOf(name) + 1) % names.size());
         byte[] noise = new byte[LONGEST];
         world.random.nextBytes(noise);
         if (kind.equals("SEALED")) {
             return List.of(new Air.Packet(name, to, Bytes.copyOf(noise).slice(0, 16), World.anyKey(world.random), 0));
         }
-        HostWord.Kind forged = HostWord.Kind.valueOf(kind);
+        HostWord.Kind forged = others ? HostWord.Kind.WANT : HostWord.Kind.valueOf(kind);
+        if (forged == HostWord.Kind.WANT) {
+            // Only messages 1 to 3 are wanted, each of two fragments at most.
+            noise[0] = (byte) HostWord.Kind.values()[world.random.nextInt(HostWord.Kind.RENEWAL_3.ordinal() + 1)]
+                    .first(world.random.nextInt(2));
+        }
         // A message 1 proves nothing, so a forged one is like any other.
         Bytes message = forged == HostWord.Kind.MESSAGE_1
                 ? new Initiator(any.with(to), new SecureRandom()).message1() : Bytes.copyOf(noise);
