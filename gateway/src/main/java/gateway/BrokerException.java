@@ -69,8 +69,8 @@ final class BrokerException extends JavinoException {
             return "nobody answers there; is the broker running?";
         }
         return failure instanceof ConnectionClosedException
-                ? "the connection was closed; is it a broker for MQTT 5, and is it mqtts://? Or it has ended, or another "
-                        + "client has come by this gateway's id"
+                ? "the connection was closed; is it a broker for MQTT 5, and is it mqtts://? Or it has ended, or "
+                        + "another client has come by this gateway's id"
                 : failure.getClass().getSimpleName() + ": " + failure.getMessage();
     }
 

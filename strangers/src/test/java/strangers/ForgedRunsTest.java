@@ -66,7 +66,7 @@ class ForgedRunsTest {
     @ParameterizedTest
     @MethodSource("attacks")
     void send_whileRunsAreForged_isDelivered(String kinds, double share) {
-        forge(kinds, share, 0, 6);
+        forge(kinds, share, 0, 4);
     }
 
     @ParameterizedTest

@@ -12,6 +12,7 @@ import strangers.edhoc.Initiator;
 final class Forger {
 
     private static final int LONGEST = 100;
+    private static final long GAP_MILLIS = 200;
 
     private final World world;
     private final Identity any;
@@ -38,8 +39,15 @@ final class Forger {
         long period = (long) (once / share);
         for (long at = world.random.nextLong(period); at < until; at += period) {
             world.after(at, () -> {
+                // One after the other, as two at once would meet.
+                long wait = 0;
                 for (String kind : kinds) {
-                    names.forEach(name -> packets(kind, name).forEach(world.air::send));
+                    for (Address name : names) {
+                        for (Air.Packet packet : packets(kind, name)) {
+                            world.after(wait, () -> world.air.send(packet));
+                            wait += (long) (packet.bits() / Air.BITS_A_MILLI) + GAP_MILLIS;
+                        }
+                    }
                 }
             });
         }
