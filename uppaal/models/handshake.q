@@ -15,17 +15,17 @@ A[] (key[1] == 1 imply (AnswerB1_1.Done && RunA1.Done)) && \
     (key[0] == 5 imply (AnswerA1_1.Done && RunB1.Done)) && \
     (key[0] == 6 imply (AnswerA1_2.Done && RunB1.Done))
 /* H4 holds: what the attacker forges gives nobody a key. */
-A[] ForgedA.HalfOpen imply (half[0] && !setting[0])
+A[] ForgedA.HalfOpen imply (half[0] > 0 && !setting[0])
 /* H5 holds: nothing is stuck before all that was begun has ended. */
-A[] deadlock imply !(open[0] || open[1] || half[0] || half[1] || setting[0] || setting[1])
+A[] deadlock imply !(open[0] || open[1] || half[0] > 0 || half[1] > 0 || setting[0] || setting[1])
 /* H6 holds: each handshake that was begun ends. */
 RunA1.Open --> RunA1.Done || RunA1.Over
 /* H7 holds: and so does that of the other host. */
 RunB1.Open --> RunB1.Done || RunB1.Over
 /* H8 holds: each answer ends, too. */
 AnswerB1_1.HalfOpen --> AnswerB1_1.Done || AnswerB1_1.Over
-/* H9 holds: also if it takes the place of a forged one. */
-half[1] --> !half[1]
+/* H9 holds: and so does that of the other host. */
+AnswerA1_1.HalfOpen --> AnswerA1_1.Done || AnswerA1_1.Over
 /* H10 holds: who has a proved key, and the other another one or none, may come to another handshake. */
 E<> session[0] == PROVEN && key[1] != key[0] && session[1] == UNPROVEN
 /* H11 holds: both may begin at once, and then the run of the lower address gives the key. */
@@ -42,22 +42,16 @@ E<> key[0] != 0 && key[1] != 0 && key[0] != key[1] && session[0] == UNPROVEN && 
 E<> AnswerB1_2.Done && key[0] == 2 && key[1] == 2
 /* H17 holds: what a host remembers of its handshakes is so: of those that it has begun. */
 A[] open[0] == (RunA1.Open || RunA2.Open) && open[1] == RunB1.Open
-/* H18 holds: of those that it has answered, one at a time. */
-A[] half[0] == (AnswerA1_1.HalfOpen || AnswerA1_2.HalfOpen || ForgedA.HalfOpen) && \
-    half[1] == (AnswerB1_1.HalfOpen || AnswerB1_2.HalfOpen || AnswerB2_1.HalfOpen || AnswerB2_2.HalfOpen || ForgedB.HalfOpen) && \
-    (ForgedA.HalfOpen imply !(AnswerA1_1.HalfOpen || AnswerA1_2.HalfOpen)) && \
-    (AnswerA1_1.HalfOpen imply !AnswerA1_2.HalfOpen) && \
-    (ForgedB.HalfOpen imply !(AnswerB1_1.HalfOpen || AnswerB1_2.HalfOpen || AnswerB2_1.HalfOpen || AnswerB2_2.HalfOpen)) && \
-    (AnswerB1_1.HalfOpen imply !(AnswerB1_2.HalfOpen || AnswerB2_1.HalfOpen || AnswerB2_2.HalfOpen)) && \
-    (AnswerB1_2.HalfOpen imply !(AnswerB2_1.HalfOpen || AnswerB2_2.HalfOpen)) && \
-    (AnswerB2_1.HalfOpen imply !AnswerB2_2.HalfOpen)
+/* H18 holds: of those that it has answered, each beside the others. */
+A[] half[0] == (AnswerA1_1.HalfOpen ? 1 : 0) + (AnswerA1_2.HalfOpen ? 1 : 0) + (ForgedA.HalfOpen ? 1 : 0) && \
+    half[1] == (AnswerB1_1.HalfOpen ? 1 : 0) + (AnswerB1_2.HalfOpen ? 1 : 0) + (AnswerB2_1.HalfOpen ? 1 : 0) + (AnswerB2_2.HalfOpen ? 1 : 0) + (ForgedB.HalfOpen ? 1 : 0)
 /* H19 holds: of those that give its board a key. */
 A[] setting[0] == (RunA1.Setting || RunA2.Setting || AnswerA1_1.Setting || AnswerA1_2.Setting) && \
     setting[1] == (RunB1.Setting || AnswerB1_1.Setting || AnswerB1_2.Setting || AnswerB2_1.Setting || AnswerB2_2.Setting)
 /* H20 holds: while its board is given a key, nothing else of it is open. */
-A[] (setting[0] imply !(open[0] || half[0])) && (setting[1] imply !(open[1] || half[1]))
-/* H21 holds: who has the lower address, and has begun, does not answer. */
-A[] !(open[0] && half[0])
+A[] (setting[0] imply !open[0] && half[0] == 0) && (setting[1] imply !open[1] && half[1] == 0)
+/* H21 holds: a forged one that never ends holds back nobody: who has answered it begins all the same, and gets a key. */
+E<> ForgedA.HalfOpen && ForgedB.HalfOpen && RunA1.Open
 /* H22 holds: who has the higher one does. */
 E<> open[1] && AnswerB1_1.HalfOpen
 /* H23 holds: and what is forged may seem to be one that it is to answer. */
@@ -107,3 +101,7 @@ E<> faults == 1 && RunA1.Over && key[0] == 0 && AnswerB1_1.HalfOpen && RunA2.Ope
 E<> faults == 1 && AnswerB1_1.Over && RunA1.Done && key[1] == 0 && open[1]
 /* H44 holds: a reset loses a key that was proved. */
 E<> faults == 1 && AnswerB1_1.Done && key[1] == 0 && key[0] == 1
+/* H45 holds: beside a forged one, a genuine one is answered and gives the key. */
+E<> ForgedB.HalfOpen && AnswerB1_1.HalfOpen && RunA1.Done
+/* H46 holds: and when it has, the forged one is over. */
+A[] (AnswerB1_1.Setting imply !ForgedB.HalfOpen) && (RunA1.Setting imply !ForgedA.HalfOpen)

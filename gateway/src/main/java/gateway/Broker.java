@@ -7,12 +7,15 @@ import com.hivemq.client.mqtt.mqtt5.Mqtt5Client;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
 import com.hivemq.client.mqtt.mqtt5.datatypes.Mqtt5UserProperties;
 import com.hivemq.client.mqtt.mqtt5.datatypes.Mqtt5UserProperty;
+import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
 import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscribe;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5Subscription;
 import java.nio.charset.StandardCharsets;
+import java.security.SecureRandom;
 import java.util.HashMap;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
@@ -29,8 +32,11 @@ final class Broker implements AutoCloseable {
     private static final int KEEP_ALIVE_SECONDS = 10;
     private static final long CONNECT_SECONDS = 20;
     private static final long CLOSE_SECONDS = 2;
-    /** Longer, from one attempt to the next, after each that fails. */
+    /** Before the next attempt: longer after each connection that has failed, or has not lasted. */
     private static final long[] PAUSES_MILLIS = {250, 500, 1000, 2000, 4000};
+    private static final long LASTS_MILLIS = 10_000;
+    /** Of a client's id. With it any user of the broker could end the connection, so nobody may guess it. */
+    private static final int ID_BYTES = 11;
     /** Messages that the network has not taken yet. */
     private static final int MOST_UNDER_WAY = 64;
     /** Messages that have come and are not worked off. The broker waits with those of QoS 1; others are dropped. */
@@ -40,13 +46,16 @@ final class Broker implements AutoCloseable {
 
     private final BrokerConfig config;
     private final List<Mqtt5Subscription> subscriptions;
+    private final Message will;
     private final Listener listener;
-    private final Mqtt5AsyncClient client;
+    private volatile Mqtt5AsyncClient client;
     private final AtomicInteger underWay = new AtomicInteger();
     /** For the first time. */
     private final CompletableFuture<Void> subscribed = new CompletableFuture<>();
-    private volatile boolean wanted;
+    private volatile boolean wanted = true;
     private volatile boolean connected;
+    private volatile long connectedAt;
+    private volatile int failed;
 
     /** Told what happens, on a thread of the client. */
     interface Listener {
@@ -106,13 +115,20 @@ final class Broker implements AutoCloseable {
         }
     }
 
-    private Broker(BrokerConfig config, String name, List<String> topics, Message will, Listener listener) {
+    private Broker(BrokerConfig config, List<String> topics, Message will, Listener listener) {
         this.config = config;
+        this.will = will;
         this.listener = listener;
         subscriptions = topics.stream()
                 .map(topic -> Mqtt5Subscription.builder().topicFilter(topic).qos(MqttQos.AT_LEAST_ONCE).build())
                 .toList();
-        Mqtt5ClientBuilder builder = Mqtt5Client.builder().identifier(name)
+    }
+
+    /** Connects, by a name that this client has never had and nobody else knows. */
+    private CompletableFuture<Mqtt5ConnAck> open() {
+        byte[] random = new byte[ID_BYTES];
+        new SecureRandom().nextBytes(random);
+        Mqtt5ClientBuilder builder = Mqtt5Client.builder().identifier(HexFormat.of().formatHex(random))
                 .serverHost(config.host()).serverPort(config.port())
                 .willPublish(will.toPublish())
                 .addConnectedListener(context -> subscribe())
@@ -123,23 +139,22 @@ final class Broker implements AutoCloseable {
         client = config.user().isEmpty() ? builder.buildAsync() : builder.simpleAuth().username(config.user().get())
                 .password(config.password().orElse("").getBytes(StandardCharsets.UTF_8)).applySimpleAuth()
                 .buildAsync();
+        return client.connectWith().keepAlive(KEEP_ALIVE_SECONDS)
+                .restrictions().receiveMaximum(MOST_ARRIVED).maximumPacketSize(LONGEST).applyRestrictions().send();
     }
 
     /**
      * Connects to a broker.
      *
-     * @param name   of this client, which no other may have.
      * @param topics that it wants to be told of.
      * @param will   what the broker publishes when this client has gone.
      * @throws BrokerException if the broker is not there, or refuses.
      */
-    static Broker connect(BrokerConfig config, String name, List<String> topics, Message will, Listener listener)
+    static Broker connect(BrokerConfig config, List<String> topics, Message will, Listener listener)
             throws JavinoException, InterruptedException {
-        Broker broker = new Broker(config, name, topics, will, listener);
+        Broker broker = new Broker(config, topics, will, listener);
         try {
-            broker.client.connectWith().keepAlive(KEEP_ALIVE_SECONDS)
-                    .restrictions().receiveMaximum(MOST_ARRIVED).maximumPacketSize(LONGEST).applyRestrictions().send()
-                    .thenCompose(entered -> broker.subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
+            broker.open().thenCompose(entered -> broker.subscribed).get(CONNECT_SECONDS, TimeUnit.SECONDS);
             return broker;
         } catch (ExecutionException e) {
             broker.close();
@@ -156,23 +171,30 @@ final class Broker implements AutoCloseable {
                 publish -> listener.arrived(Message.of(publish)))
                 .whenComplete((granted, failure) -> {
                     if (failure == null) {
-                        wanted = true;
                         connected = true;
+                        connectedAt = System.nanoTime();
                         listener.connected();
                         subscribed.complete(null);
                     } else if (!subscribed.completeExceptionally(failure)) {
                         listener.disconnected(BrokerException.of(config, failure));
+                        client.disconnect();
                     }
                 });
     }
 
     private void disconnected(MqttClientDisconnectedContext context) {
+        boolean lasted = connected && System.nanoTime() - connectedAt > TimeUnit.MILLISECONDS.toNanos(LASTS_MILLIS);
         connected = false;
-        int failed = Math.min(context.getReconnector().getAttempts(), PAUSES_MILLIS.length - 1);
-        context.getReconnector().reconnect(wanted).delay(PAUSES_MILLIS[failed], TimeUnit.MILLISECONDS)
-                .resubscribeIfSessionExpired(false).republishIfSessionExpired(false);
+        failed = lasted ? 0 : Math.min(failed + 1, PAUSES_MILLIS.length - 1);
         if (wanted) {
-            listener.disconnected(BrokerException.of(config, context.getCause()));
+            if (subscribed.isDone()) {
+                listener.disconnected(BrokerException.of(config, context.getCause()));
+            }
+            CompletableFuture.delayedExecutor(PAUSES_MILLIS[failed], TimeUnit.MILLISECONDS).execute(() -> {
+                if (wanted) {
+                    open();
+                }
+            });
         }
     }
 

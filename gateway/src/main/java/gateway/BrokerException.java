@@ -5,6 +5,7 @@ import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5SubAckException;
 import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAckReasonCode;
+import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
 import java.net.ConnectException;
 import java.net.UnknownHostException;
 import java.security.cert.CertPathBuilderException;
@@ -17,6 +18,10 @@ final class BrokerException extends JavinoException {
 
     private static final long serialVersionUID = 1L;
 
+    /** Said once. */
+    private static final String TAKEN_OVER = "another client has come by this gateway's secret id, which only the "
+            + "broker's owner can see; the gateway goes on with another id, now and whenever that happens";
+
     private BrokerException(String message, Throwable cause) {
         super(message, cause);
     }
@@ -24,6 +29,11 @@ final class BrokerException extends JavinoException {
     /** What has failed, in one line. */
     static BrokerException of(BrokerConfig broker, Throwable failure) {
         return new BrokerException(broker + ": " + describe(broker, failure), failure);
+    }
+
+    /** Whether another client has taken the gateway's place. */
+    boolean isTakeover() {
+        return getMessage().endsWith(TAKEN_OVER);
     }
 
     private static String describe(BrokerConfig broker, Throwable failure) {
@@ -38,6 +48,9 @@ final class BrokerException extends JavinoException {
             return "the broker does not let this user read the topics of docs/mqtt.md";
         }
         if (failure instanceof Mqtt5DisconnectException ended) {
+            if (ended.getMqttMessage().getReasonCode() == Mqtt5DisconnectReasonCode.SESSION_TAKEN_OVER) {
+                return TAKEN_OVER;
+            }
             return "the broker has ended the connection: " + ended.getMqttMessage().getReasonCode();
         }
         if (has(failure, UnknownHostException.class)) {
@@ -56,7 +69,8 @@ final class BrokerException extends JavinoException {
             return "nobody answers there; is the broker running?";
         }
         return failure instanceof ConnectionClosedException
-                ? "the connection was closed; is it a broker for MQTT 5, and is it mqtts://?"
+                ? "the connection was closed; is it a broker for MQTT 5, and is it mqtts://? Or it has ended, or "
+                        + "another client has come by this gateway's id"
                 : failure.getClass().getSimpleName() + ": " + failure.getMessage();
     }
 

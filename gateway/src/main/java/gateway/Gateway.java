@@ -32,6 +32,7 @@ final class Gateway implements AutoCloseable {
 
     private static final long BOARD_NOTE_MILLIS = 200;
     private static final int NAME_BYTES = 4;
+    private static final long MILLIS_A_LINE = 10_000;
     private static final String TIME = "time";
     private static final String HOW = "how";
     private static final String GATEWAY = "gateway";
@@ -53,6 +54,10 @@ final class Gateway implements AutoCloseable {
     private Board board;
     private volatile Broker broker;
     private String trouble = "";
+    /** So many lines at once, and then one in that time. */
+    private final Budget lines = new Budget(20 * MILLIS_A_LINE, 100, now());
+    private int unsaid;
+    private boolean takeoverSaid;
 
     /**
      * What a gateway is told.
@@ -104,7 +109,7 @@ final class Gateway implements AutoCloseable {
 
     private void openBroker() throws JavinoException, InterruptedException {
         List<String> wanted = List.of(topics.air("+"), topics.heard("+", "+"), topics.gateway(config.cell(), "+"));
-        Broker opened = Broker.connect(config.broker(), "javino-" + config.cell() + "-" + name, wanted,
+        Broker opened = Broker.connect(config.broker(), wanted,
                 Broker.Message.none(topics.gateway(config.cell(), name)), new Post());
         synchronized (this) {
             broker = opened;
@@ -158,9 +163,15 @@ final class Gateway implements AutoCloseable {
     }
 
     private synchronized void note(String what) {
-        if (!what.equals(trouble)) {
-            trouble = what;
-            log.accept(what);
+        if (what.equals(trouble)) {
+            return;
+        }
+        trouble = what;
+        if (lines.take(MILLIS_A_LINE, now())) {
+            log.accept(what + (unsaid == 0 ? "" : "; before that, " + unsaid + " lines were left out"));
+            unsaid = 0;
+        } else {
+            unsaid++;
         }
     }
 
@@ -214,6 +225,10 @@ final class Gateway implements AutoCloseable {
         public void disconnected(BrokerException why) {
             synchronized (Gateway.this) {
                 colleagues.clear();
+                if (why.isTakeover() && takeoverSaid) {
+                    return;
+                }
+                takeoverSaid |= why.isTakeover();
             }
             note("broker: " + why.getMessage());
         }
@@ -231,7 +246,14 @@ final class Gateway implements AutoCloseable {
                 case AIR -> takeFrame(topic.cell(), message);
                 case HEARD -> topic.device().filter(device -> message.retained()).ifPresent(device -> router
                         .kept(topic.cell(), device, now() - ageOfKept(message.expiry())));
-                case GATEWAY -> colleagues.said(topic.name(), message.payload().length > 0, now());
+                case GATEWAY -> {
+                    boolean isThere = message.payload().length > 0;
+                    colleagues.said(topic.name(), isThere, now());
+                    if (topic.name().equals(name) && !isThere) {
+                        // The will of an earlier connection, which the broker takes for lost only now.
+                        clock.execute(Gateway.this::sayThere);
+                    }
+                }
             }
         }
 

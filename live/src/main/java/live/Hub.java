@@ -9,8 +9,9 @@ import java.util.List;
  */
 final class Hub {
 
-    /** The first ones stay for ever: they say what there is. */
+    /** The first ones stay for ever, as long as they are not too long: they say what there is. */
     static final int FIRST_KEPT = 1000;
+    private static final long MOST_FIRST_CHARACTERS = 16L << 20;
     private static final int MOST_KEPT = 200_000;
     /** So that long events do not fill the memory. */
     private static final long MOST_CHARACTERS = 128L << 20;
@@ -46,14 +47,16 @@ final class Hub {
 
     /** Takes an event: a JSON object in one line. */
     synchronized void add(String event) {
-        if (next < FIRST_KEPT) {
+        characters += event.length();
+        if (next == head.size() && next < FIRST_KEPT && characters <= MOST_FIRST_CHARACTERS) {
             head.add(event);
         } else {
-            if (next - oldest == ring.length) {
+            if (next == head.size()) {
+                oldest = next;
+            } else if (next - oldest == ring.length) {
                 dropOldest();
             }
             ring[slot(next)] = event;
-            characters += event.length();
         }
         next++;
         while (characters > MOST_CHARACTERS) {
@@ -80,16 +83,16 @@ final class Hub {
         if (upToDate && next - from > FAR_BEHIND) {
             start = next - NEWEST;
         }
-        if (start >= FIRST_KEPT) {
+        if (start >= head.size()) {
             start = Math.max(start, Math.min(oldest, next));
         }
         List<String> events = new ArrayList<>();
         long end = start;
         for (; end < next && events.size() < most; end++) {
-            if (end == FIRST_KEPT && end < oldest) {
+            if (end == head.size() && end < oldest) {
                 break;
             }
-            events.add(end < FIRST_KEPT ? head.get((int) end) : ring[slot(end)]);
+            events.add(end < head.size() ? head.get((int) end) : ring[slot(end)]);
         }
         return new Batch(events, end, start - from, end == next);
     }

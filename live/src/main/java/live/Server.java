@@ -103,8 +103,14 @@ final class Server implements AutoCloseable {
     private void guard(Context request) throws Refusal {
         HEADERS.forEach(request::header);
         List<String> names = List.of(ADDRESS + ":" + javalin.port(), "localhost:" + javalin.port());
-        if (!names.contains(request.header("Host"))) {
+        // Asked by each name: of the header that is not there, and of the one that is there twice, none is right.
+        String host = request.header("Host");
+        if (names.stream().noneMatch(name -> name.equals(host))) {
             throw new Refusal(403, "this page is served to " + names.get(0) + " only");
+        }
+        String query = request.queryString();
+        if (query != null && query.replaceAll("%[0-9A-Fa-f]{2}", "").contains("%")) {
+            throw new Refusal(400, "a % in an address has two hexadecimal digits behind it");
         }
         String origin = request.header("Origin");
         if (origin != null && names.stream().noneMatch(name -> origin.equals("http://" + name))) {
@@ -146,9 +152,18 @@ final class Server implements AutoCloseable {
         }
     }
 
-    private void command(Context request) throws Refusal, IOException {
+    private static byte[] body(Context request) throws Refusal {
+        try {
+            return request.bodyInputStream().readNBytes(MOST_COMMAND_BYTES + 1);
+        } catch (IOException | RuntimeException e) {
+            // The server fails by either where the body is not what the head says.
+            throw new Refusal(400, "the command is not as long as the request says");
+        }
+    }
+
+    private void command(Context request) throws Refusal {
         checkToken(request.header(TOKEN_HEADER));
-        byte[] body = request.bodyInputStream().readNBytes(MOST_COMMAND_BYTES + 1);
+        byte[] body = body(request);
         try {
             if (body.length > MOST_COMMAND_BYTES) {
                 throw new JavinoException("a command has at most " + MOST_COMMAND_BYTES + " bytes");

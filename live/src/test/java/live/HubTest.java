@@ -72,6 +72,21 @@ class HubTest {
             hub.add(big);
         }
 
-        assertEquals(200 - 128, hub.after(Hub.FIRST_KEPT, 1, false).skipped());
+        assertEquals(200 - 127, hub.after(Hub.FIRST_KEPT, 1, false).skipped(), "the first ones count, too");
+    }
+
+    @Test
+    void longEvents_amongTheFirst_areForgottenToo() {
+        String big = "x".repeat(1 << 20);
+        for (int i = 0; i < 500; i++) {
+            hub.add(big + i);
+        }
+
+        Hub.Batch head = hub.after(0, 1000, false);
+        assertEquals(15, head.events().size());
+        Hub.Batch rest = hub.after(head.next(), 1000, false);
+        assertEquals(500 - 15 - 112, rest.skipped());
+        assertEquals(big + 499, rest.events().get(rest.events().size() - 1));
+        assertTrue(rest.all());
     }
 }

@@ -24,7 +24,6 @@ final class Answered extends Talk {
     private final Set<Integer> due = new TreeSet<>();
     private int wantsLeft = WANTS;
     private long end = NEVER;
-    private boolean finished;
 
     /** @throws HandshakeException if message 1 is none that can be answered. */
     Answered(Shared shared, Peer peer, Round round, Bytes message1) throws HandshakeException {
@@ -43,9 +42,6 @@ final class Answered extends Talk {
 
     /** Says message 2; the same each time. */
     void answer(long now) {
-        if (finished) {
-            return;
-        }
         if (end == NEVER) {
             sayAll(round().second, answering.message2(), round().thirdMillis, now);
         } else {
@@ -69,7 +65,7 @@ final class Answered extends Talk {
 
     /** The board has heard a sealed message of the other side, and has no key: message 3 is lost. */
     void askForThird(long now) {
-        if (!finished && end != NEVER) {
+        if (end != NEVER) {
             want(round().third, 0, round().thirdMillis, now);
         }
     }
@@ -93,7 +89,7 @@ final class Answered extends Talk {
 
     @Override
     boolean wanted(int first, long now) {
-        for (int i = 0; i < round().second.fragments() && !finished; i++) {
+        for (int i = 0; i < round().second.fragments(); i++) {
             if (first == round().second.first(i)) {
                 again(i, now);
                 return true;
@@ -104,14 +100,8 @@ final class Answered extends Talk {
 
     @Override
     void heard(HostWord word, long now) {
-        if (finished) {
-            shared().count(Event.STRAY);
-            return;
-        }
         try {
             Secret secret = answering.finish(word.body());
-            finished = true;
-            setDeadline(NEVER);
             Certificate certificate = answering instanceof Responder responder
                     ? Certificate.decode(responder.peer().kid()) : peer().certificate();
             Address self = shared().identity().certificate().address();
@@ -123,7 +113,6 @@ final class Answered extends Talk {
 
     @Override
     void keyIsSet(long now) {
-        peer().finished(this);
         peer().advance(now);
     }
 }

@@ -11,8 +11,8 @@ import strangers.edhoc.Initiator;
 final class Begun extends Talk {
 
     /** How often message 1 or a fragment of message 2 is asked for: for a message that waits, of an agent's or not. */
-    static final int TRIES = 5;
-    static final int FEW_TRIES = 2;
+    private static final int TRIES = 5;
+    private static final int FEW_TRIES = 2;
     /** The other side may lack message 3 for so long. */
     static final long THIRD_KEPT_MILLIS = 15_000;
     /** However busy the air is. */
@@ -25,18 +25,17 @@ final class Begun extends Talk {
     private final Asking asking;
     private final Fragments second;
     private final long end;
-    private int triesLeft;
+    private int tries;
     /** The last that was said is a WANT: if nothing comes of it, the other side may have forgotten message 1. */
     private boolean wanted;
     private boolean disturbed;
-    private HandshakeException reason;
+    private Ending outcome = Ending.NO_ANSWER;
     /** Once message 2 was taken. */
     private Bytes message3;
     private boolean thirdSaid;
 
-    Begun(Shared shared, Peer peer, Round round, int tries, long now) {
+    Begun(Shared shared, Peer peer, Round round, long now) {
         super(shared, peer, round);
-        triesLeft = tries;
         end = now + LIFE_MILLIS;
         second = new Fragments(round.second.fragments());
         Address self = shared.identity().certificate().address();
@@ -57,7 +56,11 @@ final class Begun extends Talk {
 
     /** The other side is there: it tries to send something. */
     void isThere() {
-        triesLeft = TRIES;
+        tries = 0;
+    }
+
+    private boolean hasTriedEnough(long now) {
+        return now >= end || tries >= (round() == Round.FULL && peer().isWaiting() ? TRIES : FEW_TRIES);
     }
 
     /** What is tried while others are on the air does not count. */
@@ -68,7 +71,7 @@ final class Begun extends Talk {
     }
 
     private void tried() {
-        triesLeft -= disturbed ? 0 : 1;
+        tries += disturbed ? 0 : 1;
         disturbed = false;
     }
 
@@ -81,8 +84,8 @@ final class Begun extends Talk {
     void late(long now) {
         if (!isOpen()) {
             peer().finished(this);
-        } else if (now >= end || triesLeft <= 0 || reason != null && triesLeft < TRIES - 1) {
-            peer().unanswered(this, reason == null ? Ending.NO_ANSWER : Ending.valueOf(reason.reason().name()), now);
+        } else if (hasTriedEnough(now)) {
+            peer().unanswered(this, outcome, now);
         } else {
             OptionalInt lacking = second.lacking();
             wanted = lacking.isPresent() && !wanted;
@@ -113,12 +116,15 @@ final class Begun extends Talk {
                 return;
             } catch (HandshakeException e) {
                 refused(e);
-                reason = e;
+                // What is not proved may be anybody's, and tells nothing.
+                if (e.reason() != HandshakeException.Reason.NOT_CERTIFIED) {
+                    outcome = Ending.valueOf(e.reason().name());
+                }
             }
         }
         wanted = false;
         // Fragments come in their order: one that lacks before this is lost, and the next one follows at once.
-        setDeadline(now + (second.lacking().orElse(0) < word.fragment() ? SOON_MILLIS : NEXT_MILLIS)
+        awaitMore(now + (second.lacking().orElse(0) < word.fragment() ? SOON_MILLIS : NEXT_MILLIS)
                 + shared().random().nextInt(SOON_MILLIS));
     }
 
@@ -134,11 +140,6 @@ final class Begun extends Talk {
             setDeadline(now + THIRD_KEPT_MILLIS);
             peer().advance(now);
         }
-    }
-
-    /** Perhaps the other side lacks message 3. Tells whether it is said again. */
-    boolean wanted(long now) {
-        return wanted(round().third.first(0), now);
     }
 
     @Override

@@ -18,6 +18,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.logging.Level;
+import java.util.stream.Stream;
 
 import jason.JasonException;
 
@@ -198,6 +199,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         }
         forGroup.add(errand);
         wantGroupKey();
+        // The board may have it and wait for the air.
+        after(Peer.MOST_MILLIS, () -> errand.end(Outcome.UNDELIVERED));
         after(GROUP_MILLIS, () -> {
             if (forGroup.remove(errand)) {
                 errand.fail("no_key", "the board has no key for " + errand.to() + ", and no keeper of the group has"
@@ -234,10 +237,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
                 keys.stream().filter(key -> key.role() == Reply.Role.SESSION)
                         .forEach(key -> host.deleteKey(key.address()));
                 open();
-            } else if (booted) {
-                meetings.booted(millis());
-                host.met(met);
             } else {
+                if (booted) {
+                    meetings.booted(millis());
+                }
                 host.met(met);
             }
         });
@@ -273,11 +276,9 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             return;
         }
         meetings = null;
-        List.copyOf(errands.values()).forEach(errand -> errand.fail("no_key",
-                "the board has no key for " + errand.to() + ", and strangers are refused now"));
+        Stream.concat(errands.values().stream(), forGroup.stream()).forEach(errand -> errand.fail("no_key",
+                "the board has no key for " + errand.to() + ", and no strangers are met by it any more"));
         errands.clear();
-        forGroup.forEach(errand -> errand.fail("no_key", "the board has no key for " + errand.to()
-                + ", and strangers are refused now"));
         forGroup.clear();
         given.forEach(host::deleteKey);
         given.clear();
@@ -442,13 +443,10 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         switch (how) {
             case DELIVERED -> errand.end(Outcome.DELIVERED);
             case UNDELIVERED -> errand.end(Outcome.UNDELIVERED);
-            case NO_ANSWER -> errand.fail(how.atom(), "the board has no key for " + to + ", and " + to
-                    + " answers no handshake: it is out of reach, or takes no part in them");
-            case NOT_CERTIFIED -> errand.fail(how.atom(), to + " answers the handshake, but has no certificate for "
-                    + "that address by an authority that is trusted here");
+            case NO_ANSWER -> errand.fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to "
+                    + "be " + to + ": it is out of reach, takes no part, or has no certificate that is trusted here");
             case REVOKED -> errand.fail(how.atom(), "the authority has revoked the certificate of " + to);
             case EXPIRED -> errand.fail(how.atom(), "the certificate of " + to + " has expired");
-            case QUEUE_FULL -> errand.fail(how.atom(), "too many messages wait for " + to);
             case NOT_SENT -> Optional.ofNullable(failures.remove(errand.to())).ifPresentOrElse(errand::fail,
                     () -> errand.fail(how.atom(), "the board has not sent the message to " + to));
         }

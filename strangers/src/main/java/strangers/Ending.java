@@ -8,16 +8,12 @@ public enum Ending {
     DELIVERED,
     /** There is no proof of that; it may have arrived all the same. */
     UNDELIVERED,
-    /** Nobody of that address takes part in a handshake, here and now. */
+    /** Nobody of that address has proved a certificate that counts here. */
     NO_ANSWER,
-    /** Somebody of that address answers, and has no certificate that counts here. */
-    NOT_CERTIFIED,
     /** A notice of the authority names the certificate. */
     REVOKED,
     /** The certificate's last day is past. */
     EXPIRED,
-    /** Too many messages wait already. */
-    QUEUE_FULL,
     /** The board does not take the key, or the message. */
     NOT_SENT;
 

@@ -2,7 +2,6 @@ package strangers;
 
 import java.io.IOException;
 import java.security.SecureRandom;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -35,8 +34,6 @@ import strangers.edhoc.HandshakeException;
  */
 public final class Meetings {
 
-    /** Half-open handshakes that others began. */
-    static final int MOST_HALF_OPEN = 4;
     /** Hosts that were met, and others of which something came or for which something waits. */
     static final int MOST_MET = 64;
     static final int MOST_UNKNOWN = 16;
@@ -122,8 +119,7 @@ public final class Meetings {
 
     /**
      * Sends a content to a device with which there is no stored key; where there is no session key, hosts agree on one
-     * first. A message for which nothing else is known ends, as {@link Outside#ended} tells, within about half a
-     * minute.
+     * first. A message ends within {@value Peer#MOST_MILLIS} ms, as {@link Outside#ended} tells, whatever happens.
      *
      * @param content up to 490 bytes.
      * @return the ticket, by which its end is told; nothing if there are too many messages, which is told nowhere else.
@@ -192,15 +188,7 @@ public final class Meetings {
             shared.count(Event.LIMITED);
             return;
         }
-        peer(from).ifPresent(peer -> {
-            peer.first(word, round, now);
-            List<Peer> halfOpen = peers.values().stream().filter(Peer::isHalfOpen).toList();
-            if (halfOpen.size() > MOST_HALF_OPEN) {
-                shared.count(Event.EXPIRED);
-                halfOpen.stream().min(Comparator.comparingLong(Peer::answeredAt)).orElseThrow()
-                        .expire(now);
-            }
-        });
+        peer(from).ifPresent(peer -> peer.first(word, round, now));
     }
 
     private Optional<Peer> known(Address from) {
@@ -240,11 +228,8 @@ public final class Meetings {
             shared.count(Event.OVERHEARD);
             return;
         }
-        if (!shared.hints().take(from, now)) {
-            shared.count(Event.LIMITED);
-            return;
-        }
-        peer(from).ifPresent(peer -> {
+        Optional<Peer> member = shared.hints().take(now) ? peer(from) : Optional.empty();
+        member.ifPresent(peer -> {
             peer.forgetGroupKeyGiven();
             if (peer.isSecure()) {
                 peer.giveGroupKey(now);

@@ -6,7 +6,9 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -21,6 +23,8 @@ final class Peer {
 
     /** Messages that wait for a peer. */
     static final int MOST_WAITING = 8;
+    /** How long a message waits, or is under way, in ms: then it ends. */
+    static final int MOST_MILLIS = 60_000;
     /** The ids of contents that came last. */
     private static final int IDS = 8;
     private static final int ID_LENGTH = 3;
@@ -52,9 +56,7 @@ final class Peer {
     private int keysSet;
     private long keySetAt = Long.MIN_VALUE / 2;
     private Begun begun;
-    private Answered answered;
-    private long answeredAt;
-    /** Of the two, whose key the board is being given. */
+    /** Whose key the board is being given. */
     private Talk setting;
 
     private final Deque<Mail> waiting = new ArrayDeque<>();
@@ -74,11 +76,18 @@ final class Peer {
 
         private final long ticket;
         private final HostWord word;
+        private final long end;
         private int agreements;
+        private boolean over;
 
-        Mail(long ticket, HostWord word) {
+        Mail(long ticket, HostWord word, long now) {
             this.ticket = ticket;
             this.word = word;
+            end = now + MOST_MILLIS;
+        }
+
+        long deadline() {
+            return over ? Talk.NEVER : end;
         }
     }
 
@@ -99,19 +108,12 @@ final class Peer {
         return certificate;
     }
 
-    boolean isHalfOpen() {
-        return answered != null;
+    private Stream<Answered> answered() {
+        return shared.halfOpen().stream().filter(run -> run.peer() == this);
     }
 
-    /** Since when it is. */
-    long answeredAt() {
-        return answeredAt;
-    }
-
-    /** Forgets the half-open handshake. */
-    void expire(long now) {
-        answered = null;
-        advance(now);
+    private boolean isHalfOpen() {
+        return answered().findAny().isPresent();
     }
 
     /** Whether it has shown a certificate that counts: what comes sealed is its own. */
@@ -123,23 +125,37 @@ final class Peer {
         return session != Session.NONE;
     }
 
+    /** Whether it may be forgotten: what others have begun without a proof counts for nothing. */
     boolean isIdle() {
-        return begun == null && answered == null && waiting.isEmpty() && underWay == null;
+        return begun == null && setting == null && waiting.isEmpty() && underWay == null;
     }
 
-    private Stream<Talk> talks() {
-        return Stream.<Talk>of(begun, answered).filter(talk -> talk != null);
+    boolean isWaiting() {
+        return !waiting.isEmpty();
+    }
+
+    private List<Talk> talks() {
+        return Stream.concat(Stream.ofNullable(begun), answered()).toList();
     }
 
     long next() {
-        return Math.min(noticesDue, talks().mapToLong(Talk::deadline).min().orElse(Talk.NEVER));
+        LongStream ofMails = Stream.of(underWay, waiting.peek()).filter(Objects::nonNull).mapToLong(Mail::deadline);
+        return LongStream.concat(talks().stream().mapToLong(Talk::deadline), ofMails)
+                .reduce(noticesDue, Math::min);
     }
 
     void tick(long now) {
-        talks().filter(talk -> now >= talk.deadline()).toList().forEach(talk -> talk.late(now));
+        talks().stream().filter(talk -> now >= talk.deadline()).forEach(talk -> talk.late(now));
         if (now >= noticesDue) {
             noticesDue = Talk.NEVER;
             sayNotices(now);
+        }
+        while (isWaiting() && now >= waiting.peek().deadline()) {
+            end(waiting.poll(), session != Session.NONE ? Ending.UNDELIVERED
+                    : setting != null ? Ending.NOT_SENT : Ending.NO_ANSWER);
+        }
+        if (underWay != null && now >= underWay.deadline()) {
+            end(underWay, Ending.UNDELIVERED);
         }
     }
 
@@ -157,7 +173,7 @@ final class Peer {
         }
         Bytes id = Bytes.ofNumber(shared.nextId(), ID_LENGTH);
         waiting.add(new Mail(ticket,
-                HostWord.sealed(HostWord.Kind.CONTENT, Bytes.join(id, content.encode()))));
+                HostWord.sealed(HostWord.Kind.CONTENT, Bytes.join(id, content.encode())), now));
         advance(now);
         return true;
     }
@@ -174,8 +190,8 @@ final class Peer {
             underWay = waiting.poll();
             keysThen = keysSet;
             shared.outside().unicast(address, underWay.word.sealed());
-        } else if (begun == null && answered == null) {
-            begin(Begun.TRIES, now);
+        } else if (begun == null) {
+            begin(now);
         }
     }
 
@@ -183,15 +199,20 @@ final class Peer {
 
     /** Begins a handshake, unless one is under way. */
     void meet(long now) {
-        if (begun == null && answered == null && setting == null) {
-            begin(Begun.FEW_TRIES, now);
+        if (begun == null && setting == null) {
+            begin(now);
         }
     }
 
-    private void begin(int tries, long now) {
+    private void begin(long now) {
         Talk.Round round = mayRenew() ? Talk.Round.RENEWAL : Talk.Round.FULL;
-        begun = new Begun(shared, this, round, round == Talk.Round.FULL ? tries : Begun.FEW_TRIES, now);
-        begun.start(now);
+        begun = new Begun(shared, this, round, now);
+        if (isHalfOpen()) {
+            // The other side's comes first, if it is genuine; nothing proves that yet, so not for long.
+            begun.setDeadline(now + round.thirdMillis + shared.random().nextInt((int) round.thirdMillis));
+        } else {
+            begun.start(now);
+        }
     }
 
     private boolean mayRenew() {
@@ -207,8 +228,9 @@ final class Peer {
 
     /** A message 1. */
     void first(HostWord word, Talk.Round round, long now) {
-        if (answered != null && answered.answers(word)) {
-            answered.answer(now);
+        Optional<Answered> same = answered().filter(run -> run.answers(word)).findAny();
+        if (same.isPresent()) {
+            same.get().answer(now);
             return;
         }
         if (setting != null || begun != null && begun.isOpen() && hasPrecedence()) {
@@ -219,21 +241,22 @@ final class Peer {
             if (round == Talk.Round.RENEWAL && !mayRenew()) {
                 throw new HandshakeException(HandshakeException.Reason.NOT_CERTIFIED, "nothing is kept of " + address);
             }
-            if (!shared.answers().take(address, now)) {
-                shared.count(Event.LIMITED);
+            if (!shared.answers().take(now)) {
                 return;
             }
-            answered = new Answered(shared, this, round, word.body());
-            answeredAt = now;
-            answered.answer(now);
+            Answered run = new Answered(shared, this, round, word.body());
+            shared.open(run);
+            run.answer(now);
             if (begun != null) {
                 // The other side's comes first, if it is genuine.
                 begun.giveWay(now);
             }
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
-            if (round == Talk.Round.RENEWAL) {
-                hint(new HostWord(HostWord.Kind.WANT, 0, Bytes.of(HostWord.Kind.MESSAGE_1.first(0))), now);
+            if (round == Talk.Round.RENEWAL && shared.hints().take(now)) {
+                shared.speech().say(new HostWord(HostWord.Kind.WANT, 0, Bytes.of(HostWord.Kind.MESSAGE_1.first(0))),
+                        address, now, (then, took) -> {
+                        });
             }
         }
     }
@@ -242,33 +265,24 @@ final class Peer {
         return shared.identity().certificate().address().value() < address.value();
     }
 
-    private void hint(HostWord word, long now) {
-        if (shared.hints().take(address, now)) {
-            shared.speech().say(word, address, now, (then, took) -> {
-            });
-        } else {
-            shared.count(Event.LIMITED);
-        }
-    }
-
     /** A part of a message 2. */
     void second(HostWord word, long now) {
-        pass(begun, word, now);
+        pass(Stream.ofNullable(begun), word, now);
     }
 
     /** A message 3. */
     void third(HostWord word, long now) {
-        pass(answered, word, now);
+        pass(answered(), word, now);
     }
 
-    private void pass(Talk talk, HostWord word, long now) {
-        boolean fits = talk != null && setting == null
-                && (word.kind() == talk.round().second || word.kind() == talk.round().third);
-        if (fits) {
-            talk.heard(word, now);
-        } else {
+    private void pass(Stream<? extends Talk> runs, HostWord word, long now) {
+        List<? extends Talk> fitting = runs.filter(talk -> setting == null
+                && (word.kind() == talk.round().second || word.kind() == talk.round().third)).toList();
+        if (fitting.isEmpty()) {
             shared.count(Event.STRAY);
         }
+        // One of them may have said it; when that is found, the others are over.
+        fitting.stream().takeWhile(talk -> setting == null).forEach(talk -> talk.heard(word, now));
     }
 
     /** The other side lacks a fragment; or it lacks what it would need for a renewal. */
@@ -276,14 +290,14 @@ final class Peer {
         if (first == HostWord.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
                 && begun.round() == Talk.Round.RENEWAL) {
             beginFull(now);
-        } else if (talks().noneMatch(talk -> talk.wanted(first, now))) {
+        } else if (talks().stream().filter(talk -> talk.wanted(first, now)).toList().isEmpty()) {
             shared.count(Event.STRAY);
         }
     }
 
     private void beginFull(long now) {
         kept = null;
-        begin(waiting.isEmpty() ? Begun.FEW_TRIES : Begun.TRIES, now);
+        begin(now);
     }
 
     /** A handshake that this side began has no message 2. */
@@ -294,7 +308,9 @@ final class Peer {
         }
         finished(talk);
         shared.count(Event.FAILED);
-        if (answered == null) {
+        if (isHalfOpen()) {
+            advance(now);
+        } else {
             failAll(why);
         }
     }
@@ -305,7 +321,7 @@ final class Peer {
         kept = secret;
         setting = talk;
         begun = talk == begun ? begun : null;
-        answered = talk == answered ? answered : null;
+        shared.halfOpen().removeIf(run -> run.peer() == this);
         shared.outside().setSessionKey(address, key);
     }
 
@@ -335,7 +351,7 @@ final class Peer {
     /** A handshake is over. */
     void finished(Talk talk) {
         begun = talk == begun ? null : begun;
-        answered = talk == answered ? null : answered;
+        shared.halfOpen().remove(talk);
     }
 
     /** The board has heard a sealed frame of the peer, and has no key for it. */
@@ -343,18 +359,14 @@ final class Peer {
         if (setting != null || now - keySetAt < LATE_MILLIS) {
             return;
         }
-        if (answered != null) {
-            answered.askForThird(now);
-        } else if (begun != null && begun.isOpen()) {
+        answered().toList().forEach(run -> run.askForThird(now));
+        if (begun != null && begun.isOpen()) {
             begun.isThere();
-        } else {
-            session = Session.NONE;
-            if (shared.hints().take(address, now)) {
-                begun = null;
-                begin(Begun.FEW_TRIES, now);
-            } else {
-                shared.count(Event.LIMITED);
-            }
+            return;
+        }
+        session = Session.NONE;
+        if (shared.hints().take(now)) {
+            begin(now);
         }
     }
 
@@ -386,13 +398,15 @@ final class Peer {
                 advance(now);
             }
             case UNDELIVERED -> {
-                if (sameKey && session == Session.PROVEN && answered == null) {
+                if (sameKey && session == Session.PROVEN) {
                     // Perhaps it is only far away; if not, the next one shows it.
                     session = Session.UNPROVEN;
                     end(mail, Ending.UNDELIVERED);
                     advance(now);
                 } else {
-                    if (sameKey && (mail.agreements > 0 || begun == null || !begun.wanted(now))) {
+                    // Perhaps the other side lacks message 3.
+                    if (sameKey && (mail.agreements > 0 || begun == null
+                            || !begun.wanted(begun.round().third.first(0), now))) {
                         session = Session.NONE;
                         kept = null;
                         begun = null;
@@ -419,7 +433,7 @@ final class Peer {
 
     private void failOrAgain(Ending why, long now) {
         Mail mail = waiting.peek();
-        if (mail != null && mail.agreements++ == MOST_AGREEMENTS) {
+        if (mail != null && (mail.over || mail.agreements++ == MOST_AGREEMENTS)) {
             end(waiting.poll(), why);
         }
         advance(now);
@@ -433,9 +447,10 @@ final class Peer {
     }
 
     private void end(Mail mail, Ending how) {
-        if (mail.ticket != Mail.NO_TICKET) {
+        if (mail.ticket != Mail.NO_TICKET && !mail.over) {
             shared.outside().ended(mail.ticket, how);
         }
+        mail.over = true;
     }
 
     private void failAll(Ending why) {
@@ -492,7 +507,7 @@ final class Peer {
 
     private void hand(HostWord word, long now) {
         if (waiting.size() < 2 * MOST_WAITING) {
-            waiting.add(new Mail(Mail.NO_TICKET, word));
+            waiting.add(new Mail(Mail.NO_TICKET, word, now));
             advance(now);
         } else {
             shared.count(Event.LIMITED);
@@ -578,13 +593,14 @@ final class Peer {
 
     /** Forgets all that is kept of the peer, and has the board forget it. */
     void forget() {
-        if (session != Session.NONE) {
+        if (session != Session.NONE || setting != null) {
             shared.outside().deleteKey(address);
         }
         session = Session.NONE;
+        setting = null;
         kept = null;
         certificate = null;
         begun = null;
-        answered = null;
+        shared.halfOpen().removeIf(run -> run.peer() == this);
     }
 }

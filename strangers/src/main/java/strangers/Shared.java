@@ -1,6 +1,8 @@
 package strangers;
 
 import java.security.SecureRandom;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
@@ -9,13 +11,17 @@ import javino.protocol.Key;
 /** What all meetings of a host share. */
 final class Shared {
 
+    /** Half-open handshakes that others began, in whosoever name. */
+    private static final int MOST_HALF_OPEN = 4;
+
     private final Identity identity;
     private final Meetings.Outside outside;
     private final SecureRandom random;
     private final Map<Event, Long> events = new EnumMap<>(Event.class);
     private final Speech speech = new Speech(this);
-    private final Sparingly answers = new Sparingly();
-    private final Sparingly hints = new Sparingly();
+    private final Sparingly answers = new Sparingly(this);
+    private final Sparingly hints = new Sparingly(this);
+    private final Deque<Answered> halfOpen = new ArrayDeque<>();
     private int lastId;
     private Key groupKey;
 
@@ -40,6 +46,20 @@ final class Shared {
 
     Speech speech() {
         return speech;
+    }
+
+    /** Handshakes that others began and of which nothing is proved, the newest last. */
+    Deque<Answered> halfOpen() {
+        return halfOpen;
+    }
+
+    /** Takes one more; the oldest makes room for it. */
+    void open(Answered run) {
+        if (halfOpen.size() == MOST_HALF_OPEN) {
+            halfOpen.poll();
+            count(Event.EXPIRED);
+        }
+        halfOpen.add(run);
     }
 
     /** For messages 2. */

@@ -13,6 +13,8 @@ abstract class Talk {
     static final long AGAIN_MILLIS = 450;
     /** Fragments said again in a handshake, at most. */
     static final int MOST_REPEATS = 12;
+    /** So long after its own last word it has been put off enough, whoever speaks. */
+    private static final long PUT_OFF_MILLIS = 5000;
     /** For what waits to be on the air. */
     private static final long AIR_MILLIS = 30_000;
     /** So many times what a fragment had to wait for the air, the answer may wait too. */
@@ -48,6 +50,7 @@ abstract class Talk {
     private final Map<Integer, Long> said = new HashMap<>();
     private int repeats;
     private long deadline = NEVER;
+    private long latest = NEVER;
 
     Talk(Shared shared, Peer peer, Round round) {
         this.shared = shared;
@@ -75,10 +78,15 @@ abstract class Talk {
         deadline = when;
     }
 
+    /** Sets the deadline by what has come, which anybody can have said: so nobody can put it off for ever. */
+    void awaitMore(long until) {
+        deadline = Math.min(until, latest);
+    }
+
     /** Puts off what is to be done, as others are on the air. */
     void giveWay(long now) {
         long quiet = now + OTHERS_MILLIS + shared.random().nextInt(OTHERS_MILLIS);
-        deadline = Math.max(deadline, quiet);
+        deadline = Math.max(deadline, Math.min(quiet, latest));
     }
 
     /**
@@ -93,6 +101,7 @@ abstract class Talk {
         }
         boolean taken = shared.speech().say(word, peer.address(), now, (then, took) -> {
             said.put(word.first(), then);
+            latest = then + PUT_OFF_MILLIS;
             deadline = then + wait + shared.random().nextInt((int) wait / 3)
                     + WAITED_TIMES * Math.max(0, took - word.airMillis());
             wasSaid(word, then);

@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
@@ -82,13 +86,13 @@ class HostWordTest {
     }
 
     @Test
-    void sparingly_perOriginAndForAll_keepsItsGaps() {
-        Sparingly sparingly = new Sparingly();
-        Address roma = Address.parse("ROMA");
-        assertTrue(sparingly.take(roma, 0));
-        assertTrue(!sparingly.take(SUPO, Sparingly.BOARD_GAP_MILLIS - 1));
-        assertTrue(sparingly.take(SUPO, Sparingly.BOARD_GAP_MILLIS));
-        assertTrue(!sparingly.take(roma, Sparingly.ORIGIN_GAP_MILLIS - 1));
-        assertTrue(sparingly.take(roma, Sparingly.ORIGIN_GAP_MILLIS));
+    void sparingly_askedAllTheTime_keepsItsGapsAndNobodyKnowsThem() {
+        Shared shared = new Shared(null, null, new SecureRandom());
+        Sparingly sparingly = new Sparingly(shared);
+        long[] taken = LongStream.range(0, 100 * Sparingly.GAP_MILLIS).filter(sparingly::take).toArray();
+        long[] gaps = IntStream.range(1, taken.length).mapToLong(i -> taken[i] - taken[i - 1]).toArray();
+        assertTrue(LongStream.of(gaps).allMatch(gap -> gap >= Sparingly.GAP_MILLIS && gap < 3 * Sparingly.GAP_MILLIS));
+        assertTrue(LongStream.of(gaps).distinct().count() > gaps.length / 2, () -> Arrays.toString(gaps));
+        assertEquals(100 * Sparingly.GAP_MILLIS - taken.length, shared.events().get(Event.LIMITED));
     }
 }

@@ -207,11 +207,11 @@ class MeetingsTest {
     }
 
     @Test
-    void send_toOneOfAForeignAuthority_isNotCertified() throws Exception {
+    void send_toOneOfAForeignAuthority_endsAsIfNobodyWereThere() throws Exception {
         World.Host roma = world.add(romaIdentity);
         World.Host busa = world.add(new Town(elsewhere).certified("BUSA"));
-        assertEquals(Optional.of(Ending.NOT_CERTIFIED), end(roma, busa));
-        assertEquals(Optional.of(Ending.NOT_CERTIFIED), end(busa, roma));
+        assertEquals(Optional.of(Ending.NO_ANSWER), end(roma, busa));
+        assertEquals(Optional.of(Ending.NO_ANSWER), end(busa, roma));
         assertEquals(0, roma.keysSet() + busa.keysSet());
     }
 

@@ -11,7 +11,7 @@ import javino.protocol.Key;
 final class Air {
 
     /** At 2000 bit/s. */
-    private static final double BITS_A_MILLI = 2;
+    static final double BITS_A_MILLI = 2;
     private static final int SLOT_MILLIS = 8;
     private static final int QUIET_SLOTS = 6;
     private static final int WINDOW = 16;

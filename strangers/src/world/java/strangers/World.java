@@ -37,6 +37,8 @@ final class World {
     private static final int BOARD_MILLIS = 10;
     private static final long BOOT_MILLIS = 1500;
     private static final long LATE_MILLIS = 3000;
+    /** How long a board is away, on the average. */
+    private static final long LOST_MILLIS = 60_000;
 
     private record Step(long at, long order, Runnable what) {
     }
@@ -91,6 +93,8 @@ final class World {
         private final Set<String> receivedBy = new HashSet<>();
         Optional<Ending> end = Optional.empty();
         long endedAt;
+        /** Too many waited; nothing more becomes of it. */
+        boolean isRefused;
 
         Letter(Address from, Address to, long at) {
             this.from = from;
@@ -201,6 +205,7 @@ final class World {
         private final Deque<Air.Packet> packets = new ArrayDeque<>();
         private Air.Packet underWay;
         private boolean deaf;
+        private boolean lost;
         int eepromWrites;
 
         Board(Host host) {
@@ -294,6 +299,16 @@ final class World {
             }
         }
 
+        /** Does nothing of what it is told from now on, and says nothing, until it boots. */
+        void lose() {
+            lost = true;
+            deaf = true;
+            after(random.nextLong(2 * LOST_MILLIS), () -> {
+                lost = false;
+                reset();
+            });
+        }
+
         /** Boots. */
         void reset() {
             List<Air.Packet> lost = new ArrayList<>(packets);
@@ -323,6 +338,7 @@ final class World {
         final Board board = new Board(this);
         Meetings meetings;
         boolean on;
+        long killedAt = -1;
         private int life;
         private long tick;
         private final Map<Long, Letter> tickets = new HashMap<>();
@@ -351,6 +367,7 @@ final class World {
         /** The program ends at once, and starts again some time later. */
         void kill() {
             on = false;
+            killedAt = now;
             life++;
             after(random.nextInt(5000), () -> {
                 if (!on) {
@@ -380,7 +397,8 @@ final class World {
             said.put(content.term(), letter);
             within(() -> {
                 if (on) {
-                    meetings.send(to, content, now).ifPresent(ticket -> tickets.put(ticket, letter));
+                    meetings.send(to, content, now).ifPresentOrElse(ticket -> tickets.put(ticket, letter),
+                            () -> letter.isRefused = true);
                 }
             });
             return letter;
@@ -474,6 +492,9 @@ final class World {
         public void setSessionKey(Address device, Key key) {
             maybeFault("key");
             later(() -> {
+                if (board.lost) {
+                    return;
+                }
                 boolean done = board.set(device, key);
                 keysSet++;
                 later(() -> meetings.keySet(device, done, now));

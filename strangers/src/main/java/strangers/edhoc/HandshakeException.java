@@ -1,6 +1,5 @@
 package strangers.edhoc;
 
-import java.util.Locale;
 import javino.JavinoException;
 
 /**
@@ -11,19 +10,14 @@ public final class HandshakeException extends JavinoException {
 
     private static final long serialVersionUID = 1L;
 
-    /** Why, as an agent learns it. */
+    /** Why. Only what is behind a proof, so not the first, may be told to agents: anybody can cause the rest. */
     public enum Reason {
         /** The message is damaged or forged, or its certificate is not what it must be. */
         NOT_CERTIFIED,
         /** A notice of the authority names the certificate. */
         REVOKED,
         /** The certificate's last day is past. */
-        EXPIRED;
-
-        /** The error as an atom of AgentSpeak, such as {@code not_certified}. */
-        public String atom() {
-            return name().toLowerCase(Locale.ROOT);
-        }
+        EXPIRED
     }
 
     private final Reason reason;

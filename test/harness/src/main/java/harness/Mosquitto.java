@@ -123,6 +123,13 @@ public final class Mosquitto implements AutoCloseable {
         Files.deleteIfExists(folder.resolve("mosquitto.db"));
     }
 
+    /** The ids of a user's clients, in the order in which they came: only the broker's owner sees them. */
+    public List<String> ids(String user) throws IOException {
+        return Files.readString(folder.resolve("mosquitto.log")).lines()
+                .filter(line -> line.contains("connected from ") && line.contains("u'" + user + "'"))
+                .map(line -> line.replaceFirst(".* as (\\S+) \\(.*", "$1")).toList();
+    }
+
     /** To see what it takes. */
     public ProcessHandle process() {
         return process.toHandle();

@@ -13,6 +13,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import javino.protocol.Address;
@@ -161,6 +162,40 @@ class FalseGatewayTest extends JoinedCells {
             assertTrue(seconds > 10 && seconds < 10 + (until - since) / 2 + 1, seconds + " of " + (until - since));
             exchange(1, 2);
         }
+    }
+
+    @Test
+    void falseGateway_thatTakesAllIdsThatItCanRead_stopsNobody() throws Exception {
+        Set<String> read = intruder.read();
+        exchange(0, 2);
+        List<String> of = List.of(broker.ids("west").get(0), broker.ids("east").get(0));
+        assertTrue(read.stream().noneMatch(word -> of.stream().anyMatch(id -> id.contains(word) && word.length() > 3)));
+        for (String word : List.copyOf(read)) {
+            for (String id : List.of(word, "javino-west-" + word, "javino-east-" + word)) {
+                if (id.matches("[\\w-]{1,64}")) {
+                    BrokerClient.enter(broker, FALSE, id).close();
+                }
+            }
+        }
+        exchange(2, 4);
+        assertEquals(List.of(1, 1), List.of(broker.ids("west").size(), broker.ids("east").size()), "none came again");
+    }
+
+    /** Only he sees the ids of clients. */
+    @Test
+    void owner_ofTheBrokerWhoTakesAGatewaysPlace_doesNotStopIt() throws Exception {
+        exchange(0, 1);
+        int takeovers = 4;
+        for (int i = 1; i <= takeovers; i++) {
+            List<String> before = broker.ids("east");
+            BrokerClient.enter(broker, Mosquitto.OWNER, before.get(before.size() - 1)).close();
+            while (broker.ids("east").size() == before.size()) {
+                Thread.sleep(10);
+            }
+        }
+        exchange(1, 3);
+        assertEquals(takeovers + 1, Set.copyOf(broker.ids("east")).size(), "a new id each time");
+        assertTrue(east.said(line -> line.contains("broker: ") && !line.contains("connected to")) <= takeovers);
     }
 
     @Test

@@ -128,8 +128,8 @@ class StrangersTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"revoked", "expired", "not_certified"})
-    void stranger_whoseCertificateDoesNotCount_isNamedInTheError(String error) throws Exception {
+    @CsvSource({"revoked", "expired", "no_answer"})
+    void stranger_whoseCertificateDoesNotCount_getsNothing(String error) throws Exception {
         switch (error) {
             case "revoked" -> {
                 authority.enroll("SUPO", identities);
