@@ -95,6 +95,7 @@ class CommandTest {
                 fields.addProperty("more", poll.more());
                 fields.addProperty("leftOut", poll.leftOut());
                 fields.addProperty("reading", poll.reading());
+                fields.addProperty("damaged", poll.damaged());
                 JsonArray records = new JsonArray();
                 for (PollReply.Item item : poll.records()) {
                     records.add(describe(item));
@@ -116,7 +117,7 @@ class CommandTest {
                 for (Reply.StoredKey key : reply.storedKeys()) {
                     JsonObject entry = new JsonObject();
                     entry.addProperty("address", key.address().toString());
-                    entry.addProperty("role", key.role().ordinal());
+                    entry.addProperty("role", key.role().ordinal() + (key.doubtful() ? 4 : 0));
                     entry.addProperty("check", key.check().hex());
                     keys.add(entry);
                 }
