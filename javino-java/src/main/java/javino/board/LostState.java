@@ -71,7 +71,7 @@ public final class LostState {
 
     /** For people: that the memory of nonces did not hold. */
     public static String ofMemory() {
-        return "the sketch's stack, or a wild pointer, has written over the board's memory of nonces: sealed messages are "
-                + "neither sent nor taken until it is reset; make the sketch's variables smaller";
+        return "the sketch's stack, or a wild pointer, has written over the board's memory of nonces: sealed messages "
+                + "are neither sent nor taken until it is reset; make the sketch's variables smaller";
     }
 }

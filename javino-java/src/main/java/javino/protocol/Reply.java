@@ -26,7 +26,8 @@ public record Reply(Status status, Bytes body) {
      * @param address  the device or group that it is shared with.
      * @param role     whether it is the current, the previous, the next or a session key.
      * @param check    its check value (SPEC 5.2), 3 bytes.
-     * @param doubtful whether floors of it may be lost: what comes under it is refused, unless above a floor that is there.
+     * @param doubtful whether floors of it may be lost: what comes under it is refused, unless above a floor that is
+     *                 there.
      */
     public record StoredKey(Address address, Role role, Bytes check, boolean doubtful) {
 
