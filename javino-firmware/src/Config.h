@@ -141,7 +141,7 @@
 #define JAVINO_STATISTICS 1
 #endif
 
-/// Places of the ring with the boot epoch, 4…64. 6 bytes of EEPROM each; each lasts for 25 000 boots.
+/// Places of the ring with the boot epoch, 4…64, an even number. 6 bytes of EEPROM each; each lasts for 25 000 boots.
 #ifndef JAVINO_EPOCH_SLOTS
 #define JAVINO_EPOCH_SLOTS 16
 #endif
@@ -228,7 +228,8 @@ static_assert(JAVINO_KEY_RENEWAL == 0 || JAVINO_KEY_RENEWAL == 1, "JAVINO_KEY_RE
 static_assert(JAVINO_PARITY == 0 || JAVINO_PARITY == 1, "JAVINO_PARITY must be 0 or 1");
 static_assert(JAVINO_STATISTICS == 0 || JAVINO_STATISTICS == 1, "JAVINO_STATISTICS must be 0 or 1");
 static_assert(JAVINO_ROUND_KEYS == 0 || JAVINO_ROUND_KEYS == 1, "JAVINO_ROUND_KEYS must be 0 or 1");
-static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64, "JAVINO_EPOCH_SLOTS must be 4…64");
+static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64 && JAVINO_EPOCH_SLOTS % 2 == 0,
+              "JAVINO_EPOCH_SLOTS must be 4…64, and even");
 
 }  // namespace config
 }  // namespace javino

@@ -37,6 +37,16 @@ static TakenNonces nonces JAVINO_RETAINED;
 
 TakenNonces &retained::takenNonces() { return nonces; }
 
+// There is room for an interrupt, and for the functions that write there. Where the stack of another chip is, is not known.
+static bool hasOverrun;
+
+bool retained::isClear() {
+#ifdef __AVR__
+  if (SP < reinterpret_cast<uint16_t>(&nonces + 1) + 32) hasOverrun = true;
+#endif
+  return !hasOverrun;
+}
+
 uint32_t clock::millis() { return ::millis(); }
 
 }  // namespace javino

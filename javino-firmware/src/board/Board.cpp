@@ -10,11 +10,11 @@ Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
 
 bool Board::begin() {
   state_.id.begin();
-  state_.epoch.begin();
-  state_.keys.begin();
-  state_.replays.begin(state_.epoch.value());
+  state_.epoch.begin(state_.keys.begin());
+  if (!state_.replays.begin(state_.epoch.value())) state_.count(Counter::MEMORY_DAMAGED);
+  if (state_.epoch.status() == Status::EPOCH_LOST) state_.replays.doubtFloors();
   const bool radioStarted = delivery_.begin();
-  return radioStarted && state_.epoch.isStored();
+  return radioStarted && state_.epoch.status() != Status::STORE_FAILED;
 }
 
 // The host first: what it asks for is then sent before the CPU sleeps. What the air brings to a poll that is held keeps the

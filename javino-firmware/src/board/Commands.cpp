@@ -103,6 +103,7 @@ Status Commands::hello(const uint8_t *body, uint16_t length, Reply &reply) {
   fixed[0] = PROTOCOL_VERSION;
   state_.id.address().write(fixed + 1);
   writeUint24(fixed + 1 + Address::TEXT_LENGTH, keyCommands_.epoch());
+  if (!retained::holds()) state_.count(Counter::MEMORY_DAMAGED);
   reply.add(fixed, sizeof fixed);
   reply.add(reinterpret_cast<const uint8_t *>(firmwareName_),
             static_cast<uint16_t>(strnlen(firmwareName_, MAX_FIRMWARE_NAME)));

@@ -12,6 +12,8 @@ const uint8_t STORE_LENGTH = Address::TEXT_LENGTH + Aes128::KEY_LENGTH;
 
 enum Role : uint8_t { CURRENT = 0, PREVIOUS = 1, NEXT = 2, SESSION = 3 };  // SPEC 4.3
 
+const uint8_t DOUBTFUL = 4;  // added to a role where floors of the key may be lost
+
 const uint8_t EPOCH_LENGTH = 3;
 
 // Reads an address that can have a key.
@@ -28,7 +30,6 @@ JAVINO_NOINLINE bool parseAddress(const uint8_t *body, uint16_t length, Address 
 Status KeyCommands::raiseEpoch(const uint8_t *body, uint16_t length) {
   if (length != EPOCH_LENGTH || (body[0] & body[1] & body[2]) == 0xFF) return Status::BAD_ARGUMENT;
   nonces_.raiseEpoch(readUint24(body));
-  replays_.goOnIn(nonces_.epoch());
   return nonces_.status();
 }
 
@@ -129,6 +130,7 @@ Status KeyCommands::list(uint16_t length, Reply &reply) {
                                   : slot == keys_.current(address) ? CURRENT
                                   : slot == keys_.next(address)    ? NEXT
                                                                    : PREVIOUS;
+    if (replays_.isDoubtful(slot)) entry[Address::TEXT_LENGTH] |= DOUBTFUL;
     reply.add(entry, sizeof entry);
     addCheckValue(slot, reply);
   }

@@ -18,6 +18,8 @@ const uint8_t REPLY_COMING = 8;
 const uint8_t MORE_WAITING = 1;
 const uint8_t PERCEPTS_LEFT_OUT = 2;
 const uint8_t HAS_READING = 4;
+const uint8_t MEMORY_DAMAGED = 8;
+const uint8_t FLAGS_AT = 1 + HEADER_LENGTH + 1;  // in its packet, behind the status
 
 // Four bytes a step, the last ones perhaps twice. The chance that a reading has the hash of another one, and so is not told
 // after it, is about 1 in four thousand million; the next change is told then. FNV-1a would take AVR five times as long.
@@ -72,6 +74,7 @@ bool Poll::answer(Reply &reply, bool released) {
     if (!released && !isOver(now)) return false;
     reply.add(0);
   }
+  if (config::STATISTICS && counters_.value(Counter::MEMORY_DAMAGED) != 0) reply.packet()[FLAGS_AT] |= MEMORY_DAMAGED;
   held_ = false;
   return true;
 }

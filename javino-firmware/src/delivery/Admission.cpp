@@ -102,6 +102,7 @@ bool Admission::refuse(ReplayMemory::Verdict verdict, uint8_t slot, const Frame 
       return true;
     case ReplayMemory::STALE: acknowledger_.stale(slot, frame.origin, nonce); return drop(Counter::RADIO_STALE);
     case ReplayMemory::FULL: return drop(Counter::RADIO_REPLAY_FULL);
+    case ReplayMemory::DAMAGED: return drop(Counter::MEMORY_DAMAGED);
     default: return drop(Counter::RADIO_REPLAYED);
   }
 }

@@ -10,8 +10,9 @@ const uint8_t NonceSource::MOST_ABOVE;
 static const uint8_t COUNTER_AT = 3;
 
 Status NonceSource::status() const {
-  if (epoch_.value() == BootEpoch::NONE_LEFT || counter_ > LAST_COUNTER) return Status::NONCE_EXHAUSTED;
-  return epoch_.isStored() ? Status::OK : Status::STORE_FAILED;
+  if (epoch_.status() != Status::OK) return epoch_.status();
+  if (!retained::holds()) return Status::MEMORY_DAMAGED;
+  return counter_ > LAST_COUNTER ? Status::NONCE_EXHAUSTED : Status::OK;
 }
 
 void NonceSource::take(uint8_t *nonce) {
@@ -24,6 +25,7 @@ void NonceSource::raiseEpoch(uint32_t epoch) {
   if (epoch <= epoch_.value()) return;
   epoch_.raise(epoch);
   counter_ = 0;
+  if (retained::holds()) retained::beginEpoch(epoch);
 }
 
 bool NonceSource::raiseAbove(const uint8_t *floor, const uint8_t *nonce) {

@@ -4,12 +4,14 @@
 
 #include "../support/Status.h"
 #include "../storage/BootEpoch.h"
+#include "../storage/Retained.h"
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
 namespace javino {
 
-/// Gives each nonce once: boot epoch and a counter of sealed frames (SPEC 5.1).
+/// Gives each nonce once: boot epoch and a counter of sealed frames (SPEC 5.1), as long as the memory beside the stack holds
+/// (Retained.h): what ran over that may have changed the counter too.
 class NonceSource {
  public:
   explicit NonceSource(BootEpoch &epoch) : epoch_(epoch) {}
@@ -17,11 +19,12 @@ class NonceSource {
   /// The first half of the nonces to come.
   uint32_t epoch() const { return epoch_.value(); }
 
-  /// Goes on with another epoch, and the counter 0, where that is higher.
+  /// Goes on with another epoch, and the counter 0, where that is higher: the next boot then takes over what RAM holds if it is
+  /// the one after this.
   /// @param epoch 0…0xFFFFFE
   JAVINO_NOINLINE void raiseEpoch(uint32_t epoch);
 
-  /// OK; NONCE_EXHAUSTED where epoch or counter is used up: nothing can be sealed until the next boot, after the last epoch
+  /// OK; EPOCH_LOST until a host raises the epoch; MEMORY_DAMAGED where the counter is not known; NONCE_EXHAUSTED where epoch or counter is used up: nothing can be sealed until the next boot, after the last epoch
   /// never again on this board; STORE_FAILED where the epoch was not kept: a nonce might come again after the next boot.
   JAVINO_NOINLINE Status status() const;
 

@@ -1,9 +1,7 @@
 #include "ReplayMemory.h"
 
-#include <stddef.h>
 #include <string.h>
 
-#include "../support/Crc16.h"
 #include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
 
@@ -58,27 +56,38 @@ void packFloor(uint8_t key, const Address &origin, const uint8_t *nonce, uint8_t
 
 }  // namespace
 
-void ReplayMemory::begin(uint32_t epoch) {
-  takeOverRam(epoch);
+bool ReplayMemory::begin(uint32_t epoch) {
+  if (!retained::isClear()) return false;  // to write there would destroy the stack
+  const bool clear = takeOverRam(epoch);
   readFloors();
+  retained::beginEpoch(epoch);
   forgetLostKeys();
-  seal();
   beginRing(epoch);
+  return clear;
 }
 
-// Keeps what the boot before has left in RAM, or nothing; the floors' places are read anew in any case.
-void ReplayMemory::takeOverRam(uint32_t epoch) {
-  const bool intact = memory().check == crc() && memory().epoch + 1 == epoch;
+// Keeps what the boot before has left in RAM, or nothing; the floors' places are read anew in any case. Returns false where
+// that boot is known to have run over the canary: after a loss of power its epoch is hardly there.
+bool ReplayMemory::takeOverRam(uint32_t epoch) {
+  const bool isNext = memory().epoch + 1 == epoch;
+  const bool intact = isNext && retained::holds();
   for (TakenNonce &entry : memory().entries) {
     if (!intact) entry.state = FREE;
     entry.floor = NO_PLACE;
   }
-  memory().epoch = epoch;
+  return !isNext || retained::hasCanary();
 }
 
-void ReplayMemory::goOnIn(uint32_t epoch) {
-  memory().epoch = epoch;
-  seal();
+// The highest nonce stands where the floor of a pair is missing; with the group as origin, for all that have none there.
+void ReplayMemory::doubtFloors() {
+  uint8_t highest[NONCE_LENGTH];
+  for (uint8_t &byte : highest) byte = 0xFF;
+  for (uint8_t key = 0; key < KeyStore::SLOTS; key++) {
+    const Address &with = keys_.addressAt(key);
+    if (keys_.isFree(key) || find(key, with) != nullptr) continue;
+    reserve(key, with, highest);
+    remember(key, with, highest);
+  }
 }
 
 void ReplayMemory::readFloors() {
@@ -126,9 +135,15 @@ void ReplayMemory::beginRing(uint32_t epoch) {
   }
 }
 
+bool ReplayMemory::isDoubtful(uint8_t key) const {
+  const TakenNonce *entry = find(key, keys_.addressAt(key));
+  return entry != nullptr && entry->state != NOTHING_TAKEN && entry->nonce[0] == 0xFF;
+}
+
 ReplayMemory::Verdict ReplayMemory::judge(uint8_t key, const Address &origin, const uint8_t *nonce) const {
+  if (!retained::holds()) return DAMAGED;
   const TakenNonce *entry = find(key, origin);
-  if (entry == nullptr) return hasRoom(key) ? NEWER : FULL;
+  if (entry == nullptr) return isDoubtful(key) ? REPLAYED : hasRoom(key) ? NEWER : FULL;
 
   const int order = entry->state == NOTHING_TAKEN ? 1 : memcmp(nonce, entry->nonce, NONCE_LENGTH);
   if (order > 0) return NEWER;
@@ -158,7 +173,7 @@ bool ReplayMemory::reserve(uint8_t key, const Address &origin, const uint8_t *no
     before = entry->floor;
   }
   entry->floor = place;
-  seal();
+  retained::seal();
   if (before != NO_PLACE) erase(before);  // where it cannot be erased, the higher one counts
   return true;
 }
@@ -169,7 +184,7 @@ void ReplayMemory::remember(uint8_t key, const Address &origin, const uint8_t *n
   if (entry == nullptr) return;
   entry->state = EXACT;
   memcpy(entry->nonce, nonce, NONCE_LENGTH);
-  seal();
+  retained::seal();
 }
 
 void ReplayMemory::floor(uint8_t key, const Address &origin, uint8_t *into) const {
@@ -183,9 +198,10 @@ bool ReplayMemory::forget(uint8_t key) {
   bool erased = true;
   for (TakenNonce &entry : memory().entries) {
     if (entry.state == FREE || entry.key != key) continue;
-    if (entry.floor != NO_PLACE && !erase(entry.floor)) erased = false;
+    if (!retained::holds()) break;  // the next boot does it
     entry.state = FREE;
-    seal();
+    retained::seal();
+    if (entry.floor != NO_PLACE && !erase(entry.floor)) erased = false;
   }
   return erased;
 }
@@ -251,14 +267,15 @@ bool ReplayMemory::isInForce(uint8_t place) const {
   return false;
 }
 
-// Writes a floor to the next place of the ring that holds none and keeps it; returns the place, or NO_PLACE.
+// Writes a floor to the next place of the ring that holds none and keeps it; returns the place, or NO_PLACE, also where the
+// memory did not hold meanwhile.
 uint8_t ReplayMemory::store(const uint8_t *record) {
   for (uint8_t tries = 0; tries < config::FLOOR_SLOTS; tries++) {
     const uint8_t place = nextPlace_;
     nextPlace_ = static_cast<uint8_t>((place + 1) % config::FLOOR_SLOTS);
     uint8_t present[FLOOR_LENGTH];
     if (isInForce(place) || read(place, present)) continue;
-    if (write(place, record)) return place;
+    if (write(place, record)) return retained::holds() ? place : NO_PLACE;
     erase(place);
   }
   return NO_PLACE;
@@ -271,12 +288,6 @@ bool ReplayMemory::readFloor(const TakenNonce &entry, uint8_t *record) const {
 bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) const {
   uint8_t record[FLOOR_LENGTH];
   return readFloor(entry, record) && memcmp(nonce, record + NONCE_AT, NONCE_LENGTH) <= 0;
-}
-
-uint16_t ReplayMemory::crc() const {
-  Crc16 crc;
-  crc.add(reinterpret_cast<const uint8_t *>(&memory()), offsetof(TakenNonces, check));
-  return crc.value();
 }
 
 }  // namespace javino

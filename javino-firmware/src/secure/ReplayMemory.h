@@ -22,6 +22,8 @@ namespace javino {
 ///
 /// The exact nonce is in RAM that a reset leaves alone (Retained.h), behind a CRC and the boot epoch: it is taken over
 /// only by the very next boot, so that no old image, which another sketch has left where it was, makes the board forget.
+/// The CRC, and a canary between that RAM and the stack, are looked at each time: where they do not hold, everything is
+/// refused until the next boot, which goes by the floors.
 /// A floor, never lower than any nonce that was accepted, is in EEPROM: all that counts when the RAM is lost. It is there
 /// twice, so that no one cell that decays opens the door to replays.
 ///
@@ -38,7 +40,8 @@ class ReplayMemory {
     REPEATED,  ///< the last one taken
     REPLAYED,  ///< lower
     STALE,     ///< not above the floor, and what was taken is no longer known exactly
-    FULL       ///< from an origin that there is no room to remember
+    FULL,      ///< from an origin that there is no room to remember
+    DAMAGED    ///< the memory does not hold: whether it is one of the others is not known
   };
 
   explicit ReplayMemory(const KeyStore &keys) : keys_(keys) {}
@@ -46,10 +49,15 @@ class ReplayMemory {
   /// Reads the floors, takes over what RAM still holds, and forgets what came under keys that are gone. To be called once,
   /// after a boot, when the epoch was raised and the keys were read: a few ms, and 20 ms for each forgotten floor.
   /// @param epoch the boot epoch
-  JAVINO_NOINLINE void begin(uint32_t epoch);
+  /// @return false where the stack is over the memory, or was in the boot before
+  JAVINO_NOINLINE bool begin(uint32_t epoch);
 
-  /// The boot epoch was raised: the next boot takes over what RAM holds if it is the one after this.
-  void goOnIn(uint32_t epoch);
+  /// Floors may be lost, since others in EEPROM are: from now on what comes under a stored key is refused, other than above
+  /// a floor that is there. It stays so until the key is deleted.
+  JAVINO_NOINLINE void doubtFloors();
+
+  /// Whether what comes under a key from an origin without a floor is refused.
+  JAVINO_NOINLINE bool isDoubtful(uint8_t key) const;
 
   /// @param key the place of the key in the key store
   /// @param nonce 6 bytes
@@ -100,7 +108,7 @@ class ReplayMemory {
 
   static const uint8_t NO_PLACE = 0xFF;
 
-  void takeOverRam(uint32_t epoch);
+  bool takeOverRam(uint32_t epoch);
   void readFloors();
   void takeOverFloor(uint8_t place, const uint8_t *record);
   void beginRing(uint32_t epoch);
@@ -112,9 +120,6 @@ class ReplayMemory {
   JAVINO_NOINLINE uint8_t store(const uint8_t *record);
   bool readFloor(const TakenNonce &entry, uint8_t *record) const;
   bool isCovered(const TakenNonce &entry, const uint8_t *nonce) const;
-  JAVINO_NOINLINE uint16_t crc() const;
-  void seal() { memory().check = crc(); }
-
   static TakenNonces &memory() { return retained::takenNonces(); }
 
   const KeyStore &keys_;

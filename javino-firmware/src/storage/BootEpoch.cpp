@@ -9,13 +9,19 @@ const uint32_t BootEpoch::NONE_LEFT;
 
 static const uint8_t COPIES = 2;
 
-static EepromRecord recordAt(uint8_t slot) {
-  return EepromRecord(static_cast<uint16_t>(EPOCHS_AT + slot * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
+// One after the other they are now before the keys, now behind the floors.
+JAVINO_NOINLINE static EepromRecord recordAt(uint8_t slot) {
+  const uint16_t end = (slot & 1) == 0 ? EPOCHS_AT : OTHER_EPOCHS_AT;
+  return EepromRecord(static_cast<uint16_t>(end + slot / 2 * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
 }
 
-void BootEpoch::begin() {
+void BootEpoch::begin(bool hasKeys) {
   const uint8_t highest = findHighest();
-  store(highest, value_ == NONE_LEFT ? NONE_LEFT : value_ + 1);
+  if (value_ == 0 && hasKeys) {
+    status_ = Status::EPOCH_LOST;
+  } else {
+    store(highest, value_ == NONE_LEFT ? NONE_LEFT : value_ + 1);
+  }
 }
 
 // Sets the value to the highest epoch stored so far, 0 where there is none, and returns its place.
@@ -40,7 +46,7 @@ void BootEpoch::store(uint8_t highest, uint32_t epoch) {
   for (uint8_t i = 1; i < config::EPOCH_SLOTS && copies < COPIES && epoch != NONE_LEFT; i++) {
     if (recordAt(static_cast<uint8_t>((highest + i) % config::EPOCH_SLOTS)).write(record)) copies++;
   }
-  stored_ = copies == COPIES;
+  status_ = epoch == NONE_LEFT ? Status::NONCE_EXHAUSTED : copies == COPIES ? Status::OK : Status::STORE_FAILED;
 }
 
 }  // namespace javino

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "../support/Inlining.h"
+#include "../support/Status.h"
 #include "../support/Zeroed.h"
 
 namespace javino {
@@ -11,8 +12,12 @@ namespace javino {
 /// epoch is ever used in two boots. A host can raise it further.
 ///
 /// A ring of records (Config.h: 16) takes the epochs in turn, each of them twice: in the two places behind the highest
-/// epoch so far. A write that is torn by a loss of power leaves the earlier epochs whole, and an epoch counts as
+/// epoch so far. One is before all keys and one behind all floors, so that a sketch that writes over one end of what is ours
+/// does no harm. A write that is torn by a loss of power leaves the earlier epochs whole, and an epoch counts as
 /// stored when both copies are there: so a place that decays later does not make it come again.
+///
+/// Where no epoch is left, but keys are, it is lost: which nonces these keys have had, nobody here knows. Nothing is stored
+/// then until a host raises it.
 ///
 /// Wear: a boot changes two places, the seal of each twice (erased, written). Cells last 100 000 writes, a place
 /// 50 000 boots that use it, the ring of 16 places 400 000 boots: 20 boots an hour for more than two years. A place
@@ -23,24 +28,25 @@ class BootEpoch {
   static const uint32_t NONE_LEFT = 0xFFFFFF;
 
   /// Raises the epoch and stores it: some 60 ms. To be called once, after a boot.
-  JAVINO_NOINLINE void begin();
+  /// @param hasKeys whether keys are stored, which epochs before may have used
+  JAVINO_NOINLINE void begin(bool hasKeys);
 
   /// Goes on with a higher epoch, and stores it: some 30 ms.
   /// @param epoch above value(), and below NONE_LEFT
   void raise(uint32_t epoch) { store(findHighest(), epoch); }
 
-  /// 1…0xFFFFFE, or NONE_LEFT.
+  /// 1…0xFFFFFE, NONE_LEFT, or 0 where it is lost.
   uint32_t value() const { return value_; }
 
-  /// Whether the EEPROM kept the epoch: where not, it must not be used.
-  bool isStored() const { return stored_; }
+  /// OK where it may be used; EPOCH_LOST, NONCE_EXHAUSTED, or STORE_FAILED where the EEPROM did not keep it.
+  Status status() const { return status_; }
 
  private:
   JAVINO_NOINLINE uint8_t findHighest();
   JAVINO_NOINLINE void store(uint8_t highest, uint32_t epoch);
 
   uint32_t value_ JAVINO_ZEROED;
-  bool stored_ JAVINO_ZEROED;
+  Status status_ JAVINO_ZEROED;
 };
 
 }  // namespace javino

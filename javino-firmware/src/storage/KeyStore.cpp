@@ -80,7 +80,8 @@ struct StoredKey {
 
 }  // namespace
 
-void KeyStore::begin() {
+bool KeyStore::begin() {
+  bool any = false;
   sessions_.begin();
   for (uint8_t slot = SLOTS; slot < PLACES; slot++) addresses_[slot] = Address::serialLine();
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
@@ -88,10 +89,12 @@ void KeyStore::begin() {
     const bool whole = recordAt(slot).begin(stored.bytes, SECRETS_LENGTH);
     addresses_[slot] = whole ? stored.address() : Address::serialLine();
     if (whole) settleUse(slot);
+    any |= whole;
   }
   for (uint8_t slot = 0; slot < SLOTS; slot++) {
     if (isReplaced(slot) && isReplaced(slot)) erase(slot);  // twice, as a cell may read wrong once
   }
+  return any;
 }
 
 // Whether a newer key of the same address replaces this one: an interrupted change has left it.

@@ -37,7 +37,8 @@ class KeyStore {
 
   /// Reads the addresses, erases what an interrupted change left over, and overwrites the secrets of what is no whole
   /// record. To be called once, after a boot.
-  JAVINO_NOINLINE void begin();
+  /// @return whether there is a key
+  JAVINO_NOINLINE bool begin();
 
   /// @return the place 0…PLACES - 1 of the key that seals for a device or multicast address, or NO_SLOT.
   uint8_t current(const Address &address) const { return best(address, NO_SLOT); }

@@ -46,6 +46,7 @@ enum class Counter : uint8_t {
   RELAY_COPIES,
   RELAY_ANSWERS,
   RELAY_REFUSED,
+  MEMORY_DAMAGED,
   END  ///< one more than the last
 };
 

@@ -27,6 +27,7 @@ void SerialPort::write(uint8_t byte) {
 uint8_t eeprom::read(uint16_t) { return 0xFF; }
 void eeprom::write(uint16_t, uint8_t) {}
 TakenNonces &retained::takenNonces() { return nonces; }
+bool retained::isClear() { return true; }
 uint32_t clock::millis() { return 0; }
 
 }  // namespace javino

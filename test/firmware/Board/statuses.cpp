@@ -164,7 +164,10 @@ TEST_F(BoardStatus, answers_STORE_FAILED) {
 
 TEST_F(BoardStatus, seals_nothing_where_the_boot_epoch_could_not_be_stored) {
   board.setKey("SUPO", KEY);
-  for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) board.eeprom.wearOut(at);
+  for (uint16_t i = 0; i < javino::EPOCHS_LENGTH; i++) {
+    board.eeprom.wearOut(static_cast<uint16_t>(javino::EPOCHS_AT + i));
+    board.eeprom.wearOut(static_cast<uint16_t>(javino::OTHER_EPOCHS_AT + i));
+  }
   EXPECT_FALSE(board.reboot());
   board.hello();
   EXPECT_EQ(Status::STORE_FAILED, board.transmit("SUPO", "ROMA", "tell;help").status);

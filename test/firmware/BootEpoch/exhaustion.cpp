@@ -3,6 +3,7 @@
 #include <storage/EepromLayout.h>
 
 #include "support/SimulatedEeprom.h"
+#include "support/SimulatedRam.h"
 
 using javino::BootEpoch;
 
@@ -17,14 +18,17 @@ void store(uint32_t epoch) {
 
 TEST(BootEpoch, the_last_one_is_used_and_none_after_it) {
   SimulatedEeprom eeprom;
+  SimulatedRam ram;
   store(0xFFFFFD);
   BootEpoch last;
-  last.begin();
+  last.begin(false);
+  javino::retained::beginEpoch(last.value());
   EXPECT_EQ(0xFFFFFEu, last.value());
   EXPECT_EQ(javino::Status::OK, javino::NonceSource(last).status());
   for (int i = 0; i < 3; i++) {
     BootEpoch after;
-    after.begin();
+    after.begin(false);
+    javino::retained::beginEpoch(after.value());
     EXPECT_EQ(BootEpoch::NONE_LEFT, after.value());
     EXPECT_EQ(javino::Status::NONCE_EXHAUSTED, javino::NonceSource(after).status());
   }
@@ -32,9 +36,11 @@ TEST(BootEpoch, the_last_one_is_used_and_none_after_it) {
 
 TEST(NonceSource, counts_up_from_zero_behind_the_epoch) {
   SimulatedEeprom eeprom;
+  SimulatedRam ram;
   store(0x010202);
   BootEpoch epoch;
-  epoch.begin();
+  epoch.begin(false);
+  javino::retained::beginEpoch(epoch.value());
   javino::NonceSource nonces(epoch);
   Bytes nonce(6);
   nonces.take(nonce.data());
@@ -45,8 +51,10 @@ TEST(NonceSource, counts_up_from_zero_behind_the_epoch) {
 
 TEST(NonceSource, is_exhausted_after_the_last_counter) {
   SimulatedEeprom eeprom;
+  SimulatedRam ram;
   BootEpoch epoch;
-  epoch.begin();
+  epoch.begin(false);
+  javino::retained::beginEpoch(epoch.value());
   javino::NonceSource nonces(epoch);
   Bytes nonce(6);
   for (uint32_t i = 0; i <= 0xFFFFFF; i++) nonces.take(nonce.data());

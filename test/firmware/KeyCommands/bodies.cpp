@@ -25,7 +25,7 @@ std::string checkOf(const Bytes &key) {
 class KeyCommandsTest : public testing::Test {
  protected:
   KeyCommandsTest() : nonces(epoch), commands(rig.keys, *rig.memory, nonces) {
-    epoch.begin();
+    epoch.begin(false);
     for (uint8_t slot = 0; slot < ReplayRig::KEYS; slot++) rig.keys.erase(slot);
     rig.memory->forgetLostKeys();
   }
@@ -129,7 +129,8 @@ TEST_F(KeyCommandsTest, raise_the_epoch_and_never_lower_it) {
   for (size_t length : {0, 1, 2, 4, 5}) EXPECT_EQ(Status::BAD_ARGUMENT, raise(Bytes(length))) << length;
   EXPECT_EQ(0x102u, nonces.epoch());
   EXPECT_EQ(Status::OK, raise({0xFF, 0xFF, 0xFE}));
-  epoch.begin();
+  epoch.begin(false);
+  javino::retained::beginEpoch(epoch.value());
   EXPECT_EQ(Status::NONCE_EXHAUSTED, raise({0xFF, 0xFF, 0xFE}));
 }
 
@@ -140,7 +141,6 @@ TEST_F(KeyCommandsTest, tell_where_an_epoch_was_not_stored) {
 }
 
 TEST_F(KeyCommandsTest, keep_what_RAM_knows_when_the_epoch_is_raised) {
-  rig.memory->goOnIn(epoch.value());
   rig.take(0, SUPO, nonce(5, 7));
   set(TO_SUPO + KEY);
   const uint8_t slot = rig.keys.current(SUPO);

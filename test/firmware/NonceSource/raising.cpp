@@ -13,7 +13,8 @@ namespace {
 class NonceRaisingTest : public testing::Test {
  protected:
   NonceRaisingTest() : nonces(epoch) {
-    epoch.begin();
+    epoch.begin(false);
+    javino::retained::beginEpoch(epoch.value());
     for (int i = 0; i < 100; i++) next();
   }
 
@@ -26,6 +27,7 @@ class NonceRaisingTest : public testing::Test {
   bool raise(const Bytes &floor, const Bytes &of) { return nonces.raiseAbove(floor.data(), of.data()); }
 
   SimulatedEeprom eeprom;
+  SimulatedRam ram;
   BootEpoch epoch;
   NonceSource nonces;
 };
@@ -83,6 +85,6 @@ TEST_F(NonceRaisingTest, goes_on_in_its_epoch_where_that_is_not_lower) {
 TEST_F(NonceRaisingTest, of_an_epoch_begins_the_next_boot_above_it) {
   nonces.raiseEpoch(0x070000);
   epoch = BootEpoch();
-  epoch.begin();
+  epoch.begin(false);
   EXPECT_EQ(0x070001u, epoch.value());
 }

@@ -31,7 +31,7 @@ static_assert(config::EEPROM_START == 0, "");
 
 static_assert(MAX_CONTENT_LENGTH == 67, "a broadcast of one packet");
 static_assert(EEPROM_END == 1016, "of 1024 bytes");
-static_assert(sizeof(TakenNonces) == 84, "retained RAM, beside the board's");
+static_assert(sizeof(TakenNonces) == 86, "retained RAM, beside the board's");
 static_assert(sizeof(Board) <= 944, "the protocol's part of static RAM");
 
 }  // namespace javino

@@ -9,6 +9,8 @@ namespace retained {
 
 TakenNonces &takenNonces() { return current->takenNonces; }
 
+bool isClear() { return current->isClear; }
+
 }  // namespace retained
 }  // namespace javino
 

@@ -23,6 +23,7 @@ class SimulatedRam {
   void restore(const Bytes &content);
 
   javino::TakenNonces takenNonces;
+  bool isClear = true;  ///< of the stack
 
  private:
   SimulatedRam *const before_;

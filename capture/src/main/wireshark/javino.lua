@@ -32,9 +32,11 @@ local TRAILERS = {[0] = "none", [1] = "MARK", [2] = "PARITY", [255] = "not known
 local MARK, PARITY = 0x78, 0x87
 local FROM = {[0] = "host", [1] = "board"}
 local STATUSES = {[0] = "OK", "NOT_GREETED", "UNKNOWN_COMMAND", "BAD_ARGUMENT", "UNKNOWN_ACTION", "ACTION_FAILED", "NO_RF_ID",
-  "WRONG_ORIGIN", "BAD_DESTINATION", "NO_KEY", "TOO_LONG", "QUEUE_FULL", "STORE_FULL", "STORE_FAILED", "NONCE_EXHAUSTED", "BUSY", "HAS_KEY"}
+  "WRONG_ORIGIN", "BAD_DESTINATION", "NO_KEY", "TOO_LONG", "QUEUE_FULL", "STORE_FULL", "STORE_FAILED", "NONCE_EXHAUSTED", "BUSY", "HAS_KEY",
+  "EPOCH_LOST", "MEMORY_DAMAGED"}
 local OUTCOMES = {[0] = "sent", "delivered", "undelivered"}
-local ROLES = {[0] = "current", "previous", "next", "session"}
+local ROLES = {[0] = "current", "previous", "next", "session",
+  "current, floors may be lost", "previous, floors may be lost", "next, floors may be lost"}
 local RECORDS = {P = "percept", M = "message", T = "transmission", N = "no key", O = "overheard"}
 local COMMANDS = {H = "hello", P = "poll", A = "act", C = "list actions", I = "set RF id", R = "radio", O = "overhear", Y = "relay",
   W = "relaying", E = "raise epoch", K = "set key", N = "renew key", U = "use key", F = "finish renewal", D = "delete key",
@@ -44,7 +46,7 @@ local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialR
   "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
   "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped", "relayCopies",
-  "relayAnswers", "relayRefused"}
+  "relayAnswers", "relayRefused", "memoryDamaged"}
 -- How a force goes with a conversation.
 local FORCES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
   askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always", move = "never"}
@@ -186,6 +188,7 @@ field(serial, "poll.coming", "bool", "The reply to an earlier poll may still com
 field(serial, "poll.more", "bool", "More is waiting", 8, nil, 0x01)
 field(serial, "poll.left_out", "bool", "Some percepts were left out", 8, nil, 0x02)
 field(serial, "poll.reading", "bool", "The reply has a reading", 8, nil, 0x04)
+field(serial, "poll.damaged", "bool", "The memory of nonces did not hold", 8, nil, 0x08)
 field(serial, "poll.hold", "uint16", "Hold", base.UNIT_STRING, {" ms"})
 field(serial, "poll.least", "uint24", "Least", base.UNIT_STRING, {" ms"})
 field(serial, "poll.taken", "uint8", "Taken")
@@ -1194,7 +1197,7 @@ local REPLIES = {
   P = function(r, tree, range)
     local item, _, flags = r.take("serial.poll.flags", 1)
     if not item then return false end
-    for _, name in ipairs({"more", "left_out", "reading"}) do item:add(f["serial.poll." .. name], flags) end
+    for _, name in ipairs({"more", "left_out", "reading", "damaged"}) do item:add(f["serial.poll." .. name], flags) end
     local right = true
     while r.has(3) do
       local head = r.range(3)

@@ -710,6 +710,7 @@ class VectorsTest {
             case "more" -> shows(index, "serial.poll.more", value.getAsBoolean() ? 1 : 0);
             case "leftOut" -> shows(index, "serial.poll.left_out", value.getAsBoolean() ? 1 : 0);
             case "reading" -> shows(index, "serial.poll.reading", value.getAsBoolean() ? 1 : 0);
+            case "damaged" -> shows(index, "serial.poll.damaged", value.getAsBoolean() ? 1 : 0);
             case "records" -> showsRecords(index, value.getAsJsonArray().asList());
             case "count" -> shows(index, "serial.actions.count", value.getAsInt());
             case "names" -> assertEquals(value.getAsJsonArray().asList().stream().map(JsonElement::getAsString)

@@ -15,6 +15,7 @@ import jason.asSyntax.Term;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.board.LostState;
 import javino.board.ReceivedMessage;
 import javino.board.Transmission;
 import javino.protocol.Address;
@@ -320,6 +321,7 @@ final class Device implements BoardListener, KeyService.Host {
             if (thrown == null) {
                 toldKeys = list;
                 keys.told(list);
+                LostState.ofFloors(list).ifPresent(surroundings.warnings()::once);
             } else {
                 surroundings.warnings()
                         .once("it is not known which keys the board has: " + Failure.of(thrown).message());

@@ -26,6 +26,7 @@ import jason.asSyntax.Trigger;
 
 import javino.board.BoardConfig;
 import javino.board.Transmission;
+import javino.cli.KeyringNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;
@@ -109,9 +110,9 @@ public class Diffuser extends AgArch {
         return ASSyntax.createString(port);
     }
 
-    /** The settings of the session with the board; override it for other times. */
+    /** The settings of the session with the board; override it for other times, or other notes of its epochs. */
     protected BoardConfig boardConfig() {
-        return BoardConfig.create();
+        return BoardConfig.create(config -> config.setEpochNotes(KeyringNotes.named()));
     }
 
     /**

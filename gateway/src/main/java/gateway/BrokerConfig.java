@@ -1,10 +1,11 @@
 package gateway;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.net.URISyntaxException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
@@ -14,6 +15,7 @@ import java.util.Collection;
 import java.util.Optional;
 import javax.net.ssl.TrustManagerFactory;
 import javino.JavinoException;
+import javino.TextFile;
 
 /**
  * Where the broker is, and how to enter.
@@ -69,7 +71,8 @@ record BrokerConfig(String host, int port, boolean tls, Optional<TrustManagerFac
      * @throws JavinoException if it has none.
      */
     BrokerConfig trusting(Path file) throws JavinoException {
-        try (InputStream in = Files.newInputStream(file)) {
+        try {
+            InputStream in = new ByteArrayInputStream(TextFile.read(file).getBytes(StandardCharsets.UTF_8));
             Collection<? extends Certificate> certificates =
                     CertificateFactory.getInstance("X.509").generateCertificates(in);
             if (certificates.isEmpty()) {
@@ -83,6 +86,8 @@ record BrokerConfig(String host, int port, boolean tls, Optional<TrustManagerFac
             TrustManagerFactory factory = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
             factory.init(store);
             return new BrokerConfig(host, port, tls, Optional.of(factory), user, password);
+        } catch (IllegalArgumentException e) {
+            throw new JavinoException(e.getMessage(), e);
         } catch (IOException e) {
             throw new JavinoException(file + " cannot be read: is it there? " + e.getClass().getSimpleName(), e);
         } catch (GeneralSecurityException e) {

@@ -1,12 +1,12 @@
 package gateway;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javino.JavinoException;
 import javino.Printable;
+import javino.TextFile;
 import javino.cli.FurtherCommand;
 import javino.cli.UntilInterrupted;
 import javino.link.SerialLink;
@@ -92,7 +92,9 @@ public final class GatewayCommand implements FurtherCommand {
             return Optional.ofNullable(System.getenv(PASSWORD));
         }
         try {
-            return Files.readString(passwordFile).lines().findFirst();
+            return TextFile.read(passwordFile).lines().findFirst();
+        } catch (IllegalArgumentException e) {
+            throw new JavinoException(e.getMessage(), e);
         } catch (IOException e) {
             throw new JavinoException(passwordFile + " cannot be read: is it there? " + e.getClass().getSimpleName(),
                     e);

@@ -1,13 +1,12 @@
 package strangers;
 
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import javino.TextFile;
 import javino.protocol.Bytes;
 
 /**
@@ -27,11 +26,7 @@ final class Entries {
      * @throws IllegalArgumentException as {@link #parse}.
      */
     static Entries read(Path file) throws IOException {
-        try {
-            return parse(Files.readString(file), file);
-        } catch (CharacterCodingException e) {
-            throw new IllegalArgumentException(file + " is no text in UTF-8", e);
-        }
+        return parse(TextFile.read(file), file);
     }
 
     /**

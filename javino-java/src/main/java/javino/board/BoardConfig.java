@@ -18,9 +18,10 @@ import javino.protocol.Request;
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
  *                       silent before the listener is told; 5 s by default, as a Mega takes 2 s to boot.
  * @param queueCapacity  how many requests may wait, at least 1; 64 by default.
+ * @param epochNotes     what is known of a board that has lost its boot epoch; nothing by default.
  */
 public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Duration helloInterval,
-        Duration reopenInterval, Duration patience, int queueCapacity) {
+        Duration reopenInterval, Duration patience, int queueCapacity, EpochNotes epochNotes) {
 
     private static final Duration MAX_HOLD = Duration.ofMillis(Request.MAX_HOLD_MILLIS);
 
@@ -72,6 +73,7 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
         private Duration reopenInterval = Duration.ofMillis(200);
         private Duration patience = Duration.ofSeconds(5);
         private int queueCapacity = 64;
+        private EpochNotes epochNotes = EpochNotes.NONE;
 
         private Builder() {
         }
@@ -118,9 +120,15 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
             return this;
         }
 
+        /** Sets {@link BoardConfig#epochNotes()}. */
+        public Builder setEpochNotes(EpochNotes notes) {
+            epochNotes = notes;
+            return this;
+        }
+
         private BoardConfig build() {
             return new BoardConfig(hold, replyTimeout, attempts, helloInterval, reopenInterval, patience,
-                    queueCapacity);
+                    queueCapacity, epochNotes);
         }
     }
 }

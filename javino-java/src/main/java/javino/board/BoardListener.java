@@ -67,9 +67,10 @@ public interface BoardListener {
     }
 
     /**
-     * A percept or message from the board was skipped, since it is no text or no content.
+     * A percept or message from the board was skipped, since it is no text or no content; or the board has lost what
+     * its security rests on.
      *
-     * @param what one line that says what was skipped and why.
+     * @param what one line that says what, why, and what to do.
      */
     default void warning(String what) {
     }

@@ -32,6 +32,7 @@ final class Polling {
     private int taken = Request.NOTHING_TAKEN;
     private boolean owesTaken;
     private boolean isLast;
+    private boolean toldDamage;
 
     Polling(Context context) {
         this.context = context;
@@ -40,7 +41,9 @@ final class Polling {
 
     /** A board came online; after a boot it counts messages and transmissions anew. */
     void greeted(BoardInfo board) {
-        if (!board.equals(source)) {
+        // Without an epoch no boot can be told from the one before.
+        if (!board.equals(source) || board.hasLostEpoch()) {
+            toldDamage = false;
             taken = Request.NOTHING_TAKEN;
             owesTaken = false;
             repeats.booted();
@@ -150,6 +153,10 @@ final class Polling {
                 context.counters().count(SessionCounter.OVERHEARD);
                 context.listener().tell(listener -> listener.overheard(packet));
             }
+        }
+        if (reply.damaged() && !toldDamage) {
+            toldDamage = true;
+            context.listener().warn(LostState.ofMemory());
         }
         if (reply.reading()) {
             perception.take(literals, reply.leftOut(), late);

@@ -74,6 +74,17 @@ final class Service {
         return names.names();
     }
 
+    /** Asks for the board's keys. */
+    List<Reply.StoredKey> keys() throws LinkException, LostException, ProtocolException {
+        Reply reply = ask(Request.listKeys());
+        return reply.status() == Status.OK ? reply.storedKeys() : List.of();
+    }
+
+    /** Raises the board's epoch. @return whether it has it. */
+    boolean raiseEpoch(int epoch) throws LinkException, LostException, ProtocolException {
+        return ask(Request.raiseEpoch(epoch)).status() == Status.OK;
+    }
+
     private ActionNames actionsFrom(int offset) throws LinkException, LostException, ProtocolException {
         Reply reply = ask(Request.listActions(offset));
         if (reply.status() != Status.OK) {

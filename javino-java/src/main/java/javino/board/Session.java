@@ -1,7 +1,10 @@
 package javino.board;
 
+import java.io.IOException;
+import java.time.Instant;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import javino.JavinoException;
 import javino.link.Link;
@@ -22,6 +25,7 @@ final class Session implements Runnable {
     private volatile BoardState state = BoardState.OFFLINE;
     private volatile BoardInfo info;
     private final CompletableFuture<BoardInfo> greeted = new CompletableFuture<>();
+    private final LostState lost;
     private String offlineWhy;
     private Deadline patience;
 
@@ -29,6 +33,7 @@ final class Session implements Runnable {
         this.opener = opener;
         this.context = context;
         this.polling = new Polling(context);
+        this.lost = new LostState(context.config().epochNotes());
     }
 
     BoardState state() {
@@ -122,9 +127,33 @@ final class Session implements Runnable {
         } else {
             Service service = new Service(context, greeting.exchange(), polling);
             info = info.withActions(service.actions());
+            if (info.hasLostEpoch()) {
+                raiseLostEpoch(service);
+            }
+            lost.greeted(info);
             service.restoreWishes();
             nowOnline();
             service.run(() -> info);
+        }
+    }
+
+    /** Before anybody may send: nothing is sealed without an epoch. */
+    private void raiseLostEpoch(Service service) throws LinkException, LostException, ProtocolException {
+        OptionalInt epoch = OptionalInt.empty();
+        String why = "";
+        try {
+            epoch = lost.epochFor(info, service.keys(), Instant.now());
+        } catch (IOException | JavinoException | IllegalArgumentException e) {
+            why = " (" + e.getMessage() + ")";
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        if (epoch.isPresent() && service.raiseEpoch(epoch.getAsInt())) {
+            info = info.withBootEpoch(epoch.getAsInt());
+            polling.renamed(info);
+            context.listener().warn(LostState.raised(epoch.getAsInt()));
+        } else {
+            context.listener().warn(LostState.notRaised() + why);
         }
     }
 

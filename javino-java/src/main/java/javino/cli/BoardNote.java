@@ -1,5 +1,6 @@
 package javino.cli;
 
+import java.time.Instant;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javino.board.EpochNotes;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 
@@ -25,6 +27,14 @@ record BoardNote(boolean lost, int epoch, Map<Address, HeldKeys> keys) {
     private static final String FORM = "what a board has is written as SUPO: epoch 470012, ROMA 3640e0, and so on";
     private static final String LOST = "lost";
     private static final String EPOCH = "epoch ";
+
+    /** How far ahead of the clock an epoch may be: 5 years, in minutes. */
+    private static final int AHEAD = 5 * 366 * 24 * 60;
+
+    /** The highest epoch that can be right by the clock; any, before 2026, as a computer without a clock says. */
+    static int mostAt(Instant now) {
+        return EpochNotes.at(now) == 0 ? BoardInfo.LAST_EPOCH + 1 : EpochNotes.at(now) + AHEAD;
+    }
 
     /** What it had for an address. */
     HeldKeys held(Address address) {

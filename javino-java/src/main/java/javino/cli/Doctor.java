@@ -52,11 +52,12 @@ final class Doctor {
      *
      * @param id     the RF id that it should have; null where any will do.
      * @param keys   that it should have; none where any will do.
+     * @param noted  the boot epoch that it has had by the keyring; 0 where that is not known.
      * @param listen how long to wait for a radio packet.
      * @return whether all is well.
      * @throws JavinoException if the board went while it was examined.
      */
-    boolean examine(Address id, Map<Address, SharedKey> keys, Duration listen)
+    boolean examine(Address id, Map<Address, SharedKey> keys, int noted, Duration listen)
             throws JavinoException, InterruptedException {
         Watched link = new Watched(port.link());
         try (Board board = Board.open(link, port.config(), new BoardListener() {})) {
@@ -66,7 +67,7 @@ final class Doctor {
                 Identity identity = new Identity(port.name(), findings);
                 identity.examineId(info, id);
                 identity.examineKeys(Await.result(board.keys()), keys, id);
-                identity.examineNonces(info);
+                identity.examineNonces(info, noted, id);
                 traffic.examine(listen);
             }
         }

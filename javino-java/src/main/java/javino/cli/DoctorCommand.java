@@ -49,9 +49,11 @@ final class DoctorCommand implements Callable<Integer> {
         if (keyring != null && id == null) {
             throw wrongUsage("--keyring needs --id: whose keys the board should have");
         }
-        Map<Address, SharedKey> keys = keyring == null ? Map.of() : Keyring.keysOf(keyring, id);
+        Keyring ring = keyring == null ? new Keyring() : Keyring.read(keyring);
+        Map<Address, SharedKey> keys = keyring == null ? Map.of() : Keyring.keysOf(keyring, ring, id);
+        int noted = id == null ? 0 : ring.note(id).epoch();
         Doctor doctor = new Doctor(port, spec.commandLine().getOut());
-        return doctor.examine(id, keys, Duration.ofSeconds(seconds)) ? 0 : 1;
+        return doctor.examine(id, keys, noted, Duration.ofSeconds(seconds)) ? 0 : 1;
     }
 
     private ParameterException wrongUsage(String what) {

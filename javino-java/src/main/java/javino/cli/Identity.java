@@ -2,6 +2,7 @@ package javino.cli;
 
 import java.util.List;
 import java.util.Map;
+import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -44,6 +45,7 @@ final class Identity {
         wanted.forEach((address, key) -> examineKey(address, current.stream()
                 .filter(each -> each.address().equals(address)).map(StoredKey::check).findFirst().orElse(null),
                 key, id));
+        LostState.ofFloors(stored).ifPresent(what -> findings.trouble("floors", what));
     }
 
     private void examineKey(Address address, Bytes found, SharedKey expected, Address id) {
@@ -58,8 +60,14 @@ final class Identity {
         }
     }
 
-    void examineNonces(BoardInfo info) {
-        if (info.bootEpoch() > BoardInfo.LAST_EPOCH) {
+    /** @param noted an epoch that the board of this id has had; 0 where none is known. */
+    void examineNonces(BoardInfo info, int noted, Address id) {
+        if (info.hasLostEpoch()) {
+            findings.trouble("nonces", LostState.notRaised() + ": " + provision(id));
+        } else if (info.bootEpoch() < noted) {
+            findings.trouble("nonces", "epoch " + info.bootEpoch() + ", but the keyring notes " + noted + " of "
+                    + id + ": what it seals is refused; " + provision(id));
+        } else if (info.bootEpoch() > BoardInfo.LAST_EPOCH) {
             findings.trouble("nonces", "the epochs are used up; another board, with new keys");
         } else {
             findings.ok("nonces", "epoch " + info.bootEpoch() + " of " + BoardInfo.LAST_EPOCH);

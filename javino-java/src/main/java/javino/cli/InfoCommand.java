@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import javino.JavinoException;
 import javino.board.Board;
+import javino.board.LostState;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Counter;
@@ -55,7 +56,9 @@ final class InfoCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         try (Board board = port.open()) {
             BoardInfo info = Await.result(board.greeted());
-            print(info, Await.result(board.keys()), out);
+            List<Reply.StoredKey> keys = Await.result(board.keys());
+            print(info, keys, out);
+            LostState.ofFloors(keys).ifPresent(what -> out.println(line("floors", what)));
             if (seconds == null) {
                 Await.result(board.statistics()).forEach((counter, value) -> out.println(line(counter, value)));
             } else {
@@ -79,7 +82,7 @@ final class InfoCommand implements Callable<Integer> {
         out.println(line("firmware", info.firmware()));
         out.println(line("protocol version", info.protocolVersion()));
         out.println(line("RF id", info.rfId().map(Address::toString).orElse("none")));
-        out.println(line("boot epoch", info.bootEpoch()));
+        out.println(line("boot epoch", info.hasLostEpoch() ? LostState.notRaised() : info.bootEpoch()));
         out.println(line("actions", info.actions().isEmpty() ? "none" : String.join(", ", info.actions())));
         keys.forEach(key -> out.println(line(nameOf(key.role()),
                 key.address() + ", check value " + key.check())));

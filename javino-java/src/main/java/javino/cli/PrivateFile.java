@@ -3,7 +3,6 @@ package javino.cli;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
@@ -18,6 +17,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.EnumSet;
 import java.util.Set;
 import javino.JavinoException;
+import javino.TextFile;
 
 /** Files with keys: texts that only their owner can read. Without POSIX permissions they have those of their folder. */
 public final class PrivateFile {
@@ -39,17 +39,13 @@ public final class PrivateFile {
     /**
      * Reads a file.
      *
-     * @throws IllegalArgumentException if others may read or write it, or if it is no text in UTF-8.
+     * @throws IllegalArgumentException if others may read or write it, or as {@link TextFile#read}.
      */
     public static String read(Path file) throws IOException {
         if (POSIX && !OWNERS.containsAll(Files.getPosixFilePermissions(file))) {
             throw new IllegalArgumentException(file + ": others than you may read or write it; chmod 600 " + file);
         }
-        try {
-            return Files.readString(file);
-        } catch (CharacterCodingException e) {
-            throw new IllegalArgumentException(file + " is no text in UTF-8; save it as such", e);
-        }
+        return TextFile.read(file);
     }
 
     /**

@@ -13,11 +13,14 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import javino.JavinoException;
 import javino.board.Board;
+import javino.board.EpochNotes;
+import javino.board.LostState;
 import javino.board.RequestFailedException;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
+import javino.protocol.Reply.StoredKey;
 import javino.protocol.Status;
 
 /**
@@ -25,9 +28,6 @@ import javino.protocol.Status;
  * are there. What the board then has is noted in the keyring.
  */
 final class Provisioning {
-
-    /** Minutes since then are the epoch that a board is given at least: enough for 31 years. */
-    private static final Instant FIRST_EPOCH = Instant.parse("2026-01-01T00:00:00Z");
 
     private static final Duration BUSY_PAUSE = Duration.ofMillis(100);
 
@@ -83,7 +83,7 @@ final class Provisioning {
         for (Map.Entry<Address, SharedKey> key : wanted.entrySet()) {
             step(key.getKey(), key.getValue(), held.getOrDefault(key.getKey(), HeldKeys.NONE), ring);
         }
-        note(wanted);
+        note(wanted, info.bootEpoch(), now);
         if (!waits.isEmpty() && !changed) {
             throw new JavinoException("nothing can be done with " + id + " yet: " + String.join("; ", waits)
                     + "; javino provision on these first");
@@ -143,13 +143,26 @@ final class Provisioning {
      */
     private void raiseEpoch(BoardInfo info, Keyring ring, Instant now)
             throws IOException, JavinoException, InterruptedException {
-        long minutes = Math.max(0, Duration.between(FIRST_EPOCH, now).toMinutes());
-        int epoch = (int) Math.min(BoardInfo.LAST_EPOCH, Math.max(minutes, ring.note(id).epoch() + 1L));
+        int noted = ring.note(id).epoch();
+        int epoch = info.hasLostEpoch() ? EpochNotes.above(noted, now)
+                : Math.min(BoardInfo.LAST_EPOCH, Math.max(EpochNotes.at(now), noted + 1));
+        if (info.hasLostEpoch() && (noted == 0 || epoch > Math.min(BoardInfo.LAST_EPOCH, BoardNote.mostAt(now)))) {
+            throw new JavinoException(
+                    port + ": the board has lost its boot epoch, and no keyring tells a higher one, so "
+                            + "that its keys cannot be used again: javino forget --port " + port
+                            + " --all, then new keys for it (javino keygen)");
+        }
+        if (noted > BoardNote.mostAt(now)) {
+            throw new JavinoException(file + " notes that " + id + " had epoch " + noted
+                    + ", which is years ahead of this computer's clock; set the clock, or else correct the line");
+        }
         if (file != null) {
-            Keyring.change(file,
-                    latest -> latest.note(id, latest.note(id).withEpoch(Math.max(epoch, info.bootEpoch()))));
+            Keyring.change(file, latest -> latest.note(id, latest.note(id).withEpoch(epoch)));
         }
         Await.result(board.raiseEpoch(epoch));
+        if (info.hasLostEpoch()) {
+            out.println("boot epoch " + epoch + ": the board had lost its own, and this is above all that it has had");
+        }
     }
 
     /** Takes the step that is due with a key: it is set, or accepted, or used, or the one before it is forgotten. */
@@ -235,14 +248,21 @@ final class Provisioning {
         out.println(line);
     }
 
-    private void note(Map<Address, SharedKey> wanted) throws IOException, JavinoException, InterruptedException {
+    /** What the board says of its epoch counts only now that it has shown that it has the keys. */
+    private void note(Map<Address, SharedKey> wanted, int claimed, Instant now)
+            throws IOException, JavinoException, InterruptedException {
+        List<StoredKey> keys = Await.result(board.keys());
+        LostState.ofFloors(keys).ifPresent(out::println);
         if (file == null) {
             return;
         }
-        Map<Address, HeldKeys> found = HeldKeys.of(Await.result(board.keys()));
+        Map<Address, HeldKeys> found = HeldKeys.of(keys);
+        boolean proved = wanted.entrySet().stream().anyMatch(key -> key.getValue().all().stream()
+                .anyMatch(each -> found.getOrDefault(key.getKey(), HeldKeys.NONE).sealsWith(each.check())));
+        int epoch = proved && claimed <= BoardNote.mostAt(now) ? claimed : 0;
         List<Keyring.Members> settled = new ArrayList<>();
         Keyring.change(file, latest -> {
-            latest.note(id, latest.note(id).withKeys(found, wanted.keySet()));
+            latest.note(id, latest.note(id).withEpoch(epoch).withKeys(found, wanted.keySet()));
             settled.addAll(latest.settle());
         });
         settled.forEach(members -> out.println("renewal of " + members + " finished"));

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Map;
 import javino.JavinoException;
 import javino.board.Board;
+import javino.board.LostState;
 import javino.board.SessionCounter;
 import javino.protocol.Counter;
 
@@ -30,6 +31,7 @@ final class Traffic {
     /** @param listen how long to wait for a radio packet. */
     void examine(Duration listen) throws JavinoException, InterruptedException {
         Map<Counter, Long> counters = listen(listen);
+        examineMemory(counters);
         examineLine(counters.getOrDefault(Counter.SERIAL_DAMAGED, 0L));
         examineRadio(counters, listen);
     }
@@ -44,6 +46,12 @@ final class Traffic {
             counters = Await.result(board.statistics());
         }
         return counters;
+    }
+
+    private void examineMemory(Map<Counter, Long> counters) {
+        if (counters.getOrDefault(Counter.MEMORY_DAMAGED, 0L) > 0) {
+            findings.trouble("memory", LostState.ofMemory());
+        }
     }
 
     private void examineLine(long damagedAtBoard) {

@@ -8,7 +8,7 @@ import java.util.Optional;
  *
  * @param protocolVersion the board's, 1…255; {@link #LEGACY_VERSION} where it speaks the older protocol.
  * @param rfId            its address on the radio, if it has one.
- * @param bootEpoch       the epoch of its nonces, raised in each boot; 0xFFFFFF where none is left.
+ * @param bootEpoch       the epoch of its nonces, raised in each boot; 0xFFFFFF where none is left, 0 where it is lost.
  * @param firmware        the sketch's name.
  * @param actions         the names of the sketch's actions in its order; none where it speaks the older protocol, which
  * cannot tell.
@@ -43,6 +43,16 @@ public record BoardInfo(int protocolVersion, Optional<Address> rfId, int bootEpo
     /** Whether it speaks the older protocol, which has percepts and actions, and nothing else. */
     public boolean isLegacy() {
         return protocolVersion == LEGACY_VERSION;
+    }
+
+    /** Whether it has keys and no epoch: it seals nothing until it is given one. */
+    public boolean hasLostEpoch() {
+        return bootEpoch == 0 && !isLegacy();
+    }
+
+    /** The same board after its epoch was raised. */
+    public BoardInfo withBootEpoch(int epoch) {
+        return new BoardInfo(protocolVersion, rfId, epoch, firmware, actions);
     }
 
     /** The same board after it was given an address. */

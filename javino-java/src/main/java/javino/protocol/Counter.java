@@ -80,7 +80,9 @@ public enum Counter {
     /** Copies of acknowledgements that it has sent as a relay. */
     RELAY_ANSWERS("relayAnswers"),
     /** Unicasts that it did not copy, since its memory was full or too many went unanswered. */
-    RELAY_REFUSED("relayRefused");
+    RELAY_REFUSED("relayRefused"),
+    /** Sealed frames and hellos that came while the memory of nonces did not hold, and boots after it did not. */
+    MEMORY_DAMAGED("memoryDamaged");
 
     private static final Counter[] VALUES = values();
 

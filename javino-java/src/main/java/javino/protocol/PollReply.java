@@ -10,16 +10,18 @@ import java.util.List;
  * @param leftOut whether some percepts did not fit.
  * @param reading whether the percepts of this reply are all that the board perceives now; otherwise there are none, and
  *                the last ones told still hold.
+ * @param damaged whether the board's memory of nonces did not hold since it booted (SPEC 5.1).
  * @param records in the order of the reply: transmissions, messages, frames without a key and packets that were
  *                overheard, or percepts.
  */
-public record PollReply(boolean more, boolean leftOut, boolean reading, List<Item> records) {
+public record PollReply(boolean more, boolean leftOut, boolean reading, boolean damaged, List<Item> records) {
 
     /** Where the flags of a poll's reply end in its packet. */
     public static final int FLAGS_END = 1 + Frame.HEADER_LENGTH + 2;
     private static final int MORE = 1;
     private static final int LEFT_OUT = 2;
     private static final int READING = 4;
+    private static final int DAMAGED = 8;
     private static final int TIME_LENGTH = 4;
     private static final int RECORD_HEADER_LENGTH = 3;
     private static final int ID_OFFSET = 1 + 2 * Address.LENGTH;
@@ -109,7 +111,8 @@ public record PollReply(boolean more, boolean leftOut, boolean reading, List<Ite
             at = end;
         }
         int flags = body.at(0);
-        return new PollReply((flags & MORE) != 0, (flags & LEFT_OUT) != 0, (flags & READING) != 0, records);
+        return new PollReply((flags & MORE) != 0, (flags & LEFT_OUT) != 0, (flags & READING) != 0,
+                (flags & DAMAGED) != 0, records);
     }
 
     private static Item decodeItem(int type, Bytes value) throws ProtocolException {

@@ -17,15 +17,24 @@ public record Reply(Status status, Bytes body) {
     private static final int CHECK_LENGTH = 3;
     private static final int KEY_LENGTH = Address.LENGTH + 1 + CHECK_LENGTH;
     private static final int COUNTER_LENGTH = 5;
+    /** Added to a role. */
+    private static final int DOUBTFUL = 4;
 
     /**
      * A key that a board has.
      *
-     * @param address the device or group that it is shared with.
-     * @param role    whether it is the current, the previous, the next or a session key.
-     * @param check   its check value (SPEC 5.2), 3 bytes.
+     * @param address  the device or group that it is shared with.
+     * @param role     whether it is the current, the previous, the next or a session key.
+     * @param check    its check value (SPEC 5.2), 3 bytes.
+     * @param doubtful whether floors of it may be lost: what comes under it is refused, unless above a floor that is
+     *                 there.
      */
-    public record StoredKey(Address address, Role role, Bytes check) {
+    public record StoredKey(Address address, Role role, Bytes check, boolean doubtful) {
+
+        /** A key whose floors are all there. */
+        public StoredKey(Address address, Role role, Bytes check) {
+            this(address, role, check, false);
+        }
     }
 
     /** What a board does with a key (SPEC 4.3, renew key). The ordinal is the value on the line. */
@@ -83,8 +92,9 @@ public record Reply(Status status, Bytes body) {
 
     private static StoredKey storedKey(Bytes entry) throws ProtocolException {
         int role = entry.at(Address.LENGTH);
-        expect(role < Role.values().length, "a key's role is 0…3", entry);
-        return new StoredKey(Address.decode(entry, 0), Role.values()[role], entry.from(Address.LENGTH + 1));
+        expect(role < 2 * DOUBTFUL, "a key's role is 0…7", entry);
+        return new StoredKey(Address.decode(entry, 0), Role.values()[role & ~DOUBTFUL], entry.from(Address.LENGTH + 1),
+                (role & DOUBTFUL) != 0);
     }
 
     /** The answer to statistics, without counters that only later firmware has. */

@@ -38,7 +38,13 @@ public enum Status {
     /** What is under way is sealed with the key that is to be replaced. */
     BUSY("a message sealed with the old key is under way; try again when it has ended"),
     /** A key is stored for this address: it gets no session key. */
-    HAS_KEY("the board has a stored key for this address, and sets no session key beside it");
+    HAS_KEY("the board has a stored key for this address, and sets no session key beside it"),
+    /** Keys are stored, but no epoch. */
+    EPOCH_LOST("the board has lost its boot epoch, and seals nothing until javino provision has raised it"),
+    /** The memory of nonces does not hold. */
+    MEMORY_DAMAGED(
+            "the sketch's stack, or a wild pointer, has written over the board's memory of nonces, and the board "
+                    + "seals and opens nothing until it is reset; make the sketch's variables smaller");
 
     private static final Status[] VALUES = values();
 

@@ -53,6 +53,7 @@ public final class FakeBoard {
     private int actionBytesInAReply = 500;
     private Status listing = Status.OK;
     private final FakeMail mail = new FakeMail();
+    private final Set<String> doubted = new HashSet<>();
     private final Map<Counter, Long> counters = new EnumMap<>(Map.of(Counter.SERIAL_REQUESTS, 9L));
     private final Map<Counter, Long> rises = new EnumMap<>(Counter.class);
     private int transmissions;
@@ -380,7 +381,8 @@ public final class FakeBoard {
         for (Map.Entry<String, StoredKeys> entry : keys.entrySet()) {
             Bytes address = Bytes.ofText(entry.getKey());
             StoredKeys stored = entry.getValue();
-            list = Bytes.join(list, address, Bytes.of(stored.isSession ? 3 : 0), stored.current);
+            int doubtful = doubted.contains(entry.getKey()) ? 4 : 0;
+            list = Bytes.join(list, address, Bytes.of(stored.isSession ? 3 : doubtful), stored.current);
             if (stored.other != null) {
                 list = Bytes.join(list, address, Bytes.of(stored.isNext ? 2 : 1), stored.other);
             }
@@ -480,6 +482,17 @@ public final class FakeBoard {
         keys.clear();
         rfId = "++++";
         bootEpoch = 1;
+    }
+
+    /** Has the board find keys and no epoch, and floors missing of some keys. */
+    public synchronized void loseEpoch(String... addresses) {
+        bootEpoch = 0;
+        doubted.addAll(List.of(addresses));
+    }
+
+    /** Has replies to polls say that the memory of nonces did not hold. */
+    public synchronized void setDamaged() {
+        mail.setDamaged();
     }
 
     /** Has a message be under way that so many times prevents the use of a key. */
@@ -584,7 +597,7 @@ public final class FakeBoard {
     /** Boots anew: it must be greeted, and what was not taken comes again. */
     public synchronized void reset() {
         greeted = false;
-        bootEpoch = Math.min(bootEpoch + 1, MAX_BOOT_EPOCH);
+        bootEpoch = bootEpoch == 0 ? 0 : Math.min(bootEpoch + 1, MAX_BOOT_EPOCH);
         transmissions = 0;
         keys.values().removeIf(stored -> stored.isSession);
         sessionKeys.clear();

@@ -8,6 +8,12 @@ import javino.protocol.Outcome;
 /** What a fake board keeps for its host until it is polled, and how it answers a poll (SPEC 4.3). */
 final class FakeMail {
 
+    private int damaged;
+
+    void setDamaged() {
+        damaged = 8;
+    }
+
     /** What follows status and flags. */
     private static final int ROOM = 509;
 
@@ -101,11 +107,11 @@ final class FakeMail {
             readAt = System.nanoTime();
             return tellReading();
         }
-        return over ? Bytes.of(0, 0) : null;
+        return over ? Bytes.of(0, damaged) : null;
     }
 
     private Bytes tellWhatWaits() {
-        int flags = 0;
+        int flags = damaged;
         Bytes records = Bytes.EMPTY;
         for (Bytes untold : news.subList(told, news.size())) {
             records = Bytes.join(records, untold);
@@ -124,7 +130,7 @@ final class FakeMail {
     }
 
     private Bytes tellReading() {
-        int flags = 4;
+        int flags = damaged | 4;
         Bytes records = Bytes.EMPTY;
         for (Bytes percept : reading) {
             Bytes longer = Bytes.join(records, record('P', percept));

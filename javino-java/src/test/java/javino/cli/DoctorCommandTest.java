@@ -247,6 +247,39 @@ class DoctorCommandTest extends CommandFixture {
     }
 
     @Test
+    void nonces_lost_isToBeProvisioned() {
+        fake.loseEpoch();
+        assertTrouble("nonces", "the board has lost its boot epoch: something has written over its EEPROM; it seals "
+                + "nothing until javino provision has raised it by its keyring: " + PROVISION
+                + "ADDRESS --keyring FILE");
+    }
+
+    @Test
+    void nonces_belowTheNote_isTold() throws IOException, JavinoException {
+        fake.setCheck(KEY.check());
+        fake.setBootEpoch(7);
+        Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex(), "ROMA: epoch 470012, SUPO " + KEY.check().hex());
+        assertTrouble("nonces", "epoch 7, but the keyring notes 470012 of ROMA: what it seals is refused; " + PROVISION
+                + "ROMA", "--id", "ROMA", "--keyring", keys.toString());
+        fake.setBootEpoch(470_012);
+        assertEquals(0, examine("--id", "ROMA", "--keyring", keys.toString()), out.toString());
+    }
+
+    @Test
+    void floors_thatMayBeLost_areTold() {
+        fake.setCheck(KEY.check());
+        fake.loseEpoch("SUPO");
+        fake.setBootEpoch(8);
+        assertTrouble("floors", "the board may have lost which messages it had under its keys for SUPO");
+    }
+
+    @Test
+    void memory_thatDidNotHold_isTold() {
+        fake.setCounter(Counter.MEMORY_DAMAGED, 1);
+        assertTrouble("memory", "the sketch's stack, or a wild pointer, has written over the board's memory of nonces");
+    }
+
+    @Test
     void serialLine_bootLoaderAnsweredFirst_isOk() {
         fake.setLoading();
         assertEquals(0, examine(), out.toString());

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javino.JavinoException;
+import javino.TextFile;
 import javino.protocol.Address;
 import javino.protocol.Key;
 import org.junit.jupiter.api.Test;
@@ -41,6 +43,18 @@ class KeyringTest {
 
     private static SharedKey shared(Key key) {
         return new SharedKey(key, null);
+    }
+
+    @Test
+    void read_muchTooLarge_isOneLineAndReadsNoMoreThanAKeyringCanHave() throws IOException, JavinoException {
+        Path file = file("");
+        try (RandomAccessFile large = new RandomAccessFile(file.toFile(), "rw")) {
+            large.setLength(300_000_000);
+        }
+        String message = assertThrows(IllegalArgumentException.class, () -> Keyring.read(file)).getMessage();
+        assertEquals(file + " has more than 16777216 bytes, and so is not the file that is meant", message);
+        assertThrows(IllegalArgumentException.class, () -> Keyring.change(file, keyring -> {}));
+        assertThrows(IllegalArgumentException.class, () -> TextFile.read(Path.of("/dev/zero")));
     }
 
     @Test

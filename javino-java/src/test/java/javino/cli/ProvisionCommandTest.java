@@ -164,6 +164,103 @@ class ProvisionCommandTest {
         assertEquals(60_001, boards.get("SUPO").bootEpoch());
     }
 
+    // ---- A board that claims too much, and one that has lost its epoch.
+
+    private static final Instant AUTUMN = Instant.parse("2026-11-22T12:30:00Z");
+    private static final int OF_AUTUMN = (325 * 24 + 12) * 60 + 30;
+
+    private int noted(String id) throws Exception {
+        return keyring().note(Address.parse(id)).epoch();
+    }
+
+    @Test
+    void epoch_thatAFalseBoardClaims_isNotNotedBeforeItHasShownItsKeys() throws Exception {
+        boards.get("SUPO").setBootEpoch(0xFFFFFE);
+        boards.get("SUPO").setCorruptsKeys(true);
+        for (Instant now : List.of(Instant.EPOCH, AUTUMN)) {
+            assertThrows(JavinoException.class, () -> provisionAt(now));
+        }
+        assertTrue(noted("SUPO") <= OF_AUTUMN, "only what it was to be given");
+        FakeBoard genuine = new FakeBoard();
+        genuine.eraseEeprom();
+        boards.put("SUPO", genuine);
+        provisionAt(AUTUMN);
+        assertEquals(OF_AUTUMN + 1, genuine.bootEpoch());
+    }
+
+    @Test
+    void epoch_thatABoardClaims_isNeverNotedYearsAheadOfTheClock() throws Exception {
+        boards.get("SUPO").setBootEpoch(0xFFFFFE);
+        provisionAt(AUTUMN);
+        assertEquals(OF_AUTUMN, noted("SUPO"));
+        int inFourYears = OF_AUTUMN + 4 * 365 * 24 * 60;
+        boards.get("SUPO").setBootEpoch(inFourYears);
+        provisionAt(AUTUMN);
+        assertEquals(inFourYears, noted("SUPO"));
+    }
+
+    @Test
+    void epoch_thatIsNotedYearsAheadOfTheClock_isRefused() throws Exception {
+        provisionAt(AUTUMN);
+        Files.writeString(keys, Files.readString(keys).replace("epoch " + OF_AUTUMN, "epoch 16777214"));
+        JavinoException refused = assertThrows(JavinoException.class, () -> provisionAt(AUTUMN));
+        assertTrue(refused.getMessage().contains("had epoch 16777214, which is years ahead of this computer's clock"),
+                refused.getMessage());
+        assertEquals(OF_AUTUMN, boards.get("SUPO").bootEpoch());
+    }
+
+    @Test
+    void epoch_thatWasLost_isRaisedAboveAllBootsSinceTheNote() throws Exception {
+        provisionAt(AUTUMN);
+        for (int loss = 1; loss <= 2; loss++) {
+            boards.get("SUPO").loseEpoch("SUPP", "//SU");
+            out.getBuffer().setLength(0);
+            provisionAt(AUTUMN);
+            int above = OF_AUTUMN + loss * 400_000;
+            assertEquals(above, boards.get("SUPO").bootEpoch());
+            assertEquals(above, noted("SUPO"));
+            assertTrue(out.toString().contains("boot epoch " + above + ": the board had lost its own"), out.toString());
+            assertTrue(out.toString().contains("under its keys for SUPP, //SU"), out.toString());
+        }
+    }
+
+    @Test
+    void epoch_thatWasLostAndIsNotNoted_isNotGuessed() throws Exception {
+        provisionAt(AUTUMN);
+        Files.writeString(keys, Files.readString(keys).replaceAll("SUPO: .*", ""));
+        boards.get("SUPO").loseEpoch();
+        JavinoException refused = assertThrows(JavinoException.class, () -> provisionAt(AUTUMN));
+        assertTrue(refused.getMessage().contains("javino forget --port SUPO --all, then new keys"),
+                refused.getMessage());
+        assertEquals(0, boards.get("SUPO").bootEpoch());
+        assertEquals(0, noted("SUPO"));
+    }
+
+    @Test
+    void notes_forAnAgentsHost_raiseOnlyTheBoardThatHasTheKeys() throws Exception {
+        provisionAt(AUTUMN);
+        FakeBoard board = boards.get("SUPO");
+        board.loseEpoch();
+        System.setProperty(KeyringNotes.PROPERTY, keys.toString());
+        try {
+            BoardConfig config = BoardConfig.create(each -> each.setEpochNotes(KeyringNotes.named()));
+            FakeBoard other = new FakeBoard();
+            other.setRfId("SUPO");
+            other.setCheck(Bytes.of(1, 2, 3));
+            other.loseEpoch();
+            try (Board session = Board.open(new FakePort(other), config, new BoardListener() {})) {
+                assertTrue(session.greeted().get().hasLostEpoch());
+            }
+            assertEquals(OF_AUTUMN, noted("SUPO"));
+            try (Board session = Board.open(new FakePort(board), config, new BoardListener() {})) {
+                assertTrue(session.greeted().get().bootEpoch() >= OF_AUTUMN + 400_000);
+            }
+            assertEquals(board.bootEpoch(), noted("SUPO"));
+        } finally {
+            System.clearProperty(KeyringNotes.PROPERTY);
+        }
+    }
+
     @Test
     void epoch_longAfter_isTheLastOne() throws Exception {
         provisionAt(Instant.parse("2090-01-01T00:00:00Z"));

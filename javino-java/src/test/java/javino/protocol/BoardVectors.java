@@ -102,6 +102,7 @@ public final class BoardVectors {
                 fields.addProperty("more", poll.more());
                 fields.addProperty("leftOut", poll.leftOut());
                 fields.addProperty("reading", poll.reading());
+                fields.addProperty("damaged", poll.damaged());
                 JsonArray records = new JsonArray();
                 for (PollReply.Item item : poll.records()) {
                     records.add(describe(item));
@@ -123,7 +124,7 @@ public final class BoardVectors {
                 for (Reply.StoredKey key : reply.storedKeys()) {
                     JsonObject entry = new JsonObject();
                     entry.addProperty("address", key.address().toString());
-                    entry.addProperty("role", key.role().ordinal());
+                    entry.addProperty("role", key.role().ordinal() + (key.doubtful() ? 4 : 0));
                     entry.addProperty("check", key.check().hex());
                     keys.add(entry);
                 }

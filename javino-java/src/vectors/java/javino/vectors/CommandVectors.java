@@ -20,7 +20,7 @@ final class CommandVectors {
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
             "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne",
             "radioOverheardDropped",
-            "relayCopies", "relayAnswers", "relayRefused");
+            "relayCopies", "relayAnswers", "relayRefused", "memoryDamaged");
 
     private static final byte[] FRAME = text("+KAACAFEBA12345678");
 
@@ -166,33 +166,42 @@ final class CommandVectors {
                         vector("version", 1, "rfId", null, "bootEpoch", 1, "firmware", "blink 1.0")),
                 ok("hello", join(bytes(2), text("ROMA"), bytes(0xFF, 0xFF, 0xFE)),
                         vector("version", 2, "rfId", "ROMA", "bootEpoch", 0xFFFFFE, "firmware", "")),
-                ok("poll", bytes(0), vector("more", false, "leftOut", false, "reading", false, "records", List.of())),
-                ok("poll", bytes(4), vector("more", false, "leftOut", false, "reading", true, "records", List.of())),
+                ok("poll", bytes(0),
+                        vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
+                                List.of())),
+                ok("poll", bytes(4),
+                        vector("more", false, "leftOut", false, "reading", true, "damaged", false, "records",
+                                List.of())),
                 ok("poll", join(bytes(1), bytes('T', 0, 2, 9, 0), bytes('T', 0, 2, 10, 1), bytes('T', 0, 2, 255, 2),
                         record('M', join(bytes(255), text("////ROMA"), bytes(0, 0, 0), text("tell;help"))),
                         record('M', join(bytes(0), text("SUPOROMA"), bytes(0xFF, 0, 1), text("tell;x(\"\u00e9\")")))),
-                        vector("more", true, "leftOut", false, "reading", false, "records", List.of(
+                        vector("more", true, "leftOut", false, "reading", false, "damaged", false, "records", List.of(
                                 transmission(9, 0), transmission(10, 1), transmission(255, 2),
                                 message(255, "////", "ROMA", 0, "tell;help"),
                                 message(0, "SUPO", "ROMA", 0xFF0001, "tell;x(\"\u00e9\")")))),
                 ok("poll", join(bytes(6), record('P', text("proximity(17)")), record('P', text("dark"))),
-                        vector("more", false, "leftOut", true, "reading", true, "records",
+                        vector("more", false, "leftOut", true, "reading", true, "damaged", false, "records",
                                 List.of(percept("proximity(17)"), percept("dark")))),
                 ok("poll", join(bytes(4), record('P', text("x".repeat(300))), record('P', new byte[0])),
-                        vector("more", false, "leftOut", false, "reading", true, "records",
+                        vector("more", false, "leftOut", false, "reading", true, "damaged", false, "records",
                                 List.of(percept("x".repeat(300)), percept("")))),
                 ok("poll", join(bytes(1), record('M', join(bytes(7), text("9///AAAA"), bytes(0xFF, 0xFF, 0xFF),
                         text("tell;" + "x".repeat(489))))),
-                        vector("more", true, "leftOut", false, "reading", false, "records",
+                        vector("more", true, "leftOut", false, "reading", false, "damaged", false, "records",
                                 List.of(message(7, "9///", "AAAA", 0xFFFFFF, "tell;" + "x".repeat(489))))),
                 ok("poll", join(bytes(0), record('O', join(bytes(0, 1, 2, 3, 0), text("////ROMAAIx"))),
                         record('O', bytes(0xFF, 0xFF, 0xFF, 0xFF, 1, 0x78)), record('O', bytes(0, 0, 0, 0, 2))),
-                        vector("more", false, "leftOut", false, "reading", false, "records",
+                        vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
                                 List.of(overheard(66_051, 0, "2f2f2f2f524f4d41414978"),
                                         overheard(0xFFFF_FFFFL, 1, "78"), overheard(0, 2, "")))),
                 ok("poll", join(bytes(0), record('N', text("SUPOROMA")), record('N', text("//SUCAFE"))),
-                        vector("more", false, "leftOut", false, "reading", false, "records",
+                        vector("more", false, "leftOut", false, "reading", false, "damaged", false, "records",
                                 List.of(noKey("SUPO", "ROMA"), noKey("//SU", "CAFE")))),
+                ok("poll", bytes(8), vector("more", false, "leftOut", false, "reading", false, "damaged", true,
+                        "records", List.of())),
+                ok("poll", join(bytes(12), record('P', text("dark"))),
+                        vector("more", false, "leftOut", false, "reading", true, "damaged", true, "records",
+                                List.of(percept("dark")))),
                 ok("act", new byte[0], vector()),
                 ok("listActions", bytes(0), actions(0, "", true)),
                 ok("listActions", join(bytes(2), text("lampOn"), bytes(0), text("lampOff"), bytes(0)),
@@ -213,6 +222,8 @@ final class CommandVectors {
                         vector("keys", List.of(key("SUPO", 0, "010203"), key("SUPO", 1, "090807"),
                                 key("//SU", 0, "000000"), key("//SU", 2, "060504"),
                                 key("ROMA", 3, "070707")))),
+                ok("listKeys", join(text("SUPO"), bytes(4, 1, 2, 3), text("SUPO"), bytes(6, 9, 8, 7)),
+                        vector("keys", List.of(key("SUPO", 4, "010203"), key("SUPO", 6, "090807")))),
                 ok("statistics", bytes(1, 0, 0, 1, 2, 18, 0xFF, 0xFF, 0xFF, 0xFF, 200, 0, 0, 0, 1),
                         vector("counters", vector("serialRequests", 258, "perceptsLeftOut", 4294967295L))),
                 ok("statistics", allCounters(), vector("counters", countersByName())),
@@ -226,7 +237,7 @@ final class CommandVectors {
                 refused(7, "WRONG_ORIGIN"), refused(8, "BAD_DESTINATION"), refused(9, "NO_KEY"),
                 refused(10, "TOO_LONG"), refused(11, "QUEUE_FULL"), refused(12, "STORE_FULL"),
                 refused(13, "STORE_FAILED"), refused(14, "NONCE_EXHAUSTED"),
-                refused(15, "BUSY"), refused(16, "HAS_KEY"));
+                refused(15, "BUSY"), refused(16, "HAS_KEY"), refused(17, "EPOCH_LOST"), refused(18, "MEMORY_DAMAGED"));
     }
 
     private static byte[] record(char type, byte[] value) {
@@ -291,7 +302,7 @@ final class CommandVectors {
     private static List<Map<String, Object>> badReplies() {
         return List.of(
                 badReply("act", new byte[0], "no status"),
-                badReply("act", bytes(17), "unknown status"),
+                badReply("act", bytes(19), "unknown status"),
                 badReply("act", bytes(0, 1), "something where nothing is due"),
                 badReply("hello", join(bytes(0, 1), text("ROMA"), bytes(0, 0)), "a byte short"),
                 badReply("hello", join(bytes(0, 1), text("RO-A"), bytes(0, 0, 1)), "no address"),
@@ -325,7 +336,7 @@ final class CommandVectors {
                 badReply("raiseEpoch", bytes(0, 0, 0, 1), "something where nothing is due"),
                 badReply("finishRenewal", bytes(0, 0), "something where nothing is due"),
                 badReply("listKeys", join(bytes(0), text("SUPO"), bytes(0, 1, 2)), "half a key"),
-                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(4, 1, 2, 3)), "unknown role"),
+                badReply("listKeys", join(bytes(0), text("SUPO"), bytes(8, 1, 2, 3)), "unknown role"),
                 badReply("listKeys", join(bytes(0), text("SU=O"), bytes(0, 1, 2, 3)), "key without an address"),
                 badReply("statistics", bytes(0, 1, 0, 0, 0), "half a counter"),
                 badReply("transmit", bytes(0), "no number"));

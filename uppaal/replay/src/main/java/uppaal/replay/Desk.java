@@ -13,6 +13,8 @@ final class Desk {
     private static final int COUNTER_BITS = 24;
     /** An epoch of which no nonce is given. */
     private static final long NONE_LEFT = 0xFFFFFF;
+    /** In the place of an epoch: the board has keys and none. */
+    private static final long LOST = 0;
 
     /** What its host wants to be sent. */
     static final class Asked {
@@ -122,9 +124,12 @@ final class Desk {
         wasStale = true;
     }
 
-    /** Its host knows its epoch: another one after each boot. */
+    /** Its host knows its epoch: another one after each boot; or that it has lost it, and then it seals nothing. */
     void told(long now) throws RefusedException {
-        checkEpoch(now, "says that it has");
+        boolean maybeLost = told < 0 || told == LOST;
+        if (now != LOST || !maybeLost) {
+            checkEpoch(now, "says that it has");
+        }
         told = now;
     }
 

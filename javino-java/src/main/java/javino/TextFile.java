@@ -1,0 +1,40 @@
+package javino;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** Reads texts that users name, of which one may be the wrong file: no more of it than a text can have. */
+public final class TextFile {
+
+    /** The most bytes of a text: an authority's file with all its certificates has 6 MiB. */
+    public static final int MOST_BYTES = 16 << 20;
+
+    private TextFile() {
+    }
+
+    /**
+     * Reads a file to its end.
+     *
+     * @throws IllegalArgumentException naming it if it has more than {@link #MOST_BYTES}, or if it is no text in UTF-8.
+     */
+    public static String read(Path file) throws IOException {
+        byte[] bytes;
+        try (InputStream in = Files.newInputStream(file)) {
+            bytes = in.readNBytes(MOST_BYTES + 1);
+        }
+        if (bytes.length > MOST_BYTES) {
+            throw new IllegalArgumentException(
+                    file + " has more than " + MOST_BYTES + " bytes, and so is not the file that is meant");
+        }
+        try {
+            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+        } catch (CharacterCodingException e) {
+            throw new IllegalArgumentException(file + " is no text in UTF-8; save it as such", e);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+#include <secure/NonceSource.h>
+#include <storage/EepromLayout.h>
+
+#include "support/SimulatedEeprom.h"
+#include "support/SimulatedRam.h"
+
+using javino::BootEpoch;
+
+namespace {
+
+// As a sketch does that takes these bytes for its own.
+void writeOver(SimulatedEeprom &eeprom, uint16_t at, uint8_t value) {
+  for (uint16_t i = 0; i < javino::EPOCHS_LENGTH; i++) eeprom.corrupt(static_cast<uint16_t>(at + i), value);
+}
+
+uint32_t boot(bool hasKeys) {
+  BootEpoch epoch;
+  epoch.begin(hasKeys);
+  EXPECT_EQ(epoch.value() == 0 ? javino::Status::EPOCH_LOST : javino::Status::OK, epoch.status());
+  return epoch.value();
+}
+
+}  // namespace
+
+TEST(LostBootEpoch, begins_at_one_only_where_no_key_is_stored) {
+  SimulatedEeprom eeprom;
+  EXPECT_EQ(0u, boot(true));
+  EXPECT_EQ(0u, boot(true)) << "and does not begin by itself";
+  EXPECT_EQ(0, eeprom.writes());
+  EXPECT_EQ(1u, boot(false));
+  EXPECT_EQ(2u, boot(true));
+}
+
+TEST(LostBootEpoch, is_not_lost_while_one_end_of_the_EEPROM_is_left) {
+  for (uint16_t end : {javino::EPOCHS_AT, javino::OTHER_EPOCHS_AT}) {
+    for (uint8_t value : {0x00, 0x5A, 0xFF}) {
+      SimulatedEeprom eeprom;
+      uint32_t last = boot(false);
+      for (int i = 0; i < 40; i++) {
+        if (i % 3 != 0) writeOver(eeprom, end, value);
+        const uint32_t epoch = boot(true);
+        ASSERT_EQ(last + 1, epoch);
+        last = epoch;
+      }
+    }
+  }
+}
+
+TEST(LostBootEpoch, seals_nothing_until_it_is_raised) {
+  SimulatedEeprom eeprom;
+  SimulatedRam ram;
+  BootEpoch epoch;
+  epoch.begin(true);
+  javino::retained::beginEpoch(epoch.value());
+  javino::NonceSource nonces(epoch);
+  EXPECT_EQ(javino::Status::EPOCH_LOST, nonces.status());
+  nonces.raiseEpoch(0);
+  EXPECT_EQ(javino::Status::EPOCH_LOST, nonces.status());
+  nonces.raiseEpoch(470012);
+  EXPECT_EQ(javino::Status::OK, nonces.status());
+  EXPECT_EQ(470013u, boot(true));
+}

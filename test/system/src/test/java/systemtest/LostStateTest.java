@@ -1,0 +1,181 @@
+package systemtest;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import harness.Emulator;
+import harness.Host;
+import harness.TestKeys;
+import harness.TraceEvent;
+import harness.Transmitter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.LinkedBlockingQueue;
+import javino.board.Board;
+import javino.board.BoardConfig;
+import javino.board.BoardListener;
+import javino.board.RequestFailedException;
+import javino.cli.JavinoCommand;
+import javino.link.SerialLink;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Counter;
+import javino.protocol.Outcome;
+import javino.protocol.Status;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Boards that have lost the state on which security rests: epochs in EEPROM, nonces in RAM. */
+class LostStateTest {
+
+    private static final Address SUPP = Address.parse("SUPP");
+    /** Where the library's README says that the copies of the boot epochs are in EEPROM, and how long each is. */
+    private static final List<Integer> EPOCHS_AT = List.of(14, 3311);
+    private static final int EPOCHS_LENGTH = 48;
+    private static final int NONCE_AT = 10;
+    private static final int NONCE_END = 16;
+
+    @TempDir
+    private Path folder;
+
+    private String keys;
+
+    private static void assertDone(List<String> lines) {
+        assertEquals("0", lines.get(lines.size() - 1), lines.toString());
+    }
+
+    private List<String> javino(Emulator emulator, String command, String board, String id) {
+        return JavinoCommand.run(command, "--port", emulator.port(board), "--id", id, "--keyring", keys);
+    }
+
+    private void writeOverEpochs() throws Exception {
+        Path file = folder.resolve("eeprom/police.bin");
+        byte[] eeprom = Files.readAllBytes(file);
+        EPOCHS_AT.forEach(at -> Arrays.fill(eeprom, at, at + EPOCHS_LENGTH, (byte) 0x33));
+        Files.write(file, eeprom);
+    }
+
+    private Emulator start() throws Exception {
+        return new Emulator.Scenario().board("police", "Station").board("support", "Station")
+                .board("thief", "Transmitter").start(folder);
+    }
+
+    private static Host open(Emulator emulator, String board) throws InterruptedException {
+        Host host = Host.patient(emulator, board);
+        host.awaitOnline(1);
+        Host.get(host.board.radio(true));
+        return host;
+    }
+
+    private static Status refusal(Host host) {
+        ExecutionException failed = assertThrows(ExecutionException.class,
+                () -> host.board.transmit(SUPP, Content.parse("tell;x")).taken().get());
+        return ((RequestFailedException) failed.getCause()).status();
+    }
+
+    /** Both speak; what the police has sealed is added, and no nonce may have been there. */
+    private static void speak(Emulator emulator, String text, Map<String, String> sealed) throws Exception {
+        try (Host police = open(emulator, "police"); Host support = open(emulator, "support")) {
+            for (int i = 0; i < 3; i++) {
+                String content = "tell;" + text + i;
+                assertEquals(Outcome.DELIVERED, Host.get(police.board.transmit(SUPP, Content.parse(content)).end()));
+                assertEquals(content, support.message().content().toString());
+                assertEquals(Outcome.DELIVERED,
+                        Host.get(support.board.transmit(Address.parse("SUPO"), Content.parse(content)).end()));
+                assertEquals(content, police.message().content().toString());
+            }
+        }
+        Map<String, String> here = new HashMap<>();
+        for (byte[] packet : sentBy(emulator, "police")) {
+            if (packet[0] != '+') {
+                here.put(HexFormat.of().formatHex(packet, NONCE_AT, NONCE_END), HexFormat.of().formatHex(packet));
+            }
+        }
+        here.forEach((nonce, packet) -> assertNull(sealed.put(nonce, packet), "nonce " + nonce + " came again"));
+    }
+
+    private static List<byte[]> sentBy(Emulator emulator, String board) {
+        return emulator.sentBy(board).stream().map(event -> HexFormat.of().parseHex(event.text("payload"))).toList();
+    }
+
+    @Test
+    void epochs_writtenOverTwice_repeatNoNonceAndLetNoRecordingIn() throws Exception {
+        keys = folder.resolve("keys").toString();
+        Map<String, String> sealed = new HashMap<>();
+        List<byte[]> recorded;
+        assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP"));
+        try (Emulator emulator = start()) {
+            assertDone(javino(emulator, "provision", "police", "SUPO"));
+            assertDone(javino(emulator, "provision", "support", "SUPP"));
+            speak(emulator, "before", sealed);
+            recorded = sentBy(emulator, "support");
+        }
+        for (int loss = 0; loss < 2; loss++) {
+            writeOverEpochs();
+            try (Emulator emulator = start(); Transmitter thief = Transmitter.of(emulator, "thief")) {
+                List<String> examined = javino(emulator, "doctor", "police", "SUPO");
+                assertTrue(examined.stream().anyMatch(line -> line.startsWith("nonces")
+                        && line.contains("the board has lost its boot epoch")), examined.toString());
+                try (Host police = open(emulator, "police")) {
+                    assertEquals(Status.EPOCH_LOST, refusal(police));
+                    for (byte[] packet : recorded) {
+                        thief.send(packet);
+                    }
+                    assertTrue(police.counter(Counter.RADIO_STALE) + police.counter(Counter.RADIO_REPLAYED) > 0);
+                    assertEquals(List.of(), police.messages());
+                }
+                List<String> done = javino(emulator, "provision", "police", "SUPO");
+                assertDone(done);
+                assertTrue(done.stream().anyMatch(line -> line.startsWith("boot epoch ")), done.toString());
+                speak(emulator, "after" + loss, sealed);
+            }
+        }
+    }
+
+    @Test
+    void stack_overTheNonces_takesNoRecordingSealsNothingAndIsTold() throws Exception {
+        BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
+        BoardListener listener = new BoardListener() {
+            @Override
+            public void warning(String what) {
+                warnings.add(what);
+            }
+        };
+        try (Emulator emulator = start();
+                Host support = Host.of(emulator, "support").as("SUPP", Map.of("SUPO", TestKeys.PAIR));
+                Host police = Host.of(emulator, "police").as("SUPO", Map.of("SUPP", TestKeys.PAIR))) {
+            assertEquals(Outcome.DELIVERED,
+                    Host.get(police.board.transmit(SUPP, Content.parse("tell;room")).end()));
+            assertEquals("tell;room", support.message().content().toString());
+        }
+        try (Emulator emulator = new Emulator.Scenario().board("police", "FullRam").board("support", "Station")
+                .board("thief", "Transmitter").start(folder);
+                Transmitter thief = Transmitter.of(emulator, "thief");
+                Host support = open(emulator, "support")) {
+            try (Host police = open(emulator, "police")) {
+                assertEquals(Outcome.UNDELIVERED,
+                        Host.get(support.board.transmit(Address.parse("SUPO"), Content.parse("tell;help")).end()));
+                for (TraceEvent sent : emulator.sentBy("support")) {
+                    thief.send(HexFormat.of().parseHex(sent.text("payload")));
+                }
+                assertEquals(Status.MEMORY_DAMAGED, refusal(police));
+                assertTrue(police.counter(Counter.MEMORY_DAMAGED) > 0);
+                assertEquals(List.of(), police.messages());
+                support.send("////", "tell;help");
+                assertEquals("tell;help", police.message().content().toString(), "what is not sealed works");
+            }
+            try (Board again = Board.open(SerialLink.opener(emulator.port("police")), BoardConfig.create(), listener)) {
+                assertTrue(warnings.take().contains("has written over the board's memory of nonces"), again.toString());
+            }
+        }
+    }
+}
