@@ -58,8 +58,6 @@ public class Diffuser extends AgArch {
     private transient List<BoardService> services = List.of();
     private transient Optional<MoveService> moves = Optional.empty();
     private transient BoardSettings settings = BoardSettings.NONE;
-    /** The last message from the radio that Jason was given. */
-    private transient Optional<Message> handedOn = Optional.empty();
     /** Also asked by threads that stop the agent, or show its status. */
     private transient volatile Device device;
 
@@ -73,7 +71,7 @@ public class Diffuser extends AgArch {
         questions = new Questions(intentions, outbox);
         services = ServiceLoader.load(BoardService.Maker.class).stream().map(maker -> maker.get().of(this)).toList();
         moves = service(MoveService.class);
-        inbox = new Inbox(new Gate(this::getTS), questions, intentions, warnings, moves);
+        inbox = new Inbox(new Gate(this::getTS, warnings), questions, intentions, warnings, moves);
         infrastructures = new Infrastructures();
         percepts = new CombinedPercepts();
         router = new ActionRouter(this, super::act, warnings);
@@ -321,11 +319,7 @@ public class Diffuser extends AgArch {
     public void checkMail() {
         percepts.believed();
         super.checkMail();
-        // One at a time: the gate decides by what the agent believes, which the message before may change.
-        if (handedOn.isEmpty() || !getTS().getC().getMailBox().contains(handedOn.get())) {
-            handedOn = inbox.take();
-            handedOn.ifPresent(getTS().getC()::addMsg);
-        }
+        inbox.handOn();
     }
 
     @Override

@@ -5,7 +5,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
@@ -14,7 +13,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 import jason.asSemantics.Agent;
+import jason.asSemantics.Circumstance;
+import jason.asSemantics.CircumstanceListener;
 import jason.asSemantics.Event;
+import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
 import jason.asSemantics.Message;
 import jason.asSemantics.Option;
@@ -23,6 +25,7 @@ import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
+import jason.asSyntax.ListTermImpl;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
@@ -32,7 +35,10 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
 import jason.infra.local.BaseLocalMAS;
+import jason.stdlib.add_nested_source;
 import jason.util.Config;
+
+import diffuser.Policy.Act;
 
 import javino.protocol.Address;
 import javino.protocol.Force;
@@ -51,27 +57,31 @@ import javino.protocol.Force;
  * two devices came to their key. It names the sender for the same reason. A multicast has none: otherwise a unicast of
  * a stranger and a multicast in the stranger's name would together seem to be a provisioned unicast.
  */
-public final class Gate {
+public final class Gate implements CircumstanceListener {
 
-    private static final String CAST = "cast";
-    private static final String BROADCAST = "broadcast";
+    private static final long serialVersionUID = 1L;
 
     /** Annotations to which this architecture, Jason or CArtAgO gives a meaning; the sender's own are taken off. */
-    private static final Set<String> MEANINGFUL = Set.of("source", CAST, "peer", "error", "error_msg", "signal",
-            "state",
-            "hard_deadline", "percept_type", "artifact_id", "aid", "artifact_name", "art", "workspace", "wid", "wsp",
-            "env_infra");
+    private static final Set<String> MEANINGFUL = Set.of("source", "cast", "peer", "home", Policy.DEMANDED, "error",
+            "error_msg", "signal", "state", "hard_deadline", "percept_type", "artifact_id", "aid", "artifact_name",
+            "art", "workspace", "wid", "wsp", "env_infra");
 
     /** Jason's own events, such as {@code jag_shutting_down}, begin so. */
     private static final String JASONS_EVENTS = "jag_";
     private static final String JASONS_NAMESPACE = "kqml";
     private static final Set<String> JASONS_GOALS = jasonsGoals();
 
-    private final Supplier<TransitionSystem> agent;
+    /** The variable in {@code .send(To,Ask,Content,Answer)}. */
+    private static final int ANSWER_OF_SEND = 3;
+
+    private final transient Supplier<TransitionSystem> agent;
+    private final transient Warnings warnings;
+    private transient Circumstance watched;
 
     /** @param agent asked anew each time, as an agent's parts are made one after the other. */
-    Gate(Supplier<TransitionSystem> agent) {
+    Gate(Supplier<TransitionSystem> agent, Warnings warnings) {
         this.agent = agent;
+        this.warnings = warnings;
     }
 
     /** A message does not pass. */
@@ -103,170 +113,200 @@ public final class Gate {
     }
 
     /**
-     * How a message came.
+     * Has the agent handle a message as far as the policy goes. What awaits an answer, and what Jason marks itself, is
+     * handed on as a message; all else as the goal by which Jason has an agent handle it, with the marks, so that plans
+     * can refuse it. Of these goals the plan is chosen here, by how things are now.
      *
-     * @param to       whom it went to, or of an answer its question.
-     * @param from     who sent it.
-     * @param peer     what the sender is, if it came sealed.
-     * @param isAnswer whether it answers what the agent has asked.
+     * @param message what goes with its force, as a term; of a list of literals, one.
+     * @throws RefusedException if nothing of it passes.
      */
-    record Came(Address to, Address from, Peer peer, boolean isAnswer) {
-
-        private boolean byBroadcast() {
-            return to.kind() == Address.Kind.BROADCAST;
+    void pass(Message message, Provenance of) throws RefusedException {
+        Force force = Force.of(message.getIlForce()).orElseThrow();
+        Policy.Decision decision = permit(Act.of(force), of);
+        Term said = (Term) message.getPropCont();
+        refuseJasonsOwn(said);
+        Term clean = force == Force.TELL_HOW ? labelled(said) : clean(said);
+        if (message.getInReplyTo() != null && force != Force.SORRY) {
+            Term answer = force == Force.TELL ? marked(clean, of.marks()) : asList(clean);
+            rehearse(message, answer);
+            handOn(message, answer);
+            return;
         }
-
-        private String cast() {
-            return switch (to.kind()) {
-                case BROADCAST -> BROADCAST;
-                case MULTICAST -> "multicast";
-                default -> "unicast";
-            };
-        }
-
-        private Structure castMark() {
-            return ASSyntax.createStructure(CAST, ASSyntax.createAtom(cast()), atom(from));
-        }
-
-        private Term[] marks() {
-            return to.kind() == Address.Kind.DEVICE ? new Term[] {castMark(), peer.mark(from)}
-                    : new Term[] {castMark()};
-        }
-
-        /** The mark for which a plan has to ask before what needs a plan's leave may pass. */
-        private Structure decisive() {
-            return to.kind() == Address.Kind.DEVICE ? peer.mark(from) : castMark();
+        switch (force) {
+            case TELL, SIGNAL -> handOn(message, marked(clean, of.marks()));
+            case ACHIEVE -> {
+                Term goal = marked(clean, of.marks());
+                if (decision.marks().isEmpty()) {
+                    handOn(message, goal);
+                } else {
+                    adopt(message, (Literal) goal, decision);
+                }
+            }
+            case UNTELL, UNACHIEVE -> {
+                if (decision.verdict() != Policy.Verdict.ITS_OWN) {
+                    adopt(message, received(message, clean, of), decision);
+                } else if (force == Force.UNTELL) {
+                    retract(message, (Literal) clean, of);
+                } else {
+                    // Jason drops only goals that have all the annotations.
+                    handOn(message, marked(clean, of.marks()));
+                }
+            }
+            // What the agent believes has not these marks; what its plans are to find out has.
+            case ASK_ONE -> adopt(message, received(message, isBelieved(clean) ? clean : marked(clean, of.marks()), of),
+                    decision);
+            case ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW -> adopt(message, received(message, clean, of), decision);
+            // The intention that waits is told, or the user.
+            case SORRY, MOVE -> {}
         }
     }
 
     /**
-     * What of a message passes.
+     * Looks whether a device may do something to this MAS.
      *
-     * @param force what it is meant to do.
-     * @param said  what goes with the force; of a list of literals, one.
-     * @return what Jason is to handle; empty if the gate has done itself what there was to do.
-     * @throws RefusedException if nothing passes.
+     * @throws RefusedException if the policy refuses it, or if no device has that name.
      */
-    Optional<Term> pass(Force force, Term said, Came came) throws RefusedException {
-        boolean broadcast = came.byBroadcast();
-        expectDevice(came.from());
-        if (broadcast && force.requiresSeal()) {
-            throw new RefusedException("it came as a broadcast, which anyone can send in anyone's name");
+    static Policy.Decision permit(Act act, Provenance of) throws RefusedException {
+        expectDevice(of.from());
+        Policy.Decision decision = Policy.decide(act, of);
+        if (decision.verdict() == Policy.Verdict.REFUSED) {
+            throw new RefusedException(decision.reason());
         }
-        refuseJasonsOwn(said);
-        Term clean = clean(said);
-        return switch (force) {
-            case TELL, SIGNAL -> Optional.of(marked(clean, came.marks()));
-            case ACHIEVE -> broadcast ? adopt(force, (Literal) marked(clean, came.marks()), came)
-                    : Optional.of(marked(clean, came.marks()));
-            case UNTELL -> broadcast ? retract((Literal) clean, came) : Optional.of(clean);
-            // Jason drops only goals that have all the annotations.
-            case UNACHIEVE -> Optional.of(broadcast ? marked(clean, came.marks()) : clean);
-            case ASK_ONE, ASK_ALL -> Optional.of(clean);
-            case TELL_HOW, UNTELL_HOW -> came.peer() == Peer.PROVISIONED || came.isAnswer() ? Optional.of(said)
-                    : adopt(force, taught(force, said, came), came);
-            case ASK_HOW, SORRY, MOVE -> Optional.of(said);
-        };
+        return decision;
     }
 
-    /** Lets a message of a move pass, which goes to no agent: only a device may say it, and only to this one. */
-    static void passMove(Address to, Address from) throws RefusedException {
-        expectDevice(from);
-        if (to.kind() != Address.Kind.DEVICE) {
-            throw new RefusedException("agents move by unicasts only");
-        }
-    }
-
-    private static void expectDevice(Address from) throws RefusedException {
-        if (from.kind() != Address.Kind.DEVICE) {
+    private static void expectDevice(String from) throws RefusedException {
+        if (Address.parse(from).kind() != Address.Kind.DEVICE) {
             throw new RefusedException("no device has that address");
         }
-        if (isAgentHere(from.toString())) {
+        BaseLocalMAS mas = BaseLocalMAS.getRunner();
+        if (mas != null && mas.getAg(from) != null) {
             throw new RefusedException("an agent of this MAS has that name; give the agent or the device another");
         }
     }
 
-    private static boolean isAgentHere(String name) {
-        BaseLocalMAS mas = BaseLocalMAS.getRunner();
-        return mas != null && mas.getAg(name) != null;
+    private void handOn(Message message, Term content) {
+        message.setPropCont(content);
+        agent.get().getC().addMsg(message);
     }
 
-    // What needs a plan's leave
+    /** Does with an answer what Jason will do: what Jason does not catch, it ends all intentions for. */
+    private void rehearse(Message message, Term answer) {
+        IntendedMeans waiting = agent.get().getC().getPendingIntentions().get(message.getInReplyTo()).peek();
+        Term source = ASSyntax.createAtom(message.getSender());
+        Texts.<RuntimeException>each(answer.clone(), single -> {
+            if (single instanceof Plan plan) {
+                plan.addSource(source);
+                return plan;
+            }
+            return add_nested_source.addAnnotToList(single, source);
+        });
+        Structure send = (Structure) waiting.getCurrentStep().getBodyTerm();
+        waiting.getUnif().clone().unifies(send.getTerm(ANSWER_OF_SEND), answer);
+    }
+
+    /** What an answer's variable becomes: of plans a list, as Jason sends them. */
+    private static Term asList(Term answer) {
+        if (!(answer instanceof Plan)) {
+            return answer;
+        }
+        ListTerm list = new ListTermImpl();
+        list.add(answer);
+        return list;
+    }
+
+    /** Jason notes in a plan's label whose it is, and cannot where there is none. */
+    private Term labelled(Term plans) {
+        return Texts.each(plans, term -> {
+            Plan plan = (Plan) term;
+            plan.setLabel(plan.getLabel() == null ? Plans.newLabel(agent.get().getAg())
+                    : (Pred) clean(plan.getLabel()));
+            return plan;
+        });
+    }
+
+    private boolean isBelieved(Term asked) {
+        return agent.get().getAg().believes((Literal) asked, new Unifier());
+    }
+
+    // Goals
 
     /** The goal by which Jason has an agent handle a message, with the marks. */
-    private static Literal taught(Force force, Term said, Came came) {
-        Literal goal = ASSyntax.createLiteral(Config.get().getKqmlFunctor(), atom(came.from()),
-                ASSyntax.createAtom(force.toString()), said, ASSyntax.createString(""));
-        goal.addAnnots(came.marks());
+    private static Literal received(Message message, Term content, Provenance of) {
+        Literal goal = ASSyntax.createLiteral(Config.get().getKqmlFunctor(), ASSyntax.createAtom(of.from()),
+                ASSyntax.createAtom(message.getIlForce()), content, ASSyntax.createAtom(message.getMsgId()));
+        goal.addAnnots(of.marks());
         return goal;
     }
 
     /**
-     * Has the agent pursue a goal by the first applicable of those plans that ask for what came so. The plan is chosen
-     * here, as Jason would go on to plans for the same goal that do not ask for it.
+     * Has the agent pursue a goal by the first applicable plan that may run. The plan is chosen here, as Jason would go
+     * on to plans for the same goal that do not ask for it.
      */
-    private Optional<Term> adopt(Force force, Literal goal, Came came) throws RefusedException {
-        goal.addAnnot(source(came.from()));
-        Structure mark = came.decisive();
-        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal);
-        List<Option> relevant = Plans.relevant(agent.get().getAg(), trigger, plan -> asksFor(plan, mark));
-        Optional<Option> applicable = Plans.applicable(agent.get().getAg(), relevant);
-        if (applicable.isPresent()) {
-            adopt(force, trigger, applicable.get(), came.from());
-            return Optional.empty();
-        }
-        if (!relevant.isEmpty()) {
-            throw new RefusedException("no plan that asks for it by " + asking(mark, "_") + " is applicable now");
-        }
-        String why = force == Force.ACHIEVE ? "it came as a broadcast, which anyone can send in anyone's name"
-                : "it came from a stranger, or under a key that strangers can get";
-        throw new RefusedException(why + "; if the agent is to take it, write a plan that asks for it: ",
-                opening(goal, force, mark));
-    }
-
-    private void adopt(Force force, Trigger trigger, Option option, Address from) throws RefusedException {
+    private void adopt(Message message, Literal goal, Policy.Decision decision) throws RefusedException {
         TransitionSystem ts = agent.get();
-        if (!ts.getAg().socAcc(new Message(force.toString(), from.toString(), ts.getAgArch().getAgName(),
-                trigger.getLiteral()))) {
+        goal.addAnnot(Pred.createSource(ASSyntax.createAtom(message.getSender())));
+        decision.noteIn(goal);
+        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal);
+        List<Option> relevant = Plans.relevant(ts.getAg(), trigger, decision::admits);
+        if (relevant.isEmpty()) {
+            throw new RefusedException(decision.reason() + "; if the agent is to take it, write a plan that asks for"
+                    + " it: ", opening(goal, message, decision));
+        }
+        Option applicable = Plans.applicable(ts.getAg(), relevant).orElseThrow(() -> new RefusedException(
+                "no plan that asks for it by " + decision.asking("_") + " is applicable now"));
+        message.setPropCont(goal);
+        if (!ts.getAg().socAcc(message)) {
             throw new RefusedException("the agent's socAcc does not accept it");
         }
         Event event = new Event(trigger, Intention.EmptyInt);
-        event.setOption(option);
+        event.setOption(applicable);
         ts.getC().addEvent(event);
     }
 
-    /** Whether a plan's trigger has that mark, such as {@code [cast(broadcast,_)]}, whoever is named in it. */
-    public static boolean asksFor(Plan plan, Structure mark) {
-        return plan.getTrigger().getLiteral().hasAnnot()
-                && plan.getTrigger().getLiteral().getAnnots().stream().anyMatch(each -> isLike(each, mark));
+    private static String opening(Literal goal, Message message, Policy.Decision decision) {
+        String arguments = goal.getFunctor().equals(Config.get().getKqmlFunctor())
+                ? "S," + message.getIlForce() + ",X,_"
+                : IntStream.rangeClosed(1, goal.getArity()).mapToObj(i -> "X" + i).collect(Collectors.joining(","));
+        return "+!" + goal.getFunctor() + (goal.getArity() == 0 ? "" : "(" + arguments + ")") + decision.asking("S")
+                + " <- ...";
     }
 
-    private static boolean isLike(Term annotation, Structure mark) {
-        return annotation instanceof Structure other && other.getFunctor().equals(mark.getFunctor())
-                && other.getArity() == mark.getArity() && other.getTerm(0).isAtom()
-                && other.getTerm(0).equals(mark.getTerm(0));
-    }
-
-    private static String asking(Structure mark, String sender) {
-        return "[" + mark.getFunctor() + "(" + mark.getTerm(0) + "," + sender + ")]";
-    }
-
-    private static String opening(Literal goal, Force force, Structure mark) {
-        if (force != Force.ACHIEVE) {
-            return "+!" + goal.getFunctor() + "(S," + force + ",X,_)" + asking(mark, "S") + " <- ...";
+    /** {@inheritDoc} Where plans had to ask for a goal, its failure plans have to ask for the same. */
+    @Override
+    public void eventAdded(Event event) {
+        Trigger trigger = event.getTrigger();
+        if (trigger.isGoal() && !trigger.isAddition() && !trigger.isMetaEvent()) {
+            Policy.Decision.notedIn(trigger.getLiteral()).ifPresent(decision -> handleFailure(event, decision));
         }
-        String arguments = IntStream.rangeClosed(1, goal.getArity()).mapToObj(i -> "X" + i)
-                .collect(Collectors.joining(",", "(", ")"));
-        return "+!" + goal.getFunctor() + (goal.getArity() == 0 ? "" : arguments) + asking(mark, "S") + " <- ...";
     }
 
-    /** Takes back no more than a broadcast of the same sender has told. */
-    private Optional<Term> retract(Literal said, Came came) throws RefusedException {
-        Structure mark = came.castMark();
-        Address from = came.from();
+    private void handleFailure(Event event, Policy.Decision decision) {
+        TransitionSystem ts = agent.get();
+        String goal = event.getTrigger().getLiteral().getFunctor();
+        Plans.applicable(ts.getAg(), Plans.relevant(ts.getAg(), event.getTrigger(), decision::admits))
+                .ifPresentOrElse(event::setOption, () -> {
+                    warnings.once("a goal " + goal + " has failed; if a plan is to handle that, write one that asks for"
+                            + " it: -!" + goal + decision.asking("S"));
+                    ts.getC().removeEvent(event);
+                });
+    }
+
+    /** Watches what becomes of the agent's goals; called in each of its cycles, as it may get another mind. */
+    void watch() {
+        Circumstance now = agent.get().getC();
+        if (now != watched) {
+            watched = now;
+            now.addEventListener(this);
+        }
+    }
+
+    /** Takes back no more than the same sender has told by the same cast. */
+    private void retract(Message message, Literal said, Provenance of) throws RefusedException {
+        Structure mark = of.mark(Policy.Demand.CAST).orElseThrow();
         Agent ag = agent.get().getAg();
         Literal pattern = said.forceFullLiteralImpl().copy();
-        pattern.addAnnots(mark, source(from));
+        pattern.addAnnots(mark, Pred.createSource(ASSyntax.createAtom(of.from())));
         Literal told = ag.findBel(pattern, new Unifier());
         if (told == null) {
             throw new RefusedException("a broadcast takes back only what a broadcast of the same sender has told");
@@ -275,21 +315,17 @@ public final class Gate {
             // Jason looks for it anew, and may find another.
             throw new RefusedException("a broadcast takes back no belief with variables");
         }
-        Literal shout = told.copy();
-        shout.clearAnnots();
-        shout.addAnnot(mark);
-        if (!isAlsoSealed(told, mark)) {
-            return Optional.of(shout);
+        boolean alsoOtherwise = told.getAnnots("cast").stream().anyMatch(each -> !each.equals(mark)
+                && each instanceof Structure cast && cast.getTerm(1).equals(mark.getTerm(1)));
+        Literal taken = told.copy();
+        taken.clearAnnots();
+        taken.addAnnot(mark);
+        if (alsoOtherwise) {
+            // What the sender has said sealed stands; so the belief keeps its source, and nothing has happened to it.
+            ag.getBB().remove(taken);
+        } else {
+            handOn(message, taken);
         }
-        // What the sender has said sealed stands; so the belief keeps its source, and nothing has happened to it.
-        ag.getBB().remove(shout);
-        return Optional.empty();
-    }
-
-    private static boolean isAlsoSealed(Literal told, Structure broadcast) {
-        return told.getAnnots(CAST).stream().anyMatch(mark -> !isLike(mark, broadcast)
-                && mark instanceof Structure cast && cast.getArity() == 2
-                && cast.getTerm(1).equals(broadcast.getTerm(1)));
     }
 
     // Jason's own
@@ -343,43 +379,30 @@ public final class Gate {
     // Annotations
 
     /**
-     * What is said, without the annotations to which an architecture gives a meaning, at any depth. Variables among
-     * annotations go too, as one of them would stand for any annotation that a plan demands.
+     * A copy of what is said, without the annotations to which an architecture gives a meaning, at any depth. Variables
+     * among annotations go too, as one of them would stand for any annotation that a plan demands. Plans stay as they
+     * are: they are programs.
      */
     static Term clean(Term term) {
-        if (term.isList() && !term.isVar()) {
-            return cleanList((ListTerm) term);
-        }
-        if (term.isVar()) {
-            VarTerm variable = (VarTerm) term.clone();
+        return Texts.<RuntimeException>each(term, single -> single instanceof Plan ? single
+                : Terms.replace(single.clone(), Gate::withoutMarks));
+    }
+
+    /** A part of a term, whose own parts are without them already. */
+    private static Term withoutMarks(Term part) {
+        if (part instanceof VarTerm variable) {
             variable.clearAnnots();
-            return variable;
+        } else if (part instanceof Literal literal && literal.hasAnnot()) {
+            literal.setAnnots(withoutMarks(literal.getAnnots()));
         }
-        return Texts.isBelief(term) ? cleanLiteral((Literal) term) : term;
+        return part;
     }
 
-    private static ListTerm cleanList(ListTerm list) {
-        ListTerm result = list.cloneLT();
-        for (ListTerm cell = result; cell != null && !cell.isEmpty(); cell = cell.getNext()) {
-            cell.setTerm(clean(cell.getTerm()));
-        }
-        return result;
-    }
-
-    private static Literal cleanLiteral(Literal literal) {
-        if (literal.getArity() == 0 && !literal.hasAnnot()) {
-            return literal;
-        }
-        Literal result = literal.forceFullLiteralImpl().copy();
-        for (int i = 0; i < result.getArity(); i++) {
-            result.setTerm(i, clean(result.getTerm(i)));
-        }
-        result.clearAnnots();
-        if (literal.hasAnnot()) {
-            literal.getAnnots().stream().filter(each -> !each.isVar() && !isMeaningful(each))
-                    .forEach(each -> result.addAnnot(clean(each)));
-        }
-        return result;
+    private static ListTerm withoutMarks(ListTerm annotations) {
+        ListTerm kept = new ListTermImpl();
+        annotations.stream().filter(each -> !each.isVar() && !isMeaningful(each))
+                .map(each -> each.isList() ? withoutMarks((ListTerm) each) : each).forEach(kept::add);
+        return kept;
     }
 
     private static boolean isMeaningful(Term annotation) {
@@ -399,13 +422,5 @@ public final class Gate {
             result.addAnnots(marks);
             return result;
         });
-    }
-
-    private static Term source(Address from) {
-        return Pred.createSource(atom(from));
-    }
-
-    private static Atom atom(Address from) {
-        return ASSyntax.createAtom(from.toString());
     }
 }

@@ -12,7 +12,6 @@ import jason.asSyntax.StringTerm;
 import jason.asSyntax.Term;
 
 import javino.board.ReceivedMessage;
-import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Force;
 
@@ -29,25 +28,28 @@ final class Inbox {
     private final Warnings warnings;
     private final Optional<MoveService> moves;
 
+    /** The last message that Jason was given. */
+    private Optional<Message> handedOn = Optional.empty();
+
     /**
      * A message whose content could be read, or one literal of a list that it says.
      *
      * @param message  as it came.
-     * @param peer     what its sender is, if it came sealed.
+     * @param of       how it came.
      * @param receiver the agent.
      * @param term     what it says.
      */
-    private record Mail(ReceivedMessage message, Peer peer, String receiver, Term term) {
+    private record Mail(ReceivedMessage message, Provenance of, String receiver, Term term) {
 
         Content content() {
             return message.content();
         }
 
-        Message saying(Term passed) {
-            Message jason = new Message(content().force().toString(), message.from().toString(), receiver, passed);
+        /** As Jason has it. */
+        Message toJason() {
+            Message jason = new Message(content().force().toString(), of.from(), receiver, term);
             if (content().force().isQuestion()) {
-                boolean ofGroup = message.to().kind() == Address.Kind.MULTICAST;
-                content().conversation().map(asked -> new IncomingQuestion(asked, ofGroup).messageId())
+                content().conversation().map(asked -> new IncomingQuestion(asked, of.cast()).messageId())
                         .ifPresent(jason::setMsgId);
             }
             return jason;
@@ -64,22 +66,23 @@ final class Inbox {
 
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
     void put(ReceivedMessage message, Peer peer, String receiver) {
+        Provenance of = Provenance.of(message.from(), Cast.of(message.to()), peer);
         if (message.content().force() == Force.MOVE) {
-            putMove(message);
+            putMove(message, of);
             return;
         }
         try {
             Term term = Texts.readContent(message.content());
-            apart(term, message.content()).forEach(said -> mails.add(new Mail(message, peer, receiver, said)));
+            apart(term, message.content()).forEach(said -> mails.add(new Mail(message, of, receiver, said)));
         } catch (MalformedTextException e) {
             malformed.incrementAndGet();
             warnings.once("dropped a message from " + message.from() + " that is no AgentSpeak, " + e.getMessage());
         }
     }
 
-    private void putMove(ReceivedMessage message) {
+    private void putMove(ReceivedMessage message, Provenance of) {
         try {
-            Gate.passMove(message.to(), message.from());
+            Gate.permit(Policy.Act.MOVE, of);
             moves.orElseThrow(() -> new Gate.RefusedException("no agent can move in: the library for it is not there"))
                     .received(message.from(), message.content().body());
         } catch (Gate.RefusedException e) {
@@ -93,22 +96,31 @@ final class Inbox {
         return whole ? List.of(term) : (ListTerm) term;
     }
 
-    /** The next message that passes the gate, for Jason to handle at once, as the gate has looked at how things are. */
-    Optional<Message> take() {
-        for (Mail mail = mails.poll(); mail != null; mail = mails.poll()) {
-            Optional<Message> message = pass(mail);
-            if (message.isPresent()) {
-                return message;
-            }
+    /**
+     * Has the agent handle the next message that passes the gate, unless the one before waits still: the gate decides
+     * by what the agent believes, which that may change.
+     */
+    void handOn() {
+        gate.watch();
+        if (handedOn.isPresent() && intentions.hasMail(handedOn.get())) {
+            return;
         }
-        return Optional.empty();
+        handedOn = Optional.empty();
+        while (handedOn.isEmpty() && !mails.isEmpty()) {
+            handedOn = pass(mails.poll());
+        }
     }
 
     private Optional<Message> pass(Mail mail) {
+        Message message = mail.toJason();
         try {
-            Optional<Message> message = mail.content().isAnswer() ? answer(mail) : pass(mail, mail.message().to());
+            if (mail.content().isAnswer()) {
+                answer(mail, message);
+            } else {
+                gate.pass(message, mail.of());
+            }
             received.incrementAndGet();
-            return message;
+            return Optional.of(message);
         } catch (Gate.RefusedException e) {
             refuse(mail.message(), e.kind(), e.getMessage());
         } catch (RuntimeException e) {
@@ -124,30 +136,22 @@ final class Inbox {
         warnings.once(what + kind, what + why);
     }
 
-    private Optional<Message> pass(Mail mail, Address to) throws Gate.RefusedException {
-        Gate.Came came = new Gate.Came(to, mail.message().from(), mail.peer(), mail.content().isAnswer());
-        return gate.pass(mail.content().force(), mail.term(), came).map(mail::saying);
-    }
-
     /** The answer as its question went: what anybody in a group could have asked is no more than a group's word. */
-    private Optional<Message> answer(Mail mail) throws Gate.RefusedException {
-        if (mail.message().to().kind() != Address.Kind.DEVICE) {
-            throw new Gate.RefusedException("an answer must come to the asker alone");
-        }
-        Questions.Question question = questions
-                .answered(mail.content().conversation().orElseThrow(), mail.message().from())
-                .orElseThrow(() -> new Gate.RefusedException("it answers no question that is open"));
+    private void answer(Mail mail, Message message) throws Gate.RefusedException {
+        Gate.permit(Policy.Act.ANSWER, mail.of());
+        Optional<Questions.Question> question =
+                questions.answered(mail.content().conversation().orElseThrow(), mail.message().from());
+        Provenance of = question.map(asked -> asked.answered(mail.message().from(), mail.of().peer()))
+                .orElse(mail.of().answering(Provenance.Question.NONE_OPEN));
+        question.flatMap(Questions.Question::messageId).ifPresent(message::setInReplyTo);
         try {
-            Optional<Message> answer = pass(mail, question.letter().to());
-            if (mail.content().force() == Force.SORRY) {
-                fail(question, mail, ((StringTerm) mail.term()).getString());
-                return Optional.empty();
-            }
-            answer.ifPresent(message -> question.messageId().ifPresent(message::setInReplyTo));
-            return answer;
-        } catch (Gate.RefusedException e) {
-            fail(question, mail, "its answer was dropped: " + e.getMessage());
+            gate.pass(message, of);
+        } catch (Gate.RefusedException | RuntimeException e) {
+            question.ifPresent(asked -> fail(asked, mail, "its answer was dropped: " + e.getMessage()));
             throw e;
+        }
+        if (mail.content().force() == Force.SORRY) {
+            fail(question.orElseThrow(), mail, ((StringTerm) mail.term()).getString());
         }
     }
 

@@ -19,6 +19,11 @@ record IncomingQuestion(Conversation conversation, boolean ofGroup) {
     private static final String GROUP = "rfgroup";
     private static final Pattern MESSAGE_ID = Pattern.compile("(" + ALONE + "|" + GROUP + ")(\\d{1,6})");
 
+    /** Another device's question, by how it came. */
+    IncomingQuestion(Conversation conversation, Cast cast) {
+        this(conversation, cast == Cast.MULTICAST);
+    }
+
     /** The enquiry that an answer names, if it answers one; null where it names nothing. */
     static Optional<IncomingQuestion> of(String inReplyTo) {
         Matcher id = MESSAGE_ID.matcher(inReplyTo == null ? "" : inReplyTo);

@@ -6,6 +6,7 @@ import jason.asSemantics.Circumstance;
 import jason.asSemantics.CircumstanceListener;
 import jason.asSemantics.ConcurrentInternalAction;
 import jason.asSemantics.Intention;
+import jason.asSemantics.Message;
 import jason.asSemantics.TransitionSystem;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Structure;
@@ -116,6 +117,11 @@ public final class Intentions {
     /** No answer will come for a message that could not be sent; its intention fails by itself. */
     void forget(String messageId) {
         circumstance().removePendingIntention(messageId);
+    }
+
+    /** Whether the agent has not read that message yet. */
+    boolean hasMail(Message message) {
+        return circumstance().getMailBox().contains(message);
     }
 
     private Circumstance circumstance() {

@@ -10,6 +10,7 @@ import jason.asSemantics.Agent;
 import jason.asSemantics.Option;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.Plan;
+import jason.asSyntax.Pred;
 import jason.asSyntax.Trigger;
 
 /** An agent's plans, in Jason 3.2 as in 3.3. */
@@ -18,16 +19,53 @@ public final class Plans {
     private Plans() {
     }
 
-    /** All plans of an agent, in their order. The class of a plan library is another one in Jason 3.2 than in 3.3. */
+    /** All plans of an agent, in their order. */
     public static List<Plan> of(Agent agent) {
+        return list(library(agent));
+    }
+
+    /** The plans within a plan, in their order. */
+    public static List<Plan> within(Plan plan) {
+        return plan.hasSubPlans() ? list(call(plan, "getSubPlans")) : List.of();
+    }
+
+    /** A label that no plan of the agent has. */
+    static Pred newLabel(Agent agent) {
+        return (Pred) call(library(agent), "getUniqueLabel");
+    }
+
+    /** An agent's library of plans, whose class is another one in Jason 3.2 than in 3.3. */
+    public static Object library(Agent agent) {
+        return call(agent, "getPL");
+    }
+
+    /** The plans in a library. */
+    public static List<Plan> list(Object library) {
+        List<Plan> list = new ArrayList<>();
+        ((Iterable<?>) library).forEach(plan -> list.add((Plan) plan));
+        return list;
+    }
+
+    /** What a method returns that Jason 3.2 and 3.3 have under one name, but with other classes. */
+    public static Object call(Object target, String method, Object... arguments) {
         try {
-            Iterable<?> library = (Iterable<?>) Agent.class.getMethod("getPL").invoke(agent);
-            List<Plan> plans = new ArrayList<>();
-            library.forEach(plan -> plans.add((Plan) plan));
-            return plans;
+            for (var candidate : target.getClass().getMethods()) {
+                if (candidate.getName().equals(method) && takes(candidate.getParameterTypes(), arguments)) {
+                    return candidate.invoke(target, arguments);
+                }
+            }
         } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("this Jason has no plan library where 3.2 and 3.3 have it", e);
+            throw new IllegalStateException(e);
         }
+        throw new IllegalStateException("this Jason has no " + method + " where 3.2 and 3.3 have it");
+    }
+
+    private static boolean takes(Class<?>[] types, Object... arguments) {
+        boolean takes = types.length == arguments.length;
+        for (int i = 0; takes && i < types.length; i++) {
+            takes = types[i].isInstance(arguments[i]) || types[i] == boolean.class && arguments[i] instanceof Boolean;
+        }
+        return takes;
     }
 
     /** The plans for an event, of those that are allowed, with what their triggers bind. */

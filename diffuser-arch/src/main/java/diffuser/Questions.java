@@ -34,6 +34,12 @@ final class Questions {
      * @param answered  who has answered.
      */
     record Question(Letter letter, Optional<String> messageId, Set<Address> answered) {
+
+        /** Where an answer of a device comes from: as the question went. */
+        Provenance answered(Address by, Peer peer) {
+            return Provenance.of(by, Cast.of(letter.to()), peer).answering(
+                    Provenance.Question.of(letter.content().force(), messageId.isPresent()));
+        }
     }
 
     Questions(Intentions intentions, Outbox outbox) {

@@ -5,16 +5,11 @@ import java.util.regex.Pattern;
 
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
-import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
-import jason.asSyntax.LogicalFormula;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
-import jason.asSyntax.Rule;
 import jason.asSyntax.StringTerm;
-import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
-import jason.asSyntax.Trigger;
 
 /**
  * Writes a term as a text that reads back as the term. Jason's own text of one is for people: it leaves out what its
@@ -32,85 +27,31 @@ public final class TermWriter {
 
     /** @throws MalformedTextException if a string in it has no text that reads back, as with a single backslash. */
     public static String write(Term term) throws MalformedTextException {
-        return readable(term.clone()).toString();
+        boolean inBraces = !(term instanceof PlanBody body) || body.isBodyTerm();
+        Term copy = Terms.replace(term.clone(), TermWriter::readable);
+        if (copy instanceof PlanBody body) {
+            body.setAsBodyTerm(inBraces);
+        }
+        return copy.toString();
     }
 
-    /** The term, with all strings and atoms in it so that Jason's text of it reads back. Changes what it is given. */
-    private static Term readable(Term term) throws MalformedTextException {
-        if (term instanceof StringTerm string) {
+    /** A part of a term, so that Jason's text of it reads back. */
+    private static Term readable(Term part) throws MalformedTextException {
+        if (part instanceof StringTerm string) {
             return ASSyntax.createString(escaped(string.getString()));
         }
-        if (term instanceof Plan plan) {
-            return readablePlan(plan);
-        }
-        if (term instanceof PlanBody body) {
-            return readableBody(body);
-        }
-        if (term instanceof Rule rule) {
-            Rule result = new Rule((Literal) readable(rule.getHead()), (LogicalFormula) readable(rule.getBody()));
-            result.setAsTerm(rule.isTerm());
-            return result;
-        }
-        if (term instanceof Trigger trigger) {
-            trigger.setLiteral((Literal) readable(trigger.getLiteral()));
-            return trigger;
-        }
-        if (term.isList()) {
-            return readableList((ListTerm) term);
-        }
-        if (term instanceof Structure structure && !term.isVar()) {
-            return readableStructure(structure);
-        }
-        return term.getClass() == Atom.class ? readableAtom((Atom) term) : term;
-    }
-
-    /** Jason keeps no braces for what {@code if}, {@code while} and {@code for} have in braces. */
-    private static Term part(Term term) throws MalformedTextException {
-        if (term instanceof PlanBody body) {
+        if (part instanceof PlanBody body) {
+            // Jason keeps no braces for what if, while and for have in braces.
             body.setAsBodyTerm(true);
-        }
-        return readable(term);
-    }
-
-    private static Plan readablePlan(Plan plan) throws MalformedTextException {
-        plan.setAsPlanTerm(true);
-        readable(plan.getTrigger());
-        readable(plan.getBody());
-        if (plan.getLabel() != null) {
-            // Jason notes there which file it read the plan from.
-            plan.getLabel().delAnnots(plan.getLabel().getAnnots("url"));
-            readable(plan.getLabel());
-        }
-        if (plan.getContext() != null) {
-            readable(plan.getContext());
-        }
-        return plan;
-    }
-
-    private static PlanBody readableBody(PlanBody body) throws MalformedTextException {
-        for (PlanBody step = body; step != null; step = step.getBodyNext()) {
-            if (step.getBodyTerm() != null) {
-                step.setBodyTerm(part(step.getBodyTerm()));
+        } else if (part instanceof Plan plan) {
+            plan.setAsPlanTerm(true);
+            plan.getBody().setAsBodyTerm(false);
+            if (plan.getLabel() != null) {
+                // Jason notes there which file it read the plan from.
+                plan.getLabel().delAnnots(plan.getLabel().getAnnots("url"));
             }
         }
-        return body;
-    }
-
-    private static ListTerm readableList(ListTerm list) throws MalformedTextException {
-        for (ListTerm cell = list; cell != null && !cell.isVar() && !cell.isEmpty(); cell = cell.getNext()) {
-            cell.setTerm(part(cell.getTerm()));
-        }
-        return list;
-    }
-
-    private static Structure readableStructure(Structure structure) throws MalformedTextException {
-        for (int i = 0; i < structure.getArity(); i++) {
-            structure.setTerm(i, part(structure.getTerm(i)));
-        }
-        if (structure.hasAnnot()) {
-            readableList(structure.getAnnots());
-        }
-        return structure;
+        return part.getClass() == Atom.class ? readableAtom((Atom) part) : part;
     }
 
     private static Atom readableAtom(Atom atom) {

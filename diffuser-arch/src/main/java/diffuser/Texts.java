@@ -7,7 +7,6 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -37,6 +36,7 @@ import jason.asSyntax.parser.SimpleCharStream;
 import jason.asSyntax.parser.TokenMgrError;
 import jason.asSyntax.parser.as2jTokenManager;
 
+import javino.Printable;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
 import javino.protocol.Force;
@@ -49,9 +49,6 @@ public final class Texts {
 
     private static final String FORCES = Arrays.stream(Force.values()).filter(Force::isSaid)
             .map(Force::toString).collect(Collectors.joining(", "));
-
-    /** Controls, and what turns the direction of writing. */
-    private static final Pattern COMMANDS = Pattern.compile("[\\p{Cc}\\u2028\\u2029\\u202A-\\u202E\\u2066-\\u2069]");
 
     /** Jason's parser takes twice as long with each level of braces, or of annotations of variables. */
     private static final int DEEPEST = 10;
@@ -78,16 +75,12 @@ public final class Texts {
      *                        too_long if it is longer than any message.
      */
     static Content content(Force force, Optional<Conversation> conversation, Term term) throws JasonException {
-        String text;
         try {
-            text = TermWriter.write(Gate.clean(term));
-            expectNoCommand(text);
-            check(text, read(text, force), force, conversation.isPresent());
+            String text = TermWriter.write(Gate.clean(term));
+            checked(force, conversation.isPresent(), text);
+            return new Content(force, conversation, text);
         } catch (MalformedTextException e) {
             throw unsayable(e);
-        }
-        try {
-            return new Content(force, conversation, text);
         } catch (IllegalArgumentException e) {
             throw new Failure("too_long", e.getMessage()).toException();
         }
@@ -113,10 +106,13 @@ public final class Texts {
      * @throws MalformedTextException if it is not what goes with the force, or its text does not read back.
      */
     public static Term asFromTheAir(Force force, boolean answer, Term said) throws MalformedTextException {
-        String text = TermWriter.write(Gate.clean(said));
+        return checked(force, answer, TermWriter.write(Gate.clean(said)));
+    }
+
+    private static Term checked(Force force, boolean conversing, String text) throws MalformedTextException {
         expectNoCommand(text);
         Term term = read(text, force);
-        check(text, term, force, answer);
+        check(text, term, force, conversing);
         return term;
     }
 
@@ -153,10 +149,7 @@ public final class Texts {
 
     /** Reads what a message says: what goes with its force. */
     static Term readContent(Content content) throws MalformedTextException {
-        expectNoCommand(content.term());
-        Term term = read(content.term(), content.force());
-        check(content.term(), term, content.force(), content.conversation().isPresent());
-        return term;
+        return checked(content.force(), content.conversation().isPresent(), content.term());
     }
 
     /**
@@ -174,13 +167,8 @@ public final class Texts {
         };
     }
 
-    /** What becomes of one term. */
-    interface Change<E extends Exception> {
-        Term of(Term term) throws E;
-    }
-
     /** Changes a term, or each in a list. A variable is an instance of ListTerm, too. */
-    static <E extends Exception> Term each(Term term, Change<E> change) throws E {
+    static <E extends Exception> Term each(Term term, Terms.Change<E> change) throws E {
         if (!term.isList() || term.isVar()) {
             return change.of(term);
         }
@@ -212,7 +200,9 @@ public final class Texts {
             case ACHIEVE, UNACHIEVE, SIGNAL, UNTELL_HOW -> all(term, Texts::isBelief);
             case ASK_ONE, ASK_ALL -> isBelief(term);
             case ASK_HOW -> term instanceof Trigger || term.isPlanBody() || term.isString();
-            case TELL_HOW -> all(term, plan -> plan instanceof Plan || plan.isString());
+            // Nobody looks into plans within a plan.
+            case TELL_HOW -> all(term, each -> each.isString() || each instanceof Plan plan && !plan.hasSubPlans()
+                    && plan.getGoalCondition() == null);
             case SORRY -> term.isString();
             case MOVE -> false;
         };
@@ -234,18 +224,20 @@ public final class Texts {
     }
 
     /**
-     * Refuses what commands a terminal.
+     * Refuses what commands a terminal, or hides.
      *
      * @throws MalformedTextException if such a character is in it.
      */
     public static void expectNoCommand(String text) throws MalformedTextException {
-        expect(!COMMANDS.matcher(text).find(), text,
-                "it has a character that commands a terminal; of these only line feeds may be sent");
+        expect(text.codePoints().noneMatch(Printable::isCommand), text,
+                "it has a character that commands a terminal, or"
+                        + " is not seen; of these only line feeds may be sent");
     }
 
     /** The same, with blanks in the place of what commands a terminal. */
     public static String withoutCommands(String text) {
-        return COMMANDS.matcher(text).replaceAll(" ");
+        return text.codePoints().mapToObj(each -> Printable.isCommand(each) ? " " : Character.toString(each))
+                .collect(Collectors.joining());
     }
 
     private static void expect(boolean met, String text, String what) throws MalformedTextException {
@@ -340,9 +332,11 @@ public final class Texts {
      * @throws MalformedTextException if the parser does not take it.
      */
     public static <T extends Term> T parsed(String text, Parser<T> parser) throws MalformedTextException {
-        try {
+        try (ParserOutput output = new ParserOutput()) {
             expect(depth(text) <= DEEPEST, text, "it nests too many braces, lists and annotations");
-            return parser.parse(text);
+            T term = parser.parse(text);
+            expect(output.isEmpty(), text, "Jason's parser stumbles over it");
+            return term;
         } catch (ParseException | TokenMgrError | RuntimeException e) {
             throw new MalformedTextException(text, firstLine(e));
         }

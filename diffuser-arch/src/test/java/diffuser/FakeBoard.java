@@ -64,7 +64,7 @@ final class FakeBoard implements LinkOpener {
     private volatile boolean uncounting;
     private long packetsHeard;
     private volatile boolean greeted;
-    private volatile int boots;
+    private volatile int boots = 1;
     private volatile int transmissionCount;
     private volatile Link link;
     private volatile Bytes lastRequest;

@@ -226,6 +226,46 @@ class GateTest {
         assertEquals(2, refused(agent));
     }
 
+    /** Of a broadcast's goal, also what handles its failure must ask for it. */
+    @Test
+    void pass_goalOfABroadcastThatFails_runsFailurePlansThatAskOnly() {
+        String program = PROGRAM + """
+                +!risky(X)[cast(broadcast,S)] <- diffuser.note(risky,X); .fail.
+                -!risky(1) <- diffuser.note(shut).
+                -!risky(2)[cast(broadcast,S)] <- diffuser.note(rescued,S).
+                -!risky(X) <- diffuser.note(shut).
+                """;
+        FakeBoard board = new FakeBoard("radio");
+        RunningAgent agent = RunningAgent.listening(program, board);
+        board.receive(ALL, "ROMB", "achieve;risky(1)");
+        agent.notes("risky 1");
+        board.receive(ALL, "ROMB", "achieve;risky(2)");
+        agent.notes("risky 2");
+        agent.notes("rescued ROMB");
+        nothingSoFar(agent, board);
+        agent.warns("a goal risky has failed; if a plan is to handle that, write one that asks for it:"
+                + " -!risky[cast(broadcast,S)]");
+    }
+
+    @Test
+    void pass_questionsAndUntellOfAStranger_arePlansToRefuse() {
+        String program = PROGRAM + """
+                +?door(X)[peer(certified,S)] <- diffuser.note(stranger,S); .fail.
+                +?door(X) <- diffuser.note(partner); X = 1.
+                +!kqml_received(S,untell,q(X),_)[peer(certified,S)] <- diffuser.note(kept,X).
+                """;
+        FakeBoard board = withAStranger();
+        RunningAgent agent = RunningAgent.listening(program, board);
+        board.receive(ME, "ROMB", "askOne#AbC;door(X)");
+        agent.notes("stranger ROMB");
+        board.receive(ME, "SUPO", "askOne#AbD;door(X)");
+        agent.notes("partner");
+        board.receive(ME, "ROMB", "tell;q(1)");
+        board.receive(ME, "ROMB", "untell;q(1)");
+        agent.notes("kept 1");
+        assertEquals("q(1)[cast(unicast,ROMB),peer(certified,ROMB),source(ROMB)]", belief(agent, "q(_)"));
+    }
+
     private static FakeBoard withAStranger() {
         return new FakeBoard("radio").withKey("SUPO", Reply.Role.CURRENT).withKey("ROMB", Reply.Role.SESSION);
     }

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Random;
@@ -148,6 +150,47 @@ class TextsTest {
                     "p(\"\u2066\")", "p(1)\n"})
     void readContent_characterThatCommandsATerminal_isMalformed(String text) {
         assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
+    }
+
+    /** By Unicode's properties: none that turns the direction of writing, and none that is not seen. */
+    @Test
+    void readContent_characterThatIsNotSeen_isMalformed() throws Exception {
+        for (int character : new int[] {0x061C, 0x200B, 0x200D, 0x200E, 0x200F, 0x2060, 0x2069, 0xAD, 0x34F, 0x115F,
+                0x180E, 0x3164, 0xFE0F, 0xFEFF, 0xFFA0, 0xFFF0, 0xE0001, 0xE0020, 0xE0100}) {
+            String text = "p(\"a" + Character.toString(character) + "b\")";
+            assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)),
+                    Integer.toHexString(character));
+            assertEquals("a b", Texts.withoutCommands("a" + Character.toString(character) + "b"));
+        }
+        Texts.readContent(new Content(Force.TELL, "p(\"\u00e9\u4e2d\u0627\ud83d\ude00\")"));
+    }
+
+    /** What Jason's parser prints where it stumbles is nobody's to see; that it has stumbled is known. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '\0', value = {"tell | { +!a <- { +!a <- { a } } }",
+            "tell | p({ +!a <- { +!a <- { a } } })", "tellHow | { +!a <- { +!b <- c } }",
+            "tellHow | { +!a <- !{ +!b } }",
+            "tellHow | \"+!a. { @l +!b. @l +!c. }\"", "achieve | p({ +!a <- { +!b } ||| c })",
+            "tellHow | { +!a <- b |&| { +!b <- c } }"})
+    void readContent_whereTheParserStumbles_isMalformedInSilence(String force, String text) {
+        PrintStream before = System.err;
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        System.setErr(new PrintStream(printed, true));
+        try {
+            assertMalformed(Force.of(force).orElseThrow(), text);
+        } finally {
+            System.setErr(before);
+        }
+        assertEquals("", printed.toString());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"p({ +!a[source(self)] : b[cast(unicast,x)] <- c[peer(certified,x)] })",
+            "p({ q[source(self)] :- r[source(percept)] & not s[cast(x,y)] })", "p(a[[source(self)],x([b[home(c)]])])",
+            "p(X[source(self)])", "p([a[source(self)]|T])", "p[x(a[demanded(b)])]", "p({ !a[source(self)]; ?b[X] })"})
+    void clean_marksAtAnyDepth_areGone(String text) throws Exception {
+        String clean = Gate.clean(ASSyntax.parseTerm(text)).toString();
+        assertTrue(!clean.matches(".*(source|cast|peer|home|demanded).*|.*\\[X.*"), clean);
     }
 
     @ParameterizedTest

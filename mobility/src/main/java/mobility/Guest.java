@@ -1,6 +1,9 @@
 package mobility;
 
 import java.lang.reflect.InvocationTargetException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
@@ -22,6 +25,10 @@ import jason.asSyntax.parser.TokenMgrError;
 import diffuser.Failure;
 import diffuser.Gate;
 import diffuser.MalformedTextException;
+import diffuser.Plans;
+import diffuser.Policy;
+import diffuser.Provenance;
+import diffuser.Terms;
 import diffuser.Texts;
 
 import javino.protocol.Force;
@@ -53,8 +60,11 @@ public class Guest extends Agent {
     /** Jason's maps, queues and sets. */
     private static final Set<String> ALLOWED_KINDS = Set.of(".map.", ".queue.", ".set.");
 
-    private static final Set<Force> FORCES =
-            Set.of(Force.TELL, Force.UNTELL, Force.ASK_ONE, Force.ASK_ALL, Force.SIGNAL);
+    /** So many questions of others may be open; of more, the oldest can be answered no longer. */
+    private static final int MOST_ASKED = 100;
+
+    /** What it was asked and has not answered: by whom, and the id of the message, with the performative. */
+    private final Map<List<String>, Force> asked = new LinkedHashMap<>();
 
     /** Each other internal action fails. */
     @Override
@@ -95,14 +105,17 @@ public class Guest extends Agent {
 
     /**
      * Leaves of a message what another device could say as well: who is asked would carry out an internal action in a
-     * question, and believe a rule or the mark of a sealed message that it is told.
+     * question, and believe a rule or the mark of a sealed message that it is told; and an answer to another's question
+     * would be taken for that other's.
      *
      * @throws JasonException guest, if nothing of it may be sent.
      */
-    static void check(Message message) throws JasonException {
-        Optional<Force> force = Force.of(message.getIlForce()).filter(FORCES::contains);
-        if (force.isEmpty()) {
-            throw refused(".send(_," + message.getIlForce() + ",_)");
+    void check(Message message) throws JasonException {
+        Optional<Force> force = Force.of(message.getIlForce()).filter(Force::isSaid);
+        Provenance of = Provenance.ofGuest(message.getSender()).answering(answered(message));
+        if (force.map(known -> Policy.decide(Policy.Act.of(known), of)).filter(Policy.Decision::isAllowed).isEmpty()) {
+            throw refused(".send(_," + message.getIlForce() + ",_)"
+                    + (message.getInReplyTo() == null ? "" : " in answer to that"));
         }
         try {
             Term said = message.getPropCont() instanceof Term term ? term
@@ -115,6 +128,18 @@ public class Guest extends Agent {
         }
     }
 
+    private Provenance.Question answered(Message message) {
+        return message.getInReplyTo() == null ? Provenance.Question.NOTHING
+                : Provenance.Question.of(asked.remove(List.of(message.getReceiver(), message.getInReplyTo())), false);
+    }
+
+    private void note(Message question) {
+        Force.of(question.getIlForce()).filter(Force::isQuestion).ifPresent(force -> {
+            asked.put(List.of(question.getSender(), question.getMsgId()), force);
+            asked.keySet().stream().limit(Math.max(0, asked.size() - MOST_ASKED)).toList().forEach(asked::remove);
+        });
+    }
+
     /**
      * {@inheritDoc} Another agent's parser has looked up already which internal actions are in what it sends; here that
      * is this agent's to do.
@@ -122,6 +147,9 @@ public class Guest extends Agent {
     @Override
     public Message selectMessage(Queue<Message> messages) {
         Message message = super.selectMessage(messages);
+        if (message != null) {
+            note(message);
+        }
         if (message != null && message.getPropCont() instanceof Term said) {
             message.setPropCont(Terms.replace(said.clone(), Guest::unknown));
         }
@@ -135,7 +163,7 @@ public class Guest extends Agent {
             return action;
         }
         if (part instanceof Plan plan) {
-            Library.within(plan).forEach(inner -> Terms.replace(inner, Guest::unknown));
+            Plans.within(plan).forEach(inner -> Terms.replace(inner, Guest::unknown));
         }
         return part;
     }

@@ -29,7 +29,7 @@ import jason.bb.BeliefBase;
 import diffuser.Failure;
 
 /**
- * An agent that can move, and sleeps while it is on its way. Written as {@code agentArchClass mobility.Mobile}, behind
+ * An agent that can move, and sleeps while it is on its way. Written as {@code agentArchClass mobility.Mobile}, before
  * other architectures of the agent if it has any, so that it is the first to be asked.
  *
  * <p>An agent that sleeps perceives nothing, reads no mail, and carries out nothing. Its events and intentions stay
@@ -236,16 +236,16 @@ public class Mobile extends AgArch {
 
     @Override
     public void sendMsg(Message message) throws Exception {
-        if (isGuest()) {
-            Guest.check(message);
+        if (getTS().getAg() instanceof Guest guest) {
+            guest.check(message);
         }
         super.sendMsg(message);
     }
 
     @Override
     public void broadcast(Message message) throws Exception {
-        if (isGuest()) {
-            Guest.check(message);
+        if (getTS().getAg() instanceof Guest guest) {
+            guest.check(message);
         }
         super.broadcast(message);
     }

@@ -23,9 +23,12 @@ import java.util.stream.Stream;
 import jason.JasonException;
 
 import diffuser.BoardService;
+import diffuser.Cast;
 import diffuser.Diffuser;
 import diffuser.Failure;
 import diffuser.KeyService;
+import diffuser.Policy;
+import diffuser.Provenance;
 
 import javino.JavinoException;
 import javino.board.RequestFailedException;
@@ -289,11 +292,11 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     @Override
     public void word(Address from, Address to, Word word) {
         execute(() -> {
-            if (meetings == null || stored.contains(from)) {
-                ignored++;
-            } else if (to.kind() == Address.Kind.DEVICE) {
+            Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.Peer.PROVISIONED
+                    : diffuser.Peer.CERTIFIED);
+            if (meetings != null && Policy.decide(Policy.Act.HOST_MESSAGE, of).isAllowed()) {
                 meetings.received(from, word, millis());
-            } else if (to.kind() == Address.Kind.BROADCAST) {
+            } else if (meetings != null && Policy.decide(Policy.Act.HANDSHAKE, of).isAllowed()) {
                 meetings.heard(from, word, millis());
             } else {
                 ignored++;

@@ -213,7 +213,7 @@ public final class GateTarget {
         }
         for (Term mark : belief.getAnnots("peer")) {
             holds(lines.stream().anyMatch(line -> line.to().kind() == Address.Kind.DEVICE
-                    && line.peer().mark(line.from()).equals(mark)), "the mark is that of its key", belief);
+                    && line.peer().mark(line.from().toString()).equals(mark)), "the mark is that of its key", belief);
         }
         holds(belief.getAnnots().stream().noneMatch(Term::isVar) && belief.getAnnots().getTail() == null,
                 "no annotation stands for all", belief);
