@@ -1,4 +1,5 @@
-// The bus of the highway, which lets an inspector from the support station look at what it perceives.
+// The bus of the highway, which lets an inspector from the support station look at what it perceives, and none that
+// the station has from elsewhere.
 
 +!moveIn(Agent, inquilinism)[cast(unicast, From)] : .term2string(From, "SUPP") <-
     .print("Welcome, ", Agent, " from ", From).

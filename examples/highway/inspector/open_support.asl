@@ -4,7 +4,9 @@
     +sent;
     .send(inspector, achieve, inspect("ROMA")).
 
-+!moveIn(inspector, mutualism)[cast(unicast, From)] <- .print("The inspector comes home from ", From).
+// Its own inspector: no other agent of that name can be at home here.
++!moveIn(inspector, mutualism)[cast(unicast, From), home(Home)] : .term2string(Home, "SUPP") <-
+    .print("The inspector comes home from ", From).
 
 +movedOut(Agent, To)[source(percept)] <- .print(Agent, " has gone to ", To).
 

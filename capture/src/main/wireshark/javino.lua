@@ -112,6 +112,7 @@ field(air, "move.parts", "uint8", "Count of parts")
 field(air, "move.hash", "bytes", "Hash")
 field(air, "move.packed_length", "uint24", "Packed length")
 field(air, "move.text_length", "uint24", "Text length")
+field(air, "move.token", "bytes", "Return token")
 field(air, "move.home", "string", "Home")
 field(air, "move.name", "string", "Name")
 field(air, "move.part", "uint8", "Part")
@@ -571,7 +572,8 @@ local function show_move(tree, range)
       take("move.packed_length", 3)
       take("move.text_length", 3)
     end
-    if has(5) then
+    if has(13) then
+      take("move.token", 8)
       address(tree, "move.home", range(at, 4))
       text(tree, "move.name", range(at + 4))
     end

@@ -24,11 +24,9 @@ import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 
 import diffuser.Diffuser;
-import diffuser.Gate;
-import diffuser.Peer;
 import diffuser.Plans;
-
-import javino.protocol.Address;
+import diffuser.Policy;
+import diffuser.Provenance;
 
 /**
  * Whether the agent with the board lets another in: it does when it achieves the goal {@code moveIn(Agent,Protocol)},
@@ -54,13 +52,18 @@ final class Admission {
                 && trigger.getLiteral().getArity() == 2;
     }
 
-    /** Asks the agent, in its next cycle. @return fails with a {@link RefusedException}. */
-    CompletableFuture<Void> ask(String newcomer, Protocol protocol, Address from) {
+    /**
+     * Asks the agent, in its next cycle.
+     *
+     * @param decision what its plans must ask for.
+     * @return fails with a {@link RefusedException}.
+     */
+    CompletableFuture<Void> ask(Move newcomer, Provenance of, Policy.Decision decision) {
         CompletableFuture<Void> answer = new CompletableFuture<>();
         TransitionSystem ts = diffuser.getTS();
         ts.runAtBeginOfNextCycle(() -> {
             try {
-                pursue(ts, newcomer, protocol, from, answer);
+                pursue(ts, newcomer, of, decision, answer);
             } catch (RefusedException e) {
                 answer.completeExceptionally(e);
             } catch (RuntimeException e) {
@@ -71,28 +74,25 @@ final class Admission {
         return answer;
     }
 
-    private static Literal goal(String newcomer, Protocol protocol, Address from, Peer peer) {
-        Literal goal = ASSyntax.createLiteral(GOAL, ASSyntax.createAtom(newcomer),
-                ASSyntax.createAtom(protocol.atom()));
-        Term sender = ASSyntax.createAtom(from.toString());
-        goal.addAnnots(Pred.createSource(sender),
-                ASSyntax.createStructure("cast", ASSyntax.createAtom("unicast"), sender), peer.mark(from));
+    private static Literal goal(Move newcomer, Provenance of, Policy.Decision decision) {
+        Literal goal = ASSyntax.createLiteral(GOAL, ASSyntax.createAtom(newcomer.name()),
+                ASSyntax.createAtom(newcomer.protocol().atom()));
+        goal.addAnnots(Pred.createSource(ASSyntax.createAtom(of.from())));
+        goal.addAnnots(of.marks());
+        decision.noteIn(goal);
         return goal;
     }
 
-    private void pursue(TransitionSystem ts, String newcomer, Protocol protocol, Address from,
+    /** Has an agent pursue the goal, on its thread. */
+    static void pursue(TransitionSystem ts, Move newcomer, Provenance of, Policy.Decision decision,
             CompletableFuture<Void> answer) throws RefusedException {
         Agent agent = ts.getAg();
-        Peer peer = diffuser.peer(from);
-        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve,
-                goal(newcomer, protocol, from, peer));
+        Trigger trigger = new Trigger(Trigger.TEOperator.add, Trigger.TEType.achieve, goal(newcomer, of, decision));
         List<Option> relevant = Plans.relevant(agent, trigger,
-                plan -> (protocol != Protocol.PREDATION || namesPredation(plan))
-                        && (peer != Peer.CERTIFIED || Gate.asksFor(plan, peer.mark(from))));
+                plan -> (newcomer.protocol() != Protocol.PREDATION || namesPredation(plan)) && decision.admits(plan));
         if (relevant.isEmpty()) {
-            String demanded = peer == Peer.CERTIFIED ? ")[peer(certified,From)]" : ")[cast(unicast,From)]";
-            throw new RefusedException("refused", "no plan such as +!moveIn(Agent," + protocol.atom() + demanded
-                    + " admits it");
+            throw new RefusedException("refused", "no plan such as +!moveIn(Agent," + newcomer.protocol().atom() + ")"
+                    + decision.asking("_") + " admits it");
         }
         Optional<Option> applicable = Plans.applicable(agent, relevant);
         if (applicable.isEmpty()) {

@@ -27,6 +27,8 @@ import diffuser.BoardService;
 import diffuser.Diffuser;
 import diffuser.Failure;
 import diffuser.MoveService;
+import diffuser.Policy;
+import diffuser.Provenance;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -233,15 +235,27 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     // MAS
 
     @Override
-    public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
-        if (Mobile.find(ts()).filter(Mobile::isAsleep).isEmpty()) {
-            return admission.ask(agent, protocol, from);
-        }
-        // Its own mind is away, and may come back; there is nobody to ask for others.
-        boolean itself = agent.equals(name())
-                && folder.records().stream().anyMatch(move -> move.isAbsent() && move.name().equals(agent));
-        return itself ? CompletableFuture.completedFuture(null) : CompletableFuture
-                .failedFuture(new RefusedException("refused", "the agent that lets others in is away itself"));
+    public CompletableFuture<Void> admit(Move move, boolean returns) {
+        boolean away = Mobile.find(ts()).filter(Mobile::isAsleep).isPresent();
+        boolean itself = away && move.protocol() == Protocol.MUTUALISM && move.name().equals(name());
+        Provenance of = move.provenance(diffuser.peer(move.key().peer()), here(), returns).whileAway(away);
+        Policy.Decision decision = Policy.decide(itself ? Policy.Act.RETURN : Policy.Act.OFFER, of);
+        return switch (decision.verdict()) {
+            case ALLOWED -> CompletableFuture.completedFuture(null);
+            case IF_A_PLAN_ASKS -> admission.ask(move, of, decision);
+            default -> CompletableFuture.failedFuture(new RefusedException("refused", decision.reason()));
+        };
+    }
+
+    @Override
+    public Optional<Address> here() {
+        return diffuser.address();
+    }
+
+    /** Whether an agent that lives here has come by this board. On any thread. */
+    boolean hasBrought(String agent) {
+        return Folder.records(place()).stream()
+                .anyMatch(move -> move.state() == Move.State.HERE && move.name().equals(agent));
     }
 
     @Override

@@ -151,7 +151,9 @@ public final class Departures {
         if (sleeps) {
             Mobile.of(ts).fallAsleep();
         }
-        return moves.depart(ts.getAgArch().getAgName(), protocol, to,
+        String agent = ts.getAgArch().getAgName();
+        // The records of the board by which it came tell its home.
+        return Inhabitants.bringer(agent).orElse(moves).depart(agent, protocol, to,
                 List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state()))).whenComplete((name, thrown) -> {
                     if (sleeps && thrown != null) {
                         ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).awaken());

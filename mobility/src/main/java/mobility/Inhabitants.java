@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
 
 import jason.architecture.AgArch;
 import jason.asSemantics.Circumstance;
@@ -100,11 +101,12 @@ final class Inhabitants {
                 endOthers();
                 return takeBody(mind, why);
             }
-            if (move.isOurs() && move.name().equals(own())) {
+            if (move.isOurs() && move.name().equals(own()) && !guest) {
                 return takeBody(mind, why);
             }
             RuntimeServices services = RuntimeServicesFactory.get();
-            Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs());
+            // A guest has nothing of what its program had here.
+            Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs() && !guest);
             MAKING.set(true);
             String name = services.createAgent(move.name(), null,
                     guest ? Guest.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
@@ -267,9 +269,18 @@ final class Inhabitants {
     static void ended(String name) {
         BaseLocalMAS mas = BaseLocalMAS.getRunner();
         if (mas != null && mas.isRunning()) {
-            mas.getAgs().values().stream().flatMap(each -> Diffuser.find(each.getFirstAgArch()).stream())
-                    .flatMap(each -> each.service(BoardMoves.class).stream()).forEach(moves -> moves.ended(name));
+            all(mas).forEach(moves -> moves.ended(name));
         }
+    }
+
+    /** By which board an agent has come that lives here; none if it is from here. */
+    static Optional<BoardMoves> bringer(String name) {
+        return all(BaseLocalMAS.getRunner()).filter(moves -> moves.hasBrought(name)).findFirst();
+    }
+
+    private static Stream<BoardMoves> all(BaseLocalMAS mas) {
+        return mas.getAgs().values().stream().flatMap(each -> Diffuser.find(each.getFirstAgArch()).stream())
+                .flatMap(each -> each.service(BoardMoves.class).stream());
     }
 
     /** Whether an agent has a board by which agents move. */

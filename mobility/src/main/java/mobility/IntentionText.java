@@ -27,6 +27,7 @@ import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
 
 import diffuser.MalformedTextException;
+import diffuser.Terms;
 
 /** The text of one event or intention (SPEC 9.4). */
 final class IntentionText {

@@ -7,6 +7,8 @@ import jason.asSemantics.Agent;
 import jason.asSyntax.Plan;
 import jason.asSyntax.Pred;
 
+import diffuser.Plans;
+
 /** An agent's plans, or those within a plan. The class of a plan library is another one in Jason 3.2 than in 3.3. */
 final class Library {
 
@@ -33,24 +35,19 @@ final class Library {
     }
 
     static Library of(Agent agent) {
-        return new Library(call(agent, "getPL"));
-    }
-
-    /** The plans within a plan, in their order. */
-    static List<Plan> within(Plan plan) {
-        return plan.hasSubPlans() ? list(call(plan, "getSubPlans")) : List.of();
+        return new Library(Plans.library(agent));
     }
 
     /** A plan and all within it, at any depth: the plan itself first. */
     static List<Plan> all(Plan plan) {
         List<Plan> all = new ArrayList<>(List.of(plan));
-        within(plan).forEach(inner -> all.addAll(all(inner)));
+        Plans.within(plan).forEach(inner -> all.addAll(all(inner)));
         return all;
     }
 
     /** All but Jason's own, in their order. */
     List<Plan> own() {
-        return list(plans).stream().filter(plan -> !isJasons(plan)).toList();
+        return Plans.list(plans).stream().filter(plan -> !isJasons(plan)).toList();
     }
 
     private static boolean isJasons(Plan plan) {
@@ -58,50 +55,23 @@ final class Library {
     }
 
     void add(Plan plan) {
-        call(plans, "add", plan, false);
+        Plans.call(plans, "add", plan, false);
     }
 
     void clear() {
-        own().forEach(plan -> call(plans, "remove", plan.getLabel()));
+        own().forEach(plan -> Plans.call(plans, "remove", plan.getLabel()));
     }
 
     Pred newLabel() {
-        return (Pred) call(plans, "getUniqueLabel");
+        return (Pred) Plans.call(plans, "getUniqueLabel");
     }
 
     boolean hasMetaEventPlans() {
-        return (boolean) call(plans, "hasMetaEventPlans");
+        return (boolean) Plans.call(plans, "hasMetaEventPlans");
     }
 
     /** Has a plan that is in no library find the agent's others. */
     void lend(Plan plan) {
-        call(plan, "setScope", plans);
-    }
-
-    private static List<Plan> list(Object library) {
-        List<Plan> list = new ArrayList<>();
-        ((Iterable<?>) library).forEach(plan -> list.add((Plan) plan));
-        return list;
-    }
-
-    private static Object call(Object target, String method, Object... arguments) {
-        try {
-            for (var candidate : target.getClass().getMethods()) {
-                if (candidate.getName().equals(method) && takes(candidate.getParameterTypes(), arguments)) {
-                    return candidate.invoke(target, arguments);
-                }
-            }
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
-        }
-        throw new IllegalStateException("this Jason has no " + method + " where 3.2 and 3.3 have it");
-    }
-
-    private static boolean takes(Class<?>[] types, Object... arguments) {
-        boolean takes = types.length == arguments.length;
-        for (int i = 0; takes && i < types.length; i++) {
-            takes = types[i].isInstance(arguments[i]) || types[i] == boolean.class && arguments[i] instanceof Boolean;
-        }
-        return takes;
+        Plans.call(plan, "setScope", plans);
     }
 }

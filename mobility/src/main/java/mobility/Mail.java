@@ -84,6 +84,7 @@ record Mail(int move, Said said) {
             List<Bytes> parts = new ArrayList<>(List.of(Bytes.of(offer.protocol.letter(), offer.parts.size())));
             offer.parts.forEach(part -> parts.add(Bytes.join(part.hash(), Bytes.ofNumber(part.packed(), NUMBER),
                     Bytes.ofNumber(part.length(), NUMBER))));
+            parts.add(offer.identity.token());
             parts.add(Bytes.ofText(offer.identity.home().toString() + offer.identity.name()));
             return Bytes.join(parts.toArray(Bytes[]::new));
         }
@@ -139,10 +140,11 @@ record Mail(int move, Said said) {
             parts.add(new Part(body.slice(at, numbers), (int) body.number(numbers, numbers + NUMBER),
                     (int) body.number(numbers + NUMBER, numbers + 2 * NUMBER)));
         }
-        Bytes identity = body.from(2 + count * each);
-        expect(identity.length() > Address.LENGTH, body);
-        return new Offer(protocol, List.copyOf(parts), new Move.Identity(device(identity.slice(0, Address.LENGTH)),
-                name(identity.from(Address.LENGTH))));
+        int home = 2 + count * each + Move.Identity.TOKEN_LENGTH;
+        int name = home + Address.LENGTH;
+        expect(body.length() > name, body);
+        return new Offer(protocol, List.copyOf(parts), new Move.Identity(device(body.slice(home, name)),
+                name(body.from(name)), body.slice(home - Move.Identity.TOKEN_LENGTH, home)));
     }
 
     private static Said want(Bytes body) throws ProtocolException {

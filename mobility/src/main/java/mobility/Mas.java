@@ -1,6 +1,7 @@
 package mobility;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 
 import diffuser.Failure;
@@ -14,9 +15,10 @@ interface Mas {
     /**
      * Whether the agent with the board lets another in.
      *
+     * @param returns whether it is proved to have left from here, and comes from where it went.
      * @return completes when it does; fails with a {@link RefusedException}. On any thread.
      */
-    CompletableFuture<Void> admit(String agent, Protocol protocol, Address from);
+    CompletableFuture<Void> admit(Move move, boolean returns);
 
     /** Whether these texts are an agent that can live here. @throws RefusedException if not. */
     void check(String agent, Protocol protocol, List<Bytes> texts) throws RefusedException;
@@ -35,6 +37,9 @@ interface Mas {
 
     /** An agent was on its way when this computer ended, and stays: its plan that wanted to move fails. */
     void stays(Move move, List<Bytes> texts, Failure why);
+
+    /** The address of the board of these moves, as far as it is known. */
+    Optional<Address> here();
 
     /** Whether this MAS starts an agent of that name by itself. */
     boolean starts(String agent);

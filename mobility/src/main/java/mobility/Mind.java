@@ -39,6 +39,7 @@ import jason.stdlib.suspend;
 
 import diffuser.Failure;
 import diffuser.Intentions;
+import diffuser.Terms;
 
 /** An agent's mind that has been read and checked, and has not entered an agent yet. */
 final class Mind {

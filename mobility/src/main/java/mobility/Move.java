@@ -1,5 +1,6 @@
 package mobility;
 
+import java.security.MessageDigest;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -7,6 +8,10 @@ import java.util.Properties;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+
+import diffuser.Cast;
+import diffuser.Peer;
+import diffuser.Provenance;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
@@ -32,10 +37,30 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
     /**
      * An agent that travels, wherever it is, and whatever it is called there.
      *
-     * @param home the device of the MAS from which it first came.
-     * @param name what it was called there.
+     * @param home  the device of the MAS from which it first came.
+     * @param name  what it was called there.
+     * @param token 8 random bytes, drawn each time that it leaves its home, known only where it has been since.
      */
-    record Identity(Address home, String name) {
+    record Identity(Address home, String name, Bytes token) {
+
+        static final int TOKEN_LENGTH = 8;
+
+        Identity {
+            if (token.length() != TOKEN_LENGTH) {
+                throw new IllegalArgumentException("a return token has " + TOKEN_LENGTH + " bytes");
+            }
+        }
+
+        /** Whether that device is its home. */
+        boolean isAt(Address device) {
+            return home.equals(device);
+        }
+
+        /** In a time that does not tell how much of the token is right. */
+        private boolean isSame(Identity other) {
+            return home.equals(other.home) && name.equals(other.name)
+                    && MessageDigest.isEqual(token.toArray(), other.token.toArray());
+        }
     }
 
     /** How far a move is: three states of a sender, then three of a receiver. */
@@ -93,11 +118,32 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         return state == State.GONE || state == State.AWAY;
     }
 
+    /** Whether the agent that comes by it is the one that left by another: from where it went, with its token. */
+    boolean isReturnOf(Move absence) {
+        return absence.isAbsent() && key.peer.equals(absence.key.peer) && identity.isSame(absence.identity);
+    }
+
+    /**
+     * Where the agent comes from that comes by this move.
+     *
+     * @param peer    what the key of the device on the other side says about it.
+     * @param here    the board to which it comes; where that is not known, any agent may be at home there.
+     * @param returns whether it {@link #isReturnOf} a going from there.
+     */
+    Provenance provenance(Peer peer, Optional<Address> here, boolean returns) {
+        return Provenance.of(key.peer, Cast.UNICAST, peer).moving(identity.home, here.orElse(identity.home), returns);
+    }
+
     /** Whether it lives here as a guest: of one that was to leave, the move by which it came says so. */
     boolean isGuest(List<Move> records) {
         return key.out
                 ? records.stream().anyMatch(came -> before.equals(Optional.of(came.key)) && came.isGuest(records))
-                : protocol == Protocol.INQUILINISM;
+                : isOfGuest();
+    }
+
+    /** Whether a move that comes brings a guest. */
+    boolean isOfGuest() {
+        return protocol == Protocol.INQUILINISM;
     }
 
     /** Whether the agent sleeps here and its move has not ended. */
@@ -116,6 +162,7 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         all.setProperty("protocol", protocol.name());
         all.setProperty("home", identity.home.toString());
         all.setProperty("agent", identity.name);
+        all.setProperty("token", identity.token.hex());
         all.setProperty("name", name);
         all.setProperty("parts", parts.stream().map(Bytes::hex).collect(Collectors.joining(",")));
         all.setProperty("ours", String.valueOf(isOurs));
@@ -138,7 +185,9 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
         }
         return new Move(Key.parse(file), State.valueOf(all.getProperty("state")),
                 Protocol.valueOf(all.getProperty("protocol")),
-                new Identity(Address.parse(all.getProperty("home")), all.getProperty("agent")), all.getProperty("name"),
+                new Identity(Address.parse(all.getProperty("home")), all.getProperty("agent"),
+                        Bytes.ofHex(all.getProperty("token", ""))),
+                all.getProperty("name"),
                 Stream.of(all.getProperty("parts").split(",")).filter(hash -> !hash.isEmpty()).map(Bytes::ofHex)
                         .toList(),
                 Boolean.parseBoolean(all.getProperty("ours")),

@@ -19,6 +19,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 import diffuser.Failure;
+import diffuser.Policy;
+import diffuser.Provenance;
 import diffuser.Texts;
 
 import javino.protocol.Address;
@@ -127,10 +129,8 @@ final class Moves {
                 .collect(Collectors.toSet());
         records.stream().filter(move -> over.contains(move.key()))
                 .forEach(move -> folder.write(move.in(Move.State.LEFT)));
-        Set<Move.Identity> back = folder.records().stream().filter(move -> move.state() == Move.State.HERE)
-                .map(Move::identity).collect(Collectors.toSet());
-        folder.records().stream().filter(move -> move.isAbsent() && back.contains(move.identity()))
-                .forEach(move -> folder.delete(move.key()));
+        folder.records().stream().filter(move -> move.state() == Move.State.HERE).map(this::absences)
+                .forEach(back -> back.forEach(move -> folder.delete(move.key())));
         List<Move> rest = folder.records();
         Set<Move.Key> leaving = rest.stream().flatMap(move -> move.before().stream()).collect(Collectors.toSet());
         folder.unreadable().forEach(file -> mas.warn("the record " + file + " cannot be read: the agent of that move"
@@ -193,8 +193,17 @@ final class Moves {
             } while (departures.containsKey(key));
             Optional<Move> came = arrivals.values().stream().filter(arrival -> arrival.isHere(agent))
                     .map(arrival -> arrival.move).findFirst();
-            Move.Identity identity = came.filter(known -> known.protocol() != Protocol.CLONING).map(Move::identity)
-                    .orElse(new Move.Identity(here, agent));
+            Policy.Act act = protocol == Protocol.INQUILINISM ? Policy.Act.MOVE_OUT_AS_A_GUEST : Policy.Act.MOVE_OUT;
+            if (came.filter(Move::isOfGuest).map(guest -> Policy.decide(act,
+                    Provenance.ofGuest(agent).moving(guest.identity().home(), to, false)))
+                    .filter(decision -> decision.verdict() == Policy.Verdict.REFUSED).isPresent()) {
+                end.completeExceptionally(Guest.failure(".moveOut(" + to + "," + protocol.atom() + ")").toException());
+                return;
+            }
+            Optional<Move.Identity> travels = came.filter(known -> known.protocol() != Protocol.CLONING)
+                    .map(Move::identity);
+            Move.Identity identity = travels.filter(known -> !known.isAt(here))
+                    .orElseGet(() -> new Move.Identity(here, travels.map(Move.Identity::name).orElse(agent), token()));
             if (!isName(identity.name())) {
                 end.completeExceptionally(new Failure("bad_name", agent + " cannot travel: " + BAD_NAME).toException());
                 return;
@@ -214,6 +223,12 @@ final class Moves {
             new Departure(move, texts, end, false).begin();
         }));
         return end;
+    }
+
+    private Bytes token() {
+        byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
+        random.nextBytes(token);
+        return Bytes.copyOf(token);
     }
 
     /** A clone has no record: its original never sleeps. */
@@ -569,7 +584,8 @@ final class Moves {
             }
             if (move.protocol() != Protocol.CLONING) {
                 leaveBefore();
-                if (move.isOurs()) {
+                // Where it is at home, it is known by its token when it comes back.
+                if (move.isOurs() || isFromHere(move)) {
                     write(move.in(Move.State.AWAY));
                 } else {
                     folder.delete(move.key());
@@ -626,6 +642,16 @@ final class Moves {
         } catch (RefusedException e) {
             refuse(key, e);
         }
+    }
+
+    /** What is known of an agent's going, also where nobody has said that it arrived; a clone is another agent. */
+    private List<Move> absences(Move came) {
+        return came.protocol() == Protocol.CLONING ? List.of()
+                : folder.records().stream().filter(came::isReturnOf).toList();
+    }
+
+    private boolean isFromHere(Move move) {
+        return mas.here().filter(move.identity()::isAt).isPresent();
     }
 
     private void check(Mail.Offer offer) throws RefusedException {
@@ -694,7 +720,7 @@ final class Moves {
 
         void ask() {
             watch();
-            afterwards(mas.admit(move.name(), offer.protocol(), move.key().peer()),
+            afterwards(mas.admit(move, folder.records().stream().anyMatch(move::isReturnOf)),
                     (done, thrown) -> answered(thrown));
         }
 
@@ -865,19 +891,23 @@ final class Moves {
         void go() {
             if (!recorded) {
                 counts.get(Count.DROPPED).incrementAndGet();
-            } else {
-                if (!wasAwake()) {
-                    come();
-                }
-                live(false);
-                awake();
-            }
+            } else if (!wasAwake() && move.protocol() != Protocol.CLONING && isFromHere(move)
+                    && absences(move).isEmpty()) {
+                        // Another move has brought it back since it was let in.
+                        cancelled();
+                    } else {
+                        if (!wasAwake()) {
+                            come();
+                        }
+                        live(false);
+                        awake();
+                    }
         }
 
         /** The record comes first: from then on this agent lives here and nowhere else. */
         private void come() {
             texts(move);
-            List<Move> absences = absences();
+            List<Move> absences = absences(move);
             Move here = absences.stream().anyMatch(Move::isOurs) ? move.in(Move.State.HERE).ours()
                     : move.in(Move.State.HERE);
             folder.write(here);
@@ -902,12 +932,6 @@ final class Moves {
                 move = move.named(name);
                 folder.write(move);
             }
-        }
-
-        /** What is known of its going, also where nobody has said that it arrived; a clone is another agent. */
-        private List<Move> absences() {
-            return move.protocol() == Protocol.CLONING ? List.of() : folder.records().stream()
-                    .filter(each -> each.isAbsent() && each.identity().equals(move.identity())).toList();
         }
 
         private void forget(Move absence) {

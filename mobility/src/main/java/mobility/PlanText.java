@@ -17,6 +17,8 @@ import jason.asSyntax.UnnamedVar;
 import jason.asSyntax.VarTerm;
 
 import diffuser.MalformedTextException;
+import diffuser.Plans;
+import diffuser.Terms;
 
 /** The text of a plan or a rule, the same on every side (SPEC 9.4). */
 final class PlanText {
@@ -97,7 +99,7 @@ final class PlanText {
         text.append('.');
         if (plan.hasSubPlans()) {
             text.append(" {");
-            for (Plan inner : Library.within(plan)) {
+            for (Plan inner : Plans.within(plan)) {
                 text.append(' ').append(of(inner, names));
             }
             text.append(" }");

@@ -33,6 +33,7 @@ import jason.bb.BeliefBase;
 
 import diffuser.Gate;
 import diffuser.MalformedTextException;
+import diffuser.Terms;
 import diffuser.Texts;
 
 /** Reads the texts of an agent from elsewhere. What is read is looked at, and nothing in it is computed. */

@@ -22,6 +22,7 @@ import jason.bb.BeliefBase;
 
 import diffuser.MalformedTextException;
 import diffuser.TermWriter;
+import diffuser.Terms;
 import diffuser.Texts;
 
 /** Writes terms as texts that read back elsewhere, or says why there is none. */

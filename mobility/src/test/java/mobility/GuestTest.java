@@ -2,6 +2,7 @@ package mobility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -13,6 +14,7 @@ import java.util.Queue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.regex.Pattern;
 
+import jason.JasonException;
 import jason.asSemantics.Agent;
 import jason.asSemantics.Message;
 import jason.asSemantics.Unifier;
@@ -20,6 +22,8 @@ import jason.asSyntax.ASSyntax;
 import jason.asSyntax.InternalActionLiteral;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
+
+import diffuser.Terms;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -84,17 +88,50 @@ class GuestTest {
             "signal # go[error(x)] # go"})
     void message_leavesWhatAnotherDeviceCouldSay(String force, String said, String left) throws Exception {
         Message message = new Message(force, "guest", "bob", ASSyntax.parseTerm(said));
-        Guest.check(message);
+        new Guest().check(message);
         assertEquals(left, message.getPropCont().toString());
+    }
+
+    private static Guest asked(String force, String id) {
+        Guest guest = new Guest();
+        guest.selectMessage(
+                new ArrayDeque<>(List.of(new Message(force, "bob", "guest", ASSyntax.createAtom("p"), id))));
+        return guest;
+    }
+
+    private static Message answer(String force, String to, String said, String id) throws Exception {
+        Message message = new Message(force, "guest", to, ASSyntax.parseTerm(said));
+        message.setInReplyTo(id);
+        return message;
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"[1,\"a\",[p(2)]]", "3", "p(4)"})
     void answer_mayBeAnyDatum(String said) throws Exception {
-        Message message = new Message("tell", "guest", "bob", ASSyntax.parseTerm(said));
-        message.setInReplyTo("mid1");
-        Guest.check(message);
+        Message message = answer("tell", "bob", said, "samid1");
+        asked("askOne", "samid1").check(message);
         assertEquals(said, message.getPropCont().toString());
+    }
+
+    /** A value without a mark would be taken for that of whoever was asked. */
+    @ParameterizedTest
+    @CsvSource({"askOne,tell,bob,samid2", "askOne,tell,eve,samid1", "askOne,tell,bob,rf1", "askOne,tell,bob,asleep",
+            "askOne,tell,bob,moveOut/javino/1", "askOne,signal,bob,samid1", "askHow,tell,bob,samid1",
+            "askHow,tellHow,bob,samid1", "tell,tell,bob,samid1"})
+    void answer_toNoQuestionThatItWasAsked_isRefused(String question, String force, String to, String id)
+            throws Exception {
+        for (String said : List.of("3", "\"a\"", "[1,2]", "p(4)", "[]")) {
+            Message message = answer(force, to, said, id);
+            assertThrows(JasonException.class, () -> asked(question, "samid1").check(message));
+        }
+    }
+
+    @Test
+    void answer_twice_isRefused() throws Exception {
+        Guest guest = asked("askOne", "samid1");
+        guest.check(answer("tell", "bob", "1", "samid1"));
+        Message again = answer("tell", "bob", "2", "samid1");
+        assertThrows(JasonException.class, () -> guest.check(again));
     }
 
     @ParameterizedTest

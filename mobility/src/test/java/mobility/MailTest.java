@@ -19,7 +19,8 @@ import javino.protocol.ProtocolException;
 
 class MailTest {
 
-    private static final Move.Identity INSPECTOR = new Move.Identity(Address.parse("A+/9"), "inspector");
+    private static final Move.Identity INSPECTOR = new Move.Identity(Address.parse("A+/9"), "inspector",
+            Bytes.ofHex("00112233445566ff"));
     private static final Part PART = new Part(Bytes.ofHex("0102030405060708"), 480, 1 << 24 - 1);
 
     static List<Mail.Said> messages() {

@@ -399,7 +399,7 @@ class MovesTest {
         bus.start();
         say(number, new Mail.Go());
         say(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
-                new Move.Identity(World.STATION, AGENT)));
+                identity()));
         assertEquals(0, world.awake(AGENT));
     }
 
@@ -422,7 +422,7 @@ class MovesTest {
             byte[] hash = new byte[Part.HASH_LENGTH];
             random.nextBytes(hash);
             Part part = new Part(Bytes.copyOf(hash), 900, 900);
-            say(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), new Move.Identity(World.STATION, AGENT)));
+            say(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), identity()));
             // Each second one is whole, and wrong, also when it is asked for again.
             for (int wrong = 0; wrong < 2; wrong++) {
                 say(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
@@ -461,20 +461,24 @@ class MovesTest {
     @Test
     void offer_packedLongerThanAnyPacker_isRefused() {
         say(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
-                new Move.Identity(World.STATION, AGENT)));
+                identity()));
         assertTrue(bus.told.get(0).contains("become longer"), () -> "" + bus.told);
     }
 
     @Test
     void guest_thatStaysWhereItWasToLeave_isGuestAgain() {
         Move.Key came = new Move.Key(false, World.STATION, 1);
-        Move.Identity who = new Move.Identity(World.STATION, AGENT);
+        Move.Identity who = identity();
         Move guest = new Move(came, Move.State.HERE, Protocol.INQUILINISM, who, AGENT, List.of(), false,
                 Optional.empty());
         Move leaves = new Move(new Move.Key(true, World.STATION, 2), Move.State.OFFERED, Protocol.MUTUALISM, who,
                 AGENT, List.of(), false, Optional.of(came));
         assertTrue(leaves.isGuest(List.of(guest, leaves)));
         assertFalse(leaves.isGuest(List.of(leaves)));
+    }
+
+    private static Move.Identity identity() {
+        return new Move.Identity(World.STATION, AGENT, Bytes.copyOf(new byte[Move.Identity.TOKEN_LENGTH]));
     }
 
     private static void deleteAll(Path place) throws IOException {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
+import javino.protocol.Address;
 import javino.protocol.Bytes;
 
 /** Moves of some agents to and fro in a {@link World}, with whatever goes wrong, and what came of them. */
@@ -73,6 +74,8 @@ public final class RandomMoves {
         for (int i = 0; i < MOVES; i++) {
             disturb(world);
             sides.forEach(side -> side.admits = world.random.nextInt(8) > 0);
+            sides.stream().filter(side -> side.on).forEach(
+                    side -> side.program.keySet().forEach(agent -> forge(world, side, agent)));
             for (World.Side side : sides) {
                 World.Side other = sides.get(1 - sides.indexOf(side));
                 for (String agent : agents) {
@@ -104,6 +107,17 @@ public final class RandomMoves {
     /** An agent that finds its name taken has digits behind it. */
     private static boolean isOf(String name, List<Bytes> texts) {
         return texts.get(0).hex().startsWith(Bytes.ofText("+!" + name.replaceAll("\\d+$", "") + "(").hex());
+    }
+
+    /** Somebody knows all of an agent that is at home there or away but its token; he knows those of earlier trips. */
+    private static void forge(World world, World.Side home, String agent) {
+        List<Bytes> drawn = home.drawn.getOrDefault(agent, List.of());
+        byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
+        world.random.nextBytes(token);
+        Bytes wrong = drawn.size() < 2 ? Bytes.copyOf(token) : drawn.get(world.random.nextInt(drawn.size() - 1));
+        Address from = List.of(World.STATION, World.BUS, World.HOSPITAL).get(world.random.nextInt(3));
+        world.forge(home, from, Protocol.values()[world.random.nextInt(Protocol.values().length)],
+                new Move.Identity(home.address, agent, wrong));
     }
 
     private static void disturb(World world) {

@@ -19,25 +19,33 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 
 import diffuser.Failure;
+import diffuser.Peer;
+import diffuser.Policy;
 
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Outcome;
 
 /**
- * Two MAS and the air between them, in memory and in a time of its own: messages are lost or told undelivered although
+ * Some MAS and the air between them, in memory and in a time of its own: messages are lost or told undelivered although
  * they came, programs are killed between any two steps, and contact is lost for a while.
  */
 final class World {
 
     static final Address STATION = Address.parse("SUSS");
     static final Address BUS = Address.parse("SUBB");
+    static final Address HOSPITAL = Address.parse("SUHO");
 
     /** Bits a second, and what a message has beside its bytes: training, header, nonce, tag, acknowledgement. */
     private static final double BITS = 2000;
     private static final int BESIDE = 400;
     /** Until a board says that something was not delivered. */
     private static final long UNTOLD_MILLIS = 6_000;
+
+    /** So many moments at which two were awake are told of. */
+    private static final int MOST_TOLD = 10;
+    /** A forger's agent. */
+    private static final List<Bytes> FORGED = List.of(Bytes.ofText("+!start <- .stopMAS."), Bytes.EMPTY);
 
     private record Step(long at, long order, Runnable what) {
     }
@@ -68,6 +76,7 @@ final class World {
     long unasked;
     private final Set<String> asked = new HashSet<>();
     long arrivals;
+    private int forgeries;
     /** How often a program was killed, by what it was about to do or had just done. */
     final Map<String, Integer> kills = new TreeMap<>();
     long bits;
@@ -76,7 +85,7 @@ final class World {
 
     World(long seed, Path folder) throws IOException {
         random = new Random(seed);
-        for (Address address : List.of(STATION, BUS)) {
+        for (Address address : List.of(STATION, BUS, HOSPITAL)) {
             sides.put(address, new Side(address, folder.resolve(address.toString())));
         }
     }
@@ -114,13 +123,35 @@ final class World {
     }
 
     private void expectOne() {
-        if (watched.stream().anyMatch(agent -> awake(agent) > 1)) {
+        if (both.size() < MOST_TOLD && watched.stream().anyMatch(agent -> awake(agent) > 1)) {
             both.add("at " + now + ": " + sides.values().stream()
                     .map(side -> side.address + " " + side.awake.keySet() + side.told).toList());
         }
     }
 
-    /** How many agents are awake by that name or one that was made of it, on both sides. */
+    /** All messages that a device could say of a move of its own, whatever is answered. */
+    void forge(Side at, Address from, Protocol protocol, Move.Identity who) {
+        say(at, from, forgeOffer(at, from, protocol, who), new Mail.Go());
+    }
+
+    /** All of them but the last. @return the number of the move. */
+    int forgeOffer(Side at, Address from, Protocol protocol, Move.Identity who) {
+        List<Bytes> packed = FORGED.stream().map(Part::pack).toList();
+        List<Part> parts = List.of(0, 1).stream().map(i -> new Part(Part.hash(FORGED.get(i)), packed.get(i).length(),
+                FORGED.get(i).length())).toList();
+        int number = ++forgeries;
+        say(at, from, number, new Mail.Offer(protocol, parts, who));
+        say(at, from, number, new Mail.Data(0, 0, packed.get(0)));
+        say(at, from, number, new Mail.Data(1, 0, packed.get(1)));
+        return number;
+    }
+
+    void say(Side at, Address from, int number, Mail.Said said) {
+        at.moves.received(from, new Mail(number, said).encode());
+        runUntil(now);
+    }
+
+    /** How many agents are awake by that name or one that was made of it, on all sides. */
     int awake(String agent) {
         return (int) sides.values().stream().flatMap(side -> side.awake.keySet().stream())
                 .filter(name -> name.matches(agent + "\\d*")).count();
@@ -138,6 +169,8 @@ final class World {
         final List<String> told = new ArrayList<>();
         /** Names of agents that the program starts. */
         final Map<String, List<Bytes>> program = new HashMap<>();
+        /** Of agents that are at home here: the tokens that were ever drawn for them. */
+        final Map<String, List<Bytes>> drawn = new HashMap<>();
         private int life;
         /** When its board has sent all. */
         private long free;
@@ -169,7 +202,7 @@ final class World {
             }
             for (Map.Entry<String, List<Bytes>> agent : program.entrySet()) {
                 boolean held = folder.records().stream().anyMatch(
-                        move -> move.identity().equals(new Move.Identity(address, agent.getKey()))
+                        move -> move.identity().home().equals(address) && move.identity().name().equals(agent.getKey())
                                 && (move.isAbsent() || move.state() == Move.State.OFFERED
                                         || move.state() == Move.State.HERE));
                 if (!held) {
@@ -201,6 +234,10 @@ final class World {
             void write(Move move) {
                 expect("write");
                 expect("write " + move.state());
+                if (move.state() == Move.State.OFFERED && move.identity().home().equals(address)) {
+                    drawn.computeIfAbsent(move.identity().name(), any -> new ArrayList<>())
+                            .add(move.identity().token());
+                }
                 maybeKilled("before the record " + move.state());
                 super.write(move);
                 maybeKilled("after the record " + move.state());
@@ -323,13 +360,23 @@ final class World {
         }
 
         @Override
-        public CompletableFuture<Void> admit(String agent, Protocol protocol, Address from) {
+        public CompletableFuture<Void> admit(Move move, boolean returns) {
+            Policy.Decision decision = Policy.decide(Policy.Act.OFFER,
+                    move.provenance(Peer.PROVISIONED, here(), returns));
+            if (decision.verdict() == Policy.Verdict.REFUSED) {
+                return CompletableFuture.failedFuture(new RefusedException("refused", decision.reason()));
+            }
             maybeKilled("before a plan was asked");
             if (admits) {
-                asked.add(agent);
+                asked.add(move.name());
             }
             return admits ? CompletableFuture.completedFuture(null)
                     : CompletableFuture.failedFuture(new RefusedException("refused", "no plan admits it"));
+        }
+
+        @Override
+        public Optional<Address> here() {
+            return Optional.of(address);
         }
 
         @Override

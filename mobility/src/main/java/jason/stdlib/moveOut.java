@@ -21,7 +21,8 @@ import mobility.Departures;
  * <p>Description: moves the agent, or the named agents of its MAS, by radio to the MAS of another device, with their
  * beliefs, rules, plans and intentions. The intention goes on <em>there</em> behind this step. If others are moved, it
  * goes on here when all have arrived. If an agent stays, the intention fails here, with the agent as it was: among
- * others with the errors <code>refused</code> (no plan for <code>+!moveIn(Agent,Protocol)</code> there admits it),
+ * others with the errors <code>refused</code> (no plan for <code>+!moveIn(Agent,Protocol)</code> there admits it,
+ * or it goes home by another way than it went), <code>guest</code> (a guest moves on only as a guest or to its home),
  * <code>undelivered</code> (the other device was not heard for a minute), <code>too_large</code>,
  * <code>no_key</code>, <code>cannot_travel</code> (something in the agent has no text),
  * <code>not_mobile</code>, <code>lacks</code> (the other side lacks an internal action).

@@ -17,10 +17,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** An agent that moves by emulated radio between two MAS, of which one may be killed: it is awake in one place only. */
 class MovesTest {
@@ -119,13 +123,14 @@ class MovesTest {
 
     /** Two MAS of one agent each, which has the board itself. */
     private List<AgentProcess> doors(String mover, String host) throws Exception {
-        emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").start(folder);
+        emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").board("forger", "Station")
+                .start(folder);
         List<AgentProcess> processes = new ArrayList<>();
         for (int side : List.of(Travels.HOME, Travels.AWAY)) {
             Path place = Files.createDirectories(folder.resolve(BOARDS.get(side)));
             String there = IDS.get(1 - side).toString();
             try (Host board = Host.patient(emulator, BOARDS.get(side))) {
-                board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR));
+                board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR, "SUHO", TestKeys.PAIR));
             }
             Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
                     + " agentArchClass diffuser.Diffuser; }");
@@ -153,6 +158,37 @@ class MovesTest {
             both.get(Travels.AWAY).await("I am here as police7");
             both.get(Travels.HOME).await("back 7on");
             both.get(Travels.HOME).await("openness closed", 2);
+        } finally {
+            both.forEach(AgentProcess::close);
+        }
+    }
+
+    /** A device that both know, with all that anybody can know of the agent but its return token. */
+    @ParameterizedTest
+    @ValueSource(strings = {"m", "i", "c", "p"})
+    @Tag("verify")
+    void offer_asTheAgentThatIsAway_isRefusedThoughNobodyIsThereToAsk(String protocol) throws Exception {
+        List<AgentProcess> both = doors("""
+                +!go <- .wait(openness(closed)); .wait(3000); .moveOut("SUBB", mutualism); .print("I am here");
+                    .wait({ +come_home }); .moveOut("SUSS", mutualism); .print("back").
+                -!go[error(E)] <- .print("failed ", E).
+                """, """
+                +!go. +!moveIn(_, mutualism)[cast(unicast, From)].
+                +openness(_). +movedIn(A, _) <- +guest(A). +enough[cast(unicast, _)] : guest(A) <-
+                    .send(A, tell, come_home).
+                """);
+        try (Host forger = Host.patient(emulator, "forger")) {
+            forger.as("SUHO", Map.of("SUSS", TestKeys.PAIR, "SUBB", TestKeys.PAIR));
+            both.get(Travels.AWAY).await("I am here");
+            Bytes offer = Bytes.join(Bytes.ofText("O"), Bytes.ofNumber(7, 4), Bytes.ofText(protocol),
+                    Bytes.of(1), Bytes.ofNumber(0, 8), Bytes.ofNumber(9, 3), Bytes.ofNumber(9, 3),
+                    Bytes.ofNumber(0, 8), Bytes.ofText("SUSSpolice"));
+            Host.get(forger.board.transmit(IDS.get(Travels.HOME), Content.move(offer)).end());
+            Bytes refused = Bytes.join(Bytes.ofText("X"), Bytes.ofNumber(7, 4), Bytes.ofText("refused it is at home"));
+            Bytes answer = forger.message().content().body();
+            assertEquals(refused, answer.slice(0, refused.length()));
+            forger.send("SUBB", "tell;enough");
+            both.get(Travels.HOME).await("back");
         } finally {
             both.forEach(AgentProcess::close);
         }

@@ -83,6 +83,8 @@ public record Scene(String name, String title, String model, Map<String, String>
     public static final List<Scene> OF_MOVES = List.of(
             ofMoves("handover", "An agent moves, and again if that has failed", Map.of(), "move.q"),
             ofMoves("return", "An agent moves, and comes back", Map.of(), "move.q"),
+            ofMoves("forgery", "An agent moves, and comes back; others forge its return", Map.of("MOVES", "3")),
+            ofMoves("theft", "An agent moves; somebody with its token forges its return", Map.of("STOLEN", "true")),
             ofMoves("cloning", "An agent is cloned", Map.of(), "move.q"),
             ofMoves("contact", "An agent moves, and contact returns", Map.of("FAIR", "true")),
             ofMoves("round", "An agent moves and comes back, and contact returns",

@@ -29,7 +29,7 @@ final class Handover {
     private static final Set<String> OF_PIECES = Set.of("W", "D");
     private static final String SENDER = "Support = Process(SUPPORT, true); End = Sender(SUPPORT, 0, %s); "
             + "World = Others(SUPPORT, 0); system Support, End, World;";
-    private static final String RECEIVER = "Bus = Process(BUS, false); End = Receiver(BUS, 0, true); "
+    private static final String RECEIVER = "Bus = Process(BUS, false); End = Receiver(BUS, 0, true, false); "
             + "World = Others(BUS, 0); system Bus, End, World;";
     /** An end knows nothing of its agent's next move. */
     private static final String NEVER = "Move Receiver: Here -> Left, 1";

@@ -26,6 +26,7 @@ record MoveWord(char type, String move, byte[] body) {
     private static final int HASH = 8;
     private static final int PARTS_AT = 2;
     private static final int PART = HASH + 2 * OFFSET;
+    private static final int TOKEN = 8;
     private static final int HOME = 4;
     private static final int MOST_PARTS = 8;
     private static final int BYTE = 0xFF;
@@ -68,7 +69,7 @@ record MoveWord(char type, String move, byte[] body) {
     boolean isRight() {
         return switch (type) {
             case 'O' -> body.length > PARTS_AT && body[1] > 0 && body[1] <= MOST_PARTS
-                    && body.length > PARTS_AT + body[1] * PART + HOME;
+                    && body.length > PARTS_AT + body[1] * PART + TOKEN + HOME;
             case 'W' -> body.length > 0 && body.length % OFFSET == 0;
             case 'D' -> body.length > 1 + OFFSET && length() <= MOST_DATA;
             case 'X' -> text(0).indexOf(' ') > 0;
@@ -93,7 +94,7 @@ record MoveWord(char type, String move, byte[] body) {
 
     /** Of an offer: home and name, which an agent keeps wherever it goes. */
     String identity() {
-        return text(PARTS_AT + body[1] * PART);
+        return text(PARTS_AT + body[1] * PART + TOKEN);
     }
 
     /** Of a want: how many bytes of each part are there. */
