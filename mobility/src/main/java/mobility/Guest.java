@@ -64,7 +64,7 @@ public class Guest extends Agent {
     private static final int MOST_ASKED = 100;
 
     /** What it was asked and has not answered: by whom, and the id of the message, with the performative. */
-    private final Map<List<String>, Force> asked = new LinkedHashMap<>();
+    private final transient Map<List<String>, Force> asked = new LinkedHashMap<>();
 
     /** Each other internal action fails. */
     @Override
