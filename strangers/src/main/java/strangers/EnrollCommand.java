@@ -87,7 +87,7 @@ public final class EnrollCommand implements FurtherCommand {
     private void request(Path out) throws IOException, JavinoException, InterruptedException {
         if (!Files.isDirectory(folder)) {
             Files.createDirectories(folder);
-            if (Files.getFileStore(folder).supportsFileAttributeView("posix")) {
+            if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
                 Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
             }
         }
