@@ -85,17 +85,24 @@ class ForgedRunsTest {
         }
     }
 
-    /** Both say something at once. If that is not delivered, it has an end in time, and the next is delivered. */
+    /** Both say something at once. If that is not delivered, it has an end in time, and one of the next two is. */
     private void assertArrives(String what, World.Host one, World.Host other) {
         for (World.Letter letter : List.of(one.send(other.address), other.send(one.address))) {
-            world.runUntilEnd(letter, 2 * MINUTE);
-            World.Letter last = letter.isDelivered() ? letter : world.host(letter.from).send(letter.to);
-            world.runUntilEnd(last, 2 * MINUTE);
-            assertTrue(last.isDelivered(), () -> what + ", " + letter.from + ": " + letter.end + ", " + last.end);
-            assertInTime(what, letter);
-            assertInTime(what, last);
+            World.Letter last = letter;
+            List<String> ends = new ArrayList<>();
+            for (int more = 2; !isDelivered(what, last, ends) && more > 0; more--) {
+                last = world.host(letter.from).send(letter.to);
+            }
+            assertTrue(last.isDelivered(), () -> what + ", " + letter.from + ": " + ends);
         }
         assertEquals(List.of(), world.wrong);
+    }
+
+    private boolean isDelivered(String what, World.Letter letter, List<String> ends) {
+        world.runUntilEnd(letter, 2 * MINUTE);
+        assertInTime(what, letter);
+        ends.add(letter.end.toString());
+        return letter.isDelivered();
     }
 
     private static void assertInTime(String what, World.Letter letter) {
