@@ -94,7 +94,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     private final Map<Address, Throwable> failures = new HashMap<>();
     private long alarm = NEVER;
     private long groupWanted = -GROUP_AGAIN_MILLIS;
-    private volatile boolean sharesGroup;
+    /** Until it is known that this device has no certificate, and where that cannot be known. */
+    private volatile boolean sharesGroup = true;
     private volatile Map<Event, Long> events = Map.of();
     private volatile long ignored;
 
@@ -250,7 +251,6 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     private void open() {
-        sharesGroup = false;
         try {
             Optional<Identity> identity = Identity.read(folder, self);
             if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {
