@@ -16,8 +16,9 @@ namespace javino {
 /// does no harm. A write that is torn by a loss of power leaves the earlier epochs whole, and an epoch counts as
 /// stored when both copies are there: so a place that decays later does not make it come again.
 ///
-/// Where no epoch is left, but keys are, it is lost: which nonces these keys have had, nobody here knows. Nothing is stored
-/// then until a host raises it.
+/// A board without keys fills the ring. So where the two places behind the highest epoch cannot be read, something else
+/// has written there, perhaps over a higher one. If keys are stored, the epoch is lost then: which nonces these keys have
+/// had, nobody here knows. Nothing is stored until a host raises it.
 ///
 /// Wear: a boot changes two places, the seal of each twice (erased, written). Cells last 100 000 writes, a place
 /// 50 000 boots that use it, the ring of 16 places 400 000 boots: 20 boots an hour for more than two years. A place

@@ -2,6 +2,8 @@
 #include <secure/NonceSource.h>
 #include <storage/EepromLayout.h>
 
+#include <array>
+
 #include "support/SimulatedEeprom.h"
 #include "support/SimulatedRam.h"
 
@@ -43,6 +45,52 @@ TEST(LostBootEpoch, is_not_lost_while_one_end_of_the_EEPROM_is_left) {
         ASSERT_EQ(last + 1, epoch);
         last = epoch;
       }
+    }
+  }
+}
+
+TEST(LostBootEpoch, never_comes_again_whatever_parts_of_both_ends_are_written_over) {
+  RandomBytes random(12);
+  int lost = 0;
+  for (int run = 0; run < 500; run++) {
+    SimulatedEeprom eeprom;
+    uint32_t last = boot(false);
+    for (uint32_t boots = random.number(40); boots > 0; boots--) last = boot(true);
+    const uint8_t value = std::array<uint8_t, 3>{0x00, 0x5A, 0xFF}[random.number(3)];
+    for (uint16_t end : {javino::EPOCHS_AT, javino::OTHER_EPOCHS_AT}) {
+      const uint16_t from = static_cast<uint16_t>(random.number(javino::EPOCHS_LENGTH));
+      for (uint16_t at = from; at < javino::EPOCHS_LENGTH && random.number(20) != 0; at++)
+        eeprom.corrupt(static_cast<uint16_t>(end + at), value);
+    }
+    BootEpoch epoch;
+    epoch.begin(true);
+    const bool raised = epoch.value() == 0;
+    if (raised) {
+      lost++;
+      epoch.raise(last + 1);
+    }
+    ASSERT_EQ(last + 1, epoch.value()) << run;
+    const uint32_t next = boot(true);
+    ASSERT_TRUE(next == last + 2 || (!raised && next == 0)) << run;
+  }
+  EXPECT_GT(lost, 20);
+  EXPECT_LT(lost, 200);
+}
+
+TEST(LostBootEpoch, is_not_lost_by_losses_of_power) {
+  RandomBytes random(13);
+  for (int run = 0; run < 200; run++) {
+    SimulatedEeprom eeprom;
+    boot(false);
+    for (int i = 0; i < 50; i++) {
+      BootEpoch epoch;
+      eeprom.cutPowerAfter(static_cast<int>(random.number(24)), random.byte());
+      try {
+        epoch.begin(true);
+        ASSERT_NE(0u, epoch.value());
+      } catch (const PowerCut &) {
+      }
+      eeprom.restorePower();
     }
   }
 }

@@ -33,6 +33,15 @@ public final class LostState {
         }
     }
 
+    /** Whether a board has lost its epoch, or goes on from one below another that it has had. */
+    boolean isLost(BoardInfo board) {
+        return board.hasLostEpoch() || board.bootEpoch() < highest(board);
+    }
+
+    private int highest(BoardInfo board) {
+        return board.rfId().map(seen::get).orElse(0);
+    }
+
     /**
      * The epoch that a board is to be given, which has lost its own.
      *
@@ -43,7 +52,7 @@ public final class LostState {
         if (board.rfId().isEmpty()) {
             return OptionalInt.empty();
         }
-        int known = seen.getOrDefault(board.rfId().get(), 0);
+        int known = highest(board);
         int least = known == 0 ? 0 : EpochNotes.above(known, now);
         OptionalInt noted = notes.raise(board.rfId().get(), keys, least);
         return noted.isPresent() || least == 0 || least > BoardInfo.LAST_EPOCH ? noted : OptionalInt.of(least);

@@ -127,7 +127,7 @@ final class Session implements Runnable {
         } else {
             Service service = new Service(context, greeting.exchange(), polling);
             info = info.withActions(service.actions());
-            if (info.hasLostEpoch()) {
+            if (lost.isLost(info)) {
                 raiseLostEpoch(service);
             }
             lost.greeted(info);

@@ -41,6 +41,17 @@ class LostStateTest extends BoardFixture {
     }
 
     @Test
+    void epoch_belowOneThatTheSessionKnows_isRaisedToo() throws Exception {
+        setEpoch(9_000_000);
+        listener.until("online");
+        fake.setBootEpoch(7);
+        fake.reset();
+        listener.until("offline");
+        assertTrue(warning().contains("raised to 9400000"));
+        assertEquals("online 9400000", listener.next());
+    }
+
+    @Test
     void epoch_lostAndNotKnown_isNotRaisedAndSaysWhatToDo() throws Exception {
         setEpoch(0);
         assertTrue(warning().contains("it seals nothing until javino provision has raised it by its keyring"));
