@@ -11,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;
@@ -152,10 +153,8 @@ public final class Gate implements CircumstanceListener {
                     handOn(message, marked(clean, of.marks()));
                 }
             }
-            // What the agent believes has not these marks; what its plans are to find out has.
-            case ASK_ONE -> adopt(message, received(message, isBelieved(clean) ? clean : marked(clean, of.marks()), of),
-                    decision);
-            case ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW -> adopt(message, received(message, clean, of), decision);
+            case ASK_ONE, ASK_ALL, ASK_HOW, TELL_HOW, UNTELL_HOW ->
+                adopt(message, received(message, clean, of), decision);
             // The intention that waits is told, or the user.
             case SORRY, MOVE -> {}
         }
@@ -225,10 +224,6 @@ public final class Gate implements CircumstanceListener {
         });
     }
 
-    private boolean isBelieved(Term asked) {
-        return agent.get().getAg().believes((Literal) asked, new Unifier());
-    }
-
     // Goals
 
     /** The goal by which Jason has an agent handle a message, with the marks. */
@@ -272,10 +267,20 @@ public final class Gate implements CircumstanceListener {
                 + " <- ...";
     }
 
-    /** {@inheritDoc} Where plans had to ask for a goal, its failure plans have to ask for the same. */
+    /**
+     * {@inheritDoc} Where plans had to ask for a goal, its failure plans have to ask for the same. What the agent does
+     * not believe that was asked, its plans are to find out: that goal has the marks of the question.
+     */
     @Override
     public void eventAdded(Event event) {
         Trigger trigger = event.getTrigger();
+        if (trigger.getType() == Trigger.TEType.test && trigger.isAddition() && event.isInternal()) {
+            Literal handled = event.getIntention().peek().getTrigger().getLiteral();
+            if (handled.getFunctor().equals(Config.get().getKqmlFunctor())) {
+                Stream.of(Policy.Demand.values()).map(Policy::word).map(handled::getAnnots)
+                        .forEach(trigger.getLiteral()::addAnnots);
+            }
+        }
         if (trigger.isGoal() && !trigger.isAddition() && !trigger.isMetaEvent()) {
             Policy.Decision.notedIn(trigger.getLiteral()).ifPresent(decision -> handleFailure(event, decision));
         }

@@ -266,6 +266,23 @@ class GateTest {
         assertEquals("q(1)[cast(unicast,ROMB),peer(certified,ROMB),source(ROMB)]", belief(agent, "q(_)"));
     }
 
+    /** What it believes when it is asked, it may believe no longer when it looks. */
+    @Test
+    void pass_questionAboutABeliefThatGoes_isForPlansToRefuseToo() {
+        String program = PROGRAM + """
+                door(1).
+                +!kqml_received(S,askOne,Content,M) <- -door(1); ?Content; .send(S,tell,Content,M).
+                +?door(X)[peer(certified,S)] <- diffuser.note(stranger,S); .fail.
+                +?door(X) <- diffuser.note(partner); X = 1.
+                """;
+        FakeBoard board = withAStranger();
+        RunningAgent agent = RunningAgent.listening(program, board);
+        board.receive(ME, "ROMB", "askOne#AbC;door(X)");
+        agent.notes("stranger ROMB");
+        board.receive(ME, "SUPO", "askOne#AbD;door(X)");
+        agent.notes("partner");
+    }
+
     private static FakeBoard withAStranger() {
         return new FakeBoard("radio").withKey("SUPO", Reply.Role.CURRENT).withKey("ROMB", Reply.Role.SESSION);
     }
