@@ -12,7 +12,8 @@ import javino.protocol.Request;
  *                       one that was reset.
  * @param replyTimeout   how long a reply may take before its request is repeated; 200 ms by default, and 400 ms more if
  *                       the board writes to its EEPROM (SPEC 4.2).
- * @param attempts       how many times a request is sent before the board counts as offline, at least 1; 5 by default.
+ * @param attempts       how many times a request is sent before the board counts as offline, at least 1; 15 by default:
+ *                       a board that hangs is noticed 3 s late, and a busy machine may take a second over a reply.
  * @param helloInterval  from one hello to the next until the board answers; 100 ms by default.
  * @param reopenInterval from one attempt to open the link to the next; 200 ms by default.
  * @param patience       how long a request may wait for the board to come online, and how long an open link may be
@@ -68,7 +69,7 @@ public record BoardConfig(Duration hold, Duration replyTimeout, int attempts, Du
 
         private Duration hold = Duration.ofSeconds(2);
         private Duration replyTimeout = Duration.ofMillis(200);
-        private int attempts = 5;
+        private int attempts = 15;
         private Duration helloInterval = Duration.ofMillis(100);
         private Duration reopenInterval = Duration.ofMillis(200);
         private Duration patience = Duration.ofSeconds(5);

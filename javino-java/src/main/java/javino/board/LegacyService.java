@@ -21,8 +21,6 @@ final class LegacyService {
     private static final Duration PAUSE = Duration.ofMillis(100);
     /** How often to look whether the link is still there while nothing is asked. */
     private static final Duration LOOK_INTERVAL = Duration.ofSeconds(1);
-    /** How much longer than all repeats of our own protocol an answer may take: a sketch may be busy with a motor. */
-    private static final int SLOWNESS = 2;
     /** How many questions in a row may stay without an answer. */
     private static final int MOST_SILENCES = 2;
 
@@ -100,7 +98,7 @@ final class LegacyService {
     }
 
     private void askPercepts() throws LinkException, LostException {
-        Duration timeout = context.config().replyTimeout().multipliedBy((long) SLOWNESS * context.config().attempts());
+        Duration timeout = context.config().replyTimeout().multipliedBy(context.config().attempts());
         Optional<LegacyMessage> answer = exchange.askPercepts(timeout, () -> !context.queue().isClosed());
         if (answer.isPresent()) {
             silences = 0;

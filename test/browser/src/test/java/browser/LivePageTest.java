@@ -72,6 +72,14 @@ class LivePageTest {
     }
 
     @Test
+    void highway_endedBeforeItsEnd_isNoFailure() throws Exception {
+        try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
+            page.awaitText("section.agent[data-board='bus'] .said", "is on");
+            assertEquals(0, run.end(), run::said);
+        }
+    }
+
+    @Test
     void interference_isSeenInAgentAndTrace() throws Exception {
         try (LiveRun run = LiveRun.highway(folder); Page page = Page.open(run.address())) {
             page.await(OBSERVED, 9);
