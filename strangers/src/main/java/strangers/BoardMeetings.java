@@ -251,6 +251,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     private void open() {
+        sharesGroup = true;
         try {
             Optional<Identity> identity = Identity.read(folder, self);
             if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import diffuser.KeyService;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -152,6 +153,22 @@ class BoardMeetingsTest {
     private void assertEnded(List<Transmission> said) {
         time.run(MINUTE);
         assertTrue(said.stream().allMatch(each -> each.taken().isDone() && each.end().isDone()));
+        assertEquals(List.of(), failures);
+    }
+
+    /** Then a multicast counts as certified. */
+    @Test
+    void sharesGroup_unlessItIsKnownThatThereIsNoCertificate() throws Exception {
+        assertTrue(meetings.sharesGroup());
+        BoardMeetings other = new BoardMeetings(folder, time, failures::add);
+        assertTrue(other.sharesGroup(), "nothing is known yet");
+        other.online(board, BUSA, 1, List.of());
+        time.run(1);
+        assertFalse(other.sharesGroup());
+        Files.writeString(Identity.file(folder, Address.parse("BUSB")), "damaged");
+        other.online(board, Address.parse("BUSB"), 1, List.of());
+        time.run(1);
+        assertTrue(other.sharesGroup());
         assertEquals(List.of(), failures);
     }
 
