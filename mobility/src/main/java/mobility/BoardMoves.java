@@ -15,6 +15,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 
 import jason.JasonException;
@@ -264,13 +265,16 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     }
 
     @Override
-    public String wake(Move move, List<Bytes> texts, boolean anew) {
-        remove(move);
-        String name = inhabitants.settle(move, texts, move.isGuest(folder.records()), Optional.empty());
-        if (!anew) {
-            tell("movedIn", name, move.key().peer());
+    public void wake(Move move, List<Bytes> texts, boolean anew, Consumer<String> named) {
+        if (move.isOurs()) {
+            remove(move);
         }
-        return name;
+        inhabitants.settle(move, texts, folder.records(), Optional.empty(), name -> {
+            named.accept(name);
+            if (!anew) {
+                tell("movedIn", name, move.key().peer());
+            }
+        });
     }
 
     @Override
@@ -282,10 +286,10 @@ public final class BoardMoves implements MoveService, Moves.Clock, Moves.Air, Ma
     @Override
     public void stays(Move move, List<Bytes> texts, Failure why) {
         remove(move);
-        inhabitants.settle(move, texts, move.isGuest(folder.records()), Optional.of(why));
+        inhabitants.settle(move, texts, folder.records(), Optional.of(why), name -> {});
     }
 
-    /** Ends what sleeps here by the name of an agent that has left or comes, unless another is on its way from here. */
+    /** Ends what sleeps here of an agent that has left or comes back, unless another of its name is on its way. */
     private void remove(Move move) {
         boolean another = folder.records().stream().anyMatch(each -> each.name().equals(move.name())
                 && !each.key().equals(move.key()) && each.isUnderWay());

@@ -153,12 +153,16 @@ public final class Departures {
         }
         String agent = ts.getAgArch().getAgName();
         // The records of the board by which it came tell its home.
-        return Inhabitants.bringer(agent).orElse(moves).depart(agent, protocol, to,
-                List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state()))).whenComplete((name, thrown) -> {
-                    if (sleeps && thrown != null) {
-                        ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).awaken());
-                        ts.getAgArch().wakeUpDeliberate();
-                    }
-                });
+        Optional<BoardMoves> bringer = Inhabitants.bringer(agent);
+        CompletableFuture<String> end = bringer.isEmpty() && ts.getAg() instanceof Guest
+                ? CompletableFuture.failedFuture(Guest.failure(".moveOut without a record").toException())
+                : bringer.orElse(moves).depart(agent, protocol, to,
+                        List.of(Bytes.ofText(image.program()), Bytes.ofText(image.state())));
+        return end.whenComplete((name, thrown) -> {
+            if (sleeps && thrown != null) {
+                ts.runAtBeginOfNextCycle(() -> Mobile.of(ts).awaken());
+                ts.getAgArch().wakeUpDeliberate();
+            }
+        });
     }
 }

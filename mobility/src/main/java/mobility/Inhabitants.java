@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 import jason.architecture.AgArch;
@@ -90,30 +91,33 @@ final class Inhabitants {
     /**
      * Lets an agent live here.
      *
-     * @param guest whether as a {@link Guest}.
-     * @param why   where it was to leave and stays: what its plan fails with.
-     * @return its name.
+     * @param records of all moves.
+     * @param why     where it was to leave and stays: what its plan fails with.
+     * @param named   is told the name that it gets, before it does anything.
      */
-    String settle(Move move, List<Bytes> texts, boolean guest, Optional<Failure> why) {
+    void settle(Move move, List<Bytes> texts, List<Move> records, Optional<Failure> why, Consumer<String> named) {
+        boolean guest = move.isGuest(records);
         try {
             Mind mind = mind(texts);
-            if (move.protocol() == Protocol.PREDATION && !move.key().out()) {
+            boolean isPredator = move.protocol() == Protocol.PREDATION && !move.key().out();
+            if (isPredator) {
                 endOthers();
-                return takeBody(mind, why);
             }
-            if (move.isOurs() && move.name().equals(own()) && !guest) {
-                return takeBody(mind, why);
+            if (isPredator || move.isOurs() && move.name().equals(own()) && !guest) {
+                named.accept(own());
+                takeBody(mind, why);
+                return;
             }
             RuntimeServices services = RuntimeServicesFactory.get();
             // A guest has nothing of what its program had here.
             Optional<AgentParameters> ours = parameters(move.name()).filter(known -> move.isOurs() && !guest);
             MAKING.set(true);
-            String name = services.createAgent(move.name(), null,
+            String name = services.createAgent(freeName(move, records), null,
                     guest ? Guest.class.getName() : ours.map(known -> known.agClass.getClassName()).orElse(null),
                     architectures(ours, guest), null, ours.map(Inhabitants::settings).orElseGet(Settings::new), null);
             enter(mind, agent(name).orElseThrow().getTS(), why);
+            named.accept(name);
             services.startAgent(name);
-            return name;
         } catch (RefusedException e) {
             throw new IllegalStateException("what was checked can be read no longer: " + e.getMessage(), e);
         } catch (Exception e) {
@@ -121,6 +125,20 @@ final class Inhabitants {
         } finally {
             MAKING.remove();
         }
+    }
+
+    /** A newcomer takes the name of no agent that is away; Jason sees to those that are here. */
+    private static String freeName(Move move, List<Move> records) {
+        String name = move.name();
+        for (int i = 1; isTaken(name, move, records); i++) {
+            name = move.name() + "_" + i;
+        }
+        return name;
+    }
+
+    private static boolean isTaken(String name, Move move, List<Move> records) {
+        return !move.isOurs() && (isOfProgram(name)
+                || records.stream().anyMatch(other -> other.isUnderWay() && other.name().equals(name)));
     }
 
     private List<String> architectures(Optional<AgentParameters> ours, boolean guest) {
@@ -175,7 +193,7 @@ final class Inhabitants {
     }
 
     /** A mind lives on in the agent with the board, in the place of what was there. */
-    private String takeBody(Mind mind, Optional<Failure> why) {
+    private void takeBody(Mind mind, Optional<Failure> why) {
         diffuser.getTS().runAtBeginOfNextCycle(() -> {
             Mobile.find(diffuser.getTS()).ifPresent(Mobile::awaken);
             Mobile.empty(diffuser.getTS());
@@ -183,7 +201,6 @@ final class Inhabitants {
             Mobile.perceiveAnew(diffuser.getTS());
         });
         diffuser.getTS().getAgArch().wakeUpDeliberate();
-        return own();
     }
 
     /** Ends an agent that sleeps: one that has moved away, or that was not to start. */

@@ -3,6 +3,7 @@ package mobility;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 import diffuser.Failure;
 
@@ -28,9 +29,9 @@ interface Mas {
      *
      * @param move  how it came.
      * @param anew  whether it was here before, and this computer has started again since.
-     * @return the name that it has got.
+     * @param named is told the name that it gets, before it does anything.
      */
-    String wake(Move move, List<Bytes> texts, boolean anew);
+    void wake(Move move, List<Bytes> texts, boolean anew, Consumer<String> named);
 
     /** An agent has moved elsewhere: it ends here, if it is here still. */
     void left(Move move);

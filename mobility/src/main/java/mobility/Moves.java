@@ -926,8 +926,11 @@ final class Moves {
             if (lives || isOver()) {
                 return;
             }
-            String name = mas.wake(move, texts(move), anew);
+            mas.wake(move, texts(move), anew, this::named);
             lives = true;
+        }
+
+        private void named(String name) {
             if (!name.equals(move.name())) {
                 move = move.named(name);
                 folder.write(move);

@@ -16,6 +16,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
 import diffuser.Failure;
@@ -387,7 +388,7 @@ final class World {
         }
 
         @Override
-        public String wake(Move move, List<Bytes> texts, boolean anew) {
+        public void wake(Move move, List<Bytes> texts, boolean anew, Consumer<String> named) {
             maybeKilled("before the agent wakes");
             if (crowded) {
                 throw new IllegalStateException("the agent cannot live here");
@@ -400,9 +401,10 @@ final class World {
             for (int i = 1; awake.containsKey(name); i++) {
                 name = move.name() + i;
             }
+            named.accept(name);
+            maybeKilled("before the agent begins");
             awake.put(name, texts);
             maybeKilled("after the agent has woken");
-            return name;
         }
 
         @Override

@@ -121,8 +121,8 @@ class MovesTest {
         killAt(Travels.AWAY, "that it is awake", event -> said(event, "host-transmit", Travels.AWAY, "A"));
     }
 
-    /** Two MAS of one agent each, which has the board itself. */
-    private List<AgentProcess> doors(String mover, String host) throws Exception {
+    /** Two MAS of one agent each, which has the board itself, and a nurse's program. */
+    private List<AgentProcess> doors(String mover, String host, String... others) throws Exception {
         emulator = new Emulator.Scenario().board("home", "Station").board("away", "Station").board("forger", "Station")
                 .start(folder);
         List<AgentProcess> processes = new ArrayList<>();
@@ -133,7 +133,9 @@ class MovesTest {
                 board.as(IDS.get(side).toString(), Map.of(there, TestKeys.PAIR, "SUHO", TestKeys.PAIR));
             }
             Files.writeString(place.resolve("mas.mas2j"), "MAS mas { agents: " + DRIVERS.get(side)
-                    + " agentArchClass diffuser.Diffuser; }");
+                    + " agentArchClass diffuser.Diffuser; " + (side == Travels.AWAY ? String.join("", others) : "")
+                    + " }");
+            Files.writeString(place.resolve("nurse.asl"), "+!care.");
             Files.writeString(place.resolve(DRIVERS.get(side) + ".asl"), """
                     !start.
                     +!start <- .port("%s"); .setMyRFId("%s"); .getRFMessages(open); .print("Ready"); !go.
@@ -158,6 +160,27 @@ class MovesTest {
             both.get(Travels.AWAY).await("I am here as police7");
             both.get(Travels.HOME).await("back 7on");
             both.get(Travels.HOME).await("openness closed", 2);
+        } finally {
+            both.forEach(AgentProcess::close);
+        }
+    }
+
+    /** The messages for a nurse of the program are for no other one. */
+    @Test
+    @Tag("verify")
+    void moveOut_toWhereOneOfItsNameIsAway_getsAnotherName() throws Exception {
+        List<AgentProcess> both = doors("""
+                +!go <- .create_agent(nurse, "nurse.asl", [agentArchClass("mobility.Mobile")]).
+                +!moveIn(_, mutualism)[cast(unicast, _)].
+                +movedIn(A, _) <- .print("came ", A); .moveOut("SUBB", mutualism, [nurse]).
+                """, """
+                +!go <- .wait(3000); .moveOut("SUSS", mutualism, [nurse]); .print("went").
+                +!moveIn(_, mutualism)[cast(unicast, _)].
+                +movedIn(A, _) <- .print("came ", A, "!").
+                """, "nurse agentArchClass mobility.Mobile;");
+        try {
+            both.get(Travels.HOME).await("came nurse1");
+            both.get(Travels.AWAY).await("came nurse_1!");
         } finally {
             both.forEach(AgentProcess::close);
         }
