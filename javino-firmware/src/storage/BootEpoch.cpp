@@ -15,49 +15,55 @@ JAVINO_NOINLINE static EepromRecord recordAt(uint8_t slot) {
   return EepromRecord(static_cast<uint16_t>(end + slot / 2 * EPOCH_RECORD_LENGTH), EPOCH_LENGTH);
 }
 
-static uint8_t behind(uint8_t slot, uint8_t count) { return static_cast<uint8_t>((slot + count) % config::EPOCH_SLOTS); }
-
-// Behind the highest are the two oldest, of which a loss of power may have torn one. Where neither can be read, something
-// else has written there, perhaps over a higher epoch.
-JAVINO_NOINLINE static bool isBroken(uint8_t highest) {
-  uint8_t stored[EPOCH_LENGTH];
-  return !recordAt(behind(highest, 1)).read(stored) && !recordAt(behind(highest, 2)).read(stored);
-}
+static uint8_t behind(uint8_t slot) { return static_cast<uint8_t>((slot + 1) % config::EPOCH_SLOTS); }
 
 void BootEpoch::begin(bool hasKeys) {
   const uint8_t highest = findHighest();
-  if (hasKeys && isBroken(highest)) {
+  if (status_ == Status::EPOCH_LOST && hasKeys) {
     value_ = 0;
-    status_ = Status::EPOCH_LOST;
   } else {
     store(highest, value_ == NONE_LEFT ? NONE_LEFT : value_ + 1);
   }
 }
 
-// Sets the value to the highest epoch stored so far, 0 where there is none, and returns its place.
+// Sets the value to the highest epoch stored so far, 0 where there is none, and returns its place. Behind it are the two
+// oldest, of which a loss of power may have torn one. Where neither can be read, something else has written there, perhaps
+// over a higher epoch: it is lost.
 uint8_t BootEpoch::findHighest() {
   uint8_t slotOfHighest = config::EPOCH_SLOTS - 1;
+  uint8_t since = 0;
+  uint8_t broken = 0;
   value_ = 0;
-  for (uint8_t slot = 0; slot < config::EPOCH_SLOTS; slot++) {
+  for (uint8_t i = 0; i < config::EPOCH_SLOTS + COPIES; i++) {
     uint8_t stored[EPOCH_LENGTH];
-    if (!recordAt(slot).begin(stored, 0) || readUint24(stored) < value_) continue;
-    value_ = readUint24(stored);
-    slotOfHighest = slot;
+    const bool whole = recordAt(i % config::EPOCH_SLOTS).begin(stored, 0);
+    const uint32_t epoch = readUint24(stored);
+    if (i < config::EPOCH_SLOTS && whole && epoch >= value_) {
+      value_ = epoch;
+      slotOfHighest = i;
+      since = 0;
+      broken = 0;
+    } else if (++since <= COPIES && !whole) {
+      broken++;
+    }
   }
+  status_ = broken == COPIES ? Status::EPOCH_LOST : Status::OK;
   return slotOfHighest;
 }
 
-// Goes on with an epoch, and writes it behind the place of the highest so far; into all other places of a broken ring.
+// Goes on with an epoch, and writes it behind the place of the highest so far; into all other places where one is lost.
 void BootEpoch::store(uint8_t highest, uint32_t epoch) {
-  const uint8_t wanted = isBroken(highest) ? config::EPOCH_SLOTS : COPIES;
+  const bool lost = status_ == Status::EPOCH_LOST;
+  value_ = epoch;
+  status_ = Status::NONCE_EXHAUSTED;
+  if (epoch == NONE_LEFT) return;
+  status_ = Status::STORE_FAILED;
   uint8_t record[EPOCH_LENGTH];
   writeUint24(record, epoch);
-  value_ = epoch;
   uint8_t copies = 0;
-  for (uint8_t i = 1; i < config::EPOCH_SLOTS && copies < wanted && epoch != NONE_LEFT; i++) {
-    if (recordAt(behind(highest, i)).write(record)) copies++;
+  for (uint8_t slot = highest; (slot = behind(slot)) != highest && (lost || copies < COPIES);) {
+    if (recordAt(slot).write(record) && ++copies == COPIES) status_ = Status::OK;
   }
-  status_ = epoch == NONE_LEFT ? Status::NONCE_EXHAUSTED : copies >= COPIES ? Status::OK : Status::STORE_FAILED;
 }
 
 }  // namespace javino
