@@ -79,7 +79,8 @@ public final class Highway implements Callable<Integer> {
         Replay model = scenario.model();
         boolean accepted = model.refusal().isEmpty();
         timeline.verdict(model.verdict(), accepted);
-        return accepted && (scenario.allObserved() || !complete) ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
+        return accepted && (scenario.allObserved() || !complete) ? CommandLine.ExitCode.OK
+                : CommandLine.ExitCode.SOFTWARE;
     }
 
     private void run(Scenario scenario, Timeline timeline)
