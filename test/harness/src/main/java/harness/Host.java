@@ -1,5 +1,6 @@
 package harness;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
@@ -58,7 +59,7 @@ public final class Host implements AutoCloseable {
     }
 
     public static Host over(LinkOpener link) {
-        return new Host(link, BoardConfig.create());
+        return new Host(link, BoardConfig.create(Host::patience));
     }
 
     /**
@@ -69,7 +70,12 @@ public final class Host implements AutoCloseable {
     }
 
     public static Host patient(LinkOpener link) {
-        return new Host(link, BoardConfig.create(config -> config.setAttempts(PATIENT_ATTEMPTS)));
+        return new Host(link, BoardConfig.create(config -> patience(config.setAttempts(PATIENT_ATTEMPTS))));
+    }
+
+    /** A busy machine may take long to boot a board. */
+    private static void patience(BoardConfig.Builder config) {
+        config.setPatience(Duration.ofSeconds(PATIENCE_SECONDS));
     }
 
     /** Waits until the board was greeted so often. */

@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -30,11 +30,17 @@ abstract class JoinedCells {
     static final List<Double> WEST = List.of(0.0, 0.0);
     static final List<Double> EAST = List.of(100_000.0, 0.0);
 
+    @AutoClose
     Mosquitto broker;
+    @AutoClose
     Emulator emulator;
+    @AutoClose
     Host police;
+    @AutoClose
     Host bus;
+    @AutoClose
     GatewayProcess west;
+    @AutoClose
     GatewayProcess east;
 
     @BeforeEach
@@ -51,16 +57,6 @@ abstract class JoinedCells {
         bus = Host.patient(emulator, "bus").as("ROMA", Map.of("SUPO", TestKeys.PAIR)).as("ROMA", groups);
         west = join("west");
         east = join("east");
-    }
-
-    @AfterEach
-    void switchOff() {
-        west.close();
-        east.close();
-        police.close();
-        bus.close();
-        emulator.close();
-        broker.close();
     }
 
     GatewayProcess join(String cell, String... options) throws Exception {

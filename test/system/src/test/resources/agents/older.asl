@@ -4,7 +4,7 @@
 +!start <-
     .port("ports/lamp");
     .percepts(open);
-    .act(ledOn).
+    !until(ledOn, led(on)).
 
 +led(on)[source(percept)] <-
     .print("led is on");
@@ -12,8 +12,12 @@
     !attempt({ .getRFMessages(open) });
     !attempt({ .diffuse(broadcast, tell, help) });
     !attempt({ ledOff });
-    .act(ledOff).
+    !until(ledOff, led(off)).
 +led(off) : done <- .print("led is off").
+
+// That protocol acknowledges no action, and a busy machine may lose one.
++!until(_, Percept) : Percept.
++!until(Action, Percept) <- .act(Action); .wait(2000); !until(Action, Percept).
 
 +!attempt(Body) <- Body; .print("no error of ", Body).
 -!attempt(Body)[error(Error), error_msg(Why)] <- +done; .print(Body, ": ", Error, ", ", Why).
