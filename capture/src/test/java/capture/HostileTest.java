@@ -57,7 +57,7 @@ class HostileTest {
         showAnyMessages(new Random(0));
     }
 
-    @Tag("verify")
+    @Tag("soak")
     @RepeatedTest(SEEDS)
     void bytes_andMessages_areShown(RepetitionInfo repetition) throws Exception {
         showAnyBytes(new Random(repetition.getCurrentRepetition()));

@@ -155,7 +155,7 @@ class HostileImageTest {
         assertTrue(read > MUTATIONS / 50 && read < MUTATIONS, read + " of " + MUTATIONS + " were agents");
     }
 
-    @Tag("verify")
+    @Tag("soak")
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
     void moreTexts_mutated_areReadOrRefused(int seed) throws Exception {

@@ -10,6 +10,7 @@ import java.util.stream.LongStream;
 
 import org.junit.jupiter.api.extension.AnnotatedElementContext;
 import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.io.TempDirFactory;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,7 +35,18 @@ class RandomMovesTest {
     }
 
     static LongStream seeds() {
-        return LongStream.rangeClosed(1, Long.getLong("seeds", 300));
+        return LongStream.rangeClosed(1, Long.getLong("seeds", 40));
+    }
+
+    static LongStream moreSeeds() {
+        return LongStream.rangeClosed(41, 300);
+    }
+
+    @ParameterizedTest
+    @MethodSource("moreSeeds")
+    @Tag("verify")
+    void moves_moreOfThem_neverTwoAwakeAndOneInTheEnd(long seed) throws IOException {
+        moves_killsLossesAndSilence_neverTwoAwakeAndOneInTheEnd(seed);
     }
 
     @ParameterizedTest

@@ -71,7 +71,7 @@ class ForgedRunsTest {
 
     @ParameterizedTest
     @MethodSource("attacks")
-    @Tag("verify")
+    @Tag("soak")
     void send_whileMoreRunsAreForged_isDelivered(String kinds, double share) {
         forge(kinds, share, 2, 100);
     }
@@ -173,7 +173,7 @@ class ForgedRunsTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void send_whateverElseHappens_endsWithinAMinute() {
         LongStream.range(6, 300).forEach(this::storm);
     }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import uppaal.check.Query;
 import uppaal.report.Firmware;
@@ -60,6 +61,7 @@ class ModelMutantsTest {
     }
 
     @Test
+    @Tag("verify")
     void of_everyModel_givesMutantsThatDifferFromItAndFromEachOther() throws IOException {
         for (Model model : Model.all(ROOT)) {
             List<String> files = ModelMutants.of(model.xml()).stream().map(ModelMutant::xml).toList();

@@ -20,6 +20,7 @@ import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -27,6 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
  * The attacks that the model of delivery finds where one check of a board is taken away (uppaal/README.md): the same
  * frames, played to boards that have them all.
  */
+@Tag("verify")
 class CounterexampleTest {
 
     private static final int ADDRESS_LENGTH = 4;

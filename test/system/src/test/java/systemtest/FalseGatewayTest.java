@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Who has a user at the broker, the broker itself, or a radio in a cell, and what he cannot do (SECURITY.md). */
+@Tag("verify")
 class FalseGatewayTest extends JoinedCells {
 
     private static final double BIT_RATE = 2000;

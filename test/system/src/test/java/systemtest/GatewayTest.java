@@ -45,6 +45,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void multicast_goesWhereAMemberWasHeard_broadcastDoesNot() throws Exception {
         bus.send("////", "tell;here");
         exchange(0, 1);
@@ -57,6 +58,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void broadcast_ifTheUserWantsIt_isRelayedOnce() throws Exception {
         east.end();
         east = join("east", "--broadcasts");
@@ -67,6 +69,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void secondGateway_ofACell_takesOverWhenTheFirstIsKilled() throws Exception {
         try (GatewayProcess spare = GatewayProcess.join(emulator, "spare", "east", broker, broker.port())) {
             exchange(0, 3);
@@ -80,6 +83,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void gateway_thatWasKilled_knowsFromTheBrokerWhoWasHeardWhere() throws Exception {
         bus.send("////", "tell;here");
         exchange(0, 1);
@@ -90,6 +94,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
+    @Tag("verify")
     void gateway_thatCannotWork_saysWhyInOneLine(@TempDir Path folder) throws Exception {
         Path wrong = Files.writeString(folder.resolve("wrong"), "apart\n");
         String port = emulator.port("spare");

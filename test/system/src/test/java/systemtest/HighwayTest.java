@@ -102,6 +102,7 @@ class HighwayTest {
     }
 
     @Test
+    @Tag("verify")
     void inspector_travelsToTheBusAndBackMeanwhile() throws Exception {
         Run run = launch(EMULATOR, "--inspector");
 
@@ -137,6 +138,7 @@ class HighwayTest {
     }
 
     @Test
+    @Tag("verify")
     void badRadio_endsCleanlyAndSaysWhatWasMissing() throws Exception {
         Run run = launch(EMULATOR, "--radioBitErrorRate=0.05", "--timeout=20");
 
@@ -149,6 +151,7 @@ class HighwayTest {
     }
 
     @Test
+    @Tag("verify")
     void traceThatTheModelRefuses_failsTheRun() throws Exception {
         Path spoiling = folder.resolve("emulator");
         Files.writeString(spoiling,

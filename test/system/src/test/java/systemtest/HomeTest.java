@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,6 +30,7 @@ class HomeTest {
     private final BlockingQueue<String> published = new LinkedBlockingQueue<>();
 
     @Test
+    @Tag("verify")
     void agent_publishesTheLightThatItIsToldSealed_andNothingElse(@TempDir Path folder) throws Exception {
         try (Mosquitto broker = Mosquitto.start(folder.resolve("broker"));
                 Emulator emulator = new Emulator.Scenario().board("home", "Station").board("garden", "Station")

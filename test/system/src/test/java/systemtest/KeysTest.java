@@ -27,6 +27,7 @@ import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -114,6 +115,7 @@ class KeysTest {
     }
 
     @Test
+    @Tag("verify")
     void erasedBoard_getsNewKeysOnly_andNoRecordingIsTakenAndNoNonceComesTwice() throws Exception {
         String keys = folder.resolve("keys").toString();
         assertDone(JavinoCommand.run("keygen", "--out", keys, "--pair", "SUPO,SUPP", "--pair", "SUPO,SUHO", "--pair",
@@ -260,6 +262,7 @@ class KeysTest {
     }
 
     @Test
+    @Tag("verify")
     void renewal_amongMessages_losesNone() throws Exception {
         try (Emulator emulator = scenario().start(folder)) {
             for (String board : IDS.keySet()) {

@@ -31,6 +31,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -108,6 +109,7 @@ class LostStateTest {
     }
 
     @Test
+    @Tag("verify")
     void epochs_writtenOverTwice_repeatNoNonceAndLetNoRecordingIn() throws Exception {
         keys = folder.resolve("keys").toString();
         Map<String, String> sealed = new HashMap<>();

@@ -83,6 +83,7 @@ class MovesTest {
     }
 
     @Test
+    @Tag("verify")
     void moveOut_noPlanAdmits_failsAndTheAgentGoesOnHere() throws Exception {
         begin(1, false);
         travels.await("end of the move", 1, line -> line.contains("stayed "));
@@ -93,6 +94,7 @@ class MovesTest {
     }
 
     @Test
+    @Tag("verify")
     void moveOut_senderKilledWhenGone_isAwakeThereAlone() throws Exception {
         killAt(Travels.HOME, "the agent has gone", event -> said(event, "host-transmit", Travels.HOME, "G"));
     }

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,6 +22,7 @@ class NonceTest {
     private static final int MESSAGES_A_RUN = 100;
 
     @Test
+    @Tag("verify")
     void nonces_neverRepeatOverReboots(@TempDir Path folder) throws Exception {
         Map<String, String> frames = new HashMap<>();
         for (int run = 0; run < RUNS; run++) {

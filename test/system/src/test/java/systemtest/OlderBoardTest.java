@@ -18,6 +18,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.stream.IntStream;
 import javino.board.LegacyBoardException;
 import javino.board.SessionCounter;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -79,6 +80,7 @@ class OlderBoardTest {
     }
 
     @Test
+    @Tag("verify")
     void argoAgent_drivesItAndSeesItGoAndCome(@TempDir Path folder) throws Exception {
         Emulator.Scenario scenario = scenario()
                 .fault(UNPLUGGED_SECONDS, "lamp", "unplug").fault(UNPLUGGED_SECONDS + 2, "lamp", "plug");

@@ -16,6 +16,7 @@ import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,6 +30,7 @@ class PartnersTest {
     }
 
     @Test
+    @Tag("verify")
     void transmit_toOneWhoIsThere_waitsForNoneWhoIsNot(@TempDir Path folder) throws Exception {
         Emulator emulator = new Emulator.Scenario().board("police", "Vehicle").board("support", "Station")
                 .board("bus", "Vehicle").start(folder);

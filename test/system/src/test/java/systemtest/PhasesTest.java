@@ -22,6 +22,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,6 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Resets, losses of power, noise and late hosts in each phase of a message, so that the runs take nearly all edges of
  * the model. It allows what the boards make of that, or {@link Emulator#close} fails.
  */
+@Tag("verify")
 class PhasesTest {
 
     private static final int MOST_ATTEMPTS = 8;

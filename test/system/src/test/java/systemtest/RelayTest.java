@@ -20,6 +20,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -149,6 +150,7 @@ class RelayTest {
 
     /** It answers in the receiver's name, and sends what it hears again, changed and with hops that are not so. */
     @Test
+    @Tag("verify")
     void stranger_whoLies_hasNothingDeliveredTwiceOrWrongly() throws Exception {
         line(2, "Station", Map.of());
         relay("relay1", true);

@@ -16,6 +16,7 @@ import java.util.Set;
 import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -56,6 +57,7 @@ class SealedFrameTest {
     }
 
     @Test
+    @Tag("verify")
     void changedBit_isDroppedAndCounted() throws Exception {
         for (int bit = 0; bit < 8 * frame.length; bit++) {
             byte[] changed = frame.clone();

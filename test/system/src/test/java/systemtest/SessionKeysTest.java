@@ -24,6 +24,7 @@ import javino.protocol.Reply;
 import javino.protocol.Status;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -123,6 +124,7 @@ class SessionKeysTest {
     }
 
     @Test
+    @Tag("verify")
     void recording_ofASessionKey_isRefusedAlsoAfterAReset() throws Exception {
         agree(1);
         speak("a");

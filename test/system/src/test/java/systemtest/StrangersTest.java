@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.TimeZone;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -146,6 +147,7 @@ class StrangersTest {
     }
 
     @Test
+    @Tag("verify")
     void stranger_whoseHostIsAwayOrRefuses_doesNotAnswer() throws Exception {
         authority.enroll("SUPO", identities);
         try (AgentProcess bus = bus("!call(1); .strangers(refuse); !call(2)")) {
@@ -188,6 +190,7 @@ class StrangersTest {
     }
 
     @Test
+    @Tag("verify")
     void agentOnAnUno_withoutAPlace_isToldWhatToDo() throws Exception {
         takeAnUno("uno");
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!call(1)")) {
@@ -198,6 +201,7 @@ class StrangersTest {
     }
 
     @Test
+    @Tag("verify")
     void twin_withTheSameAddress_getsNothing() throws Exception {
         authority.enroll("SUPO", identities);
         Path others = folder.resolve("others");

@@ -18,6 +18,7 @@ import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.SerialLink;
 import javino.vectors.RadioVectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -42,6 +43,7 @@ class VirtualWireTest {
 
     /** The receiver is one of VirtualWire's kind, written anew; it counts the packets of 77 bytes that it hears. */
     @Test
+    @Tag("verify")
     void trailers_disturbNoVirtualWireReceiver(@TempDir Path folder) throws Exception {
         Random random = new Random(5);
         try (Emulator emulator = new Emulator.Scenario().board("other", "Transmitter").board("plain", "SampledModem")

@@ -21,7 +21,7 @@ import uppaal.network.Network;
 import uppaal.tool.Tool;
 
 /** The second opinion must be the first one's, where no time passes also in the number of states. */
-@Tag("verify")
+@Tag("soak")
 class OpinionTest {
     private static final Path MODELS = Path.of("models");
 

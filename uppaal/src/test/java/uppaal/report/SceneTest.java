@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import uppaal.ModelException;
@@ -32,6 +33,7 @@ class SceneTest {
 
     /** Each scene is explored once: some have millions of states. */
     @Test
+    @Tag("soak")
     void check_ourModels_areAsReadmeSays() throws IOException {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         assertEquals(List.of(),
@@ -46,6 +48,7 @@ class SceneTest {
 
     /** Otherwise a mutant would be tried in another scene. */
     @Test
+    @Tag("verify")
     void inSmall_everyScene_hasTheSameVerdicts() {
         for (Scene scene : Stream.concat(Stream.of(Scene.HIDDEN), Scene.OF_DELIVERY.stream()).toList()) {
             Scene small = scene.inSmall();

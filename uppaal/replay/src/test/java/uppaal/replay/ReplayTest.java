@@ -15,6 +15,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -60,6 +61,7 @@ class ReplayTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"highway", "pieces", "partners", "relays"})
+    @Tag("verify")
     void replay_genuineTrace_isAcceptedHoweverEarlyItEnds(String name) {
         Lines lines = Lines.of(name);
         assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());
