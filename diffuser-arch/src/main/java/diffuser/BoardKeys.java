@@ -57,14 +57,14 @@ final class BoardKeys {
     }
 
     /** What a device is from which something came sealed; as long as that is not known, a stranger. */
-    Peer peer(Address device) {
-        return known && !strangers.contains(device) ? Peer.PROVISIONED : Peer.CERTIFIED;
+    TrustLevel peer(Address device) {
+        return known && !strangers.contains(device) ? TrustLevel.PROVISIONED : TrustLevel.CERTIFIED;
     }
 
     /** A belief for each device with a key. */
     List<Literal> beliefs() {
         Stream<Literal> provisioned = stored.stream().filter(each -> each.kind() == Address.Kind.DEVICE)
-                .map(Peer.PROVISIONED::belief);
-        return Stream.concat(provisioned, met.stream().map(Peer.CERTIFIED::belief)).toList();
+                .map(TrustLevel.PROVISIONED::belief);
+        return Stream.concat(provisioned, met.stream().map(TrustLevel.CERTIFIED::belief)).toList();
     }
 }

@@ -41,7 +41,7 @@ final class Device implements BoardListener, KeyService.Host {
 
     private final ExclusivePort link;
     private final String port;
-    private final Surroundings surroundings;
+    private final DeviceContext context;
     private final Percepts percepts;
     private final Communicability communicability;
     private final BoardKeys keys = new BoardKeys();
@@ -64,18 +64,18 @@ final class Device implements BoardListener, KeyService.Host {
      * @param inbox    where its messages go.
      * @param warnings where its user is told what went wrong.
      * @param wake     ends its sleep.
-     * @param finder   finds keys for strangers, if that library is there.
+     * @param keyService   finds keys for strangers, if that library is there.
      */
-    record Surroundings(String agent, Inbox inbox, Warnings warnings, Runnable wake, Optional<KeyService> finder) {
+    record DeviceContext(String agent, Inbox inbox, Warnings warnings, Runnable wake, Optional<KeyService> keyService) {
     }
 
-    private Device(ExclusivePort link, Term term, BoardSettings settings, Surroundings surroundings) {
+    private Device(ExclusivePort link, Term term, BoardSettings settings, DeviceContext context) {
         this.link = link;
         this.port = link.name();
         this.settings = settings;
-        this.surroundings = surroundings;
-        this.percepts = new Percepts(term, settings.percepts(), surroundings.warnings());
-        this.communicability = new Communicability(this::packetsReceived, this::tellAgent, surroundings.warnings());
+        this.context = context;
+        this.percepts = new Percepts(term, settings.percepts(), context.warnings());
+        this.communicability = new Communicability(this::packetsReceived, this::tellAgent, context.warnings());
     }
 
     /**
@@ -84,8 +84,8 @@ final class Device implements BoardListener, KeyService.Host {
      * @param port as beliefs name it.
      */
     static Device open(ExclusivePort link, Term port, BoardConfig config, BoardSettings settings,
-            Surroundings surroundings) {
-        Device device = new Device(link, port, settings, surroundings);
+            DeviceContext context) {
+        Device device = new Device(link, port, settings, context);
         Board board = Board.open(link, config, device);
         device.session.complete(board);
         device.apply(settings);
@@ -187,8 +187,9 @@ final class Device implements BoardListener, KeyService.Host {
 
     /** Has the board transmit; to somebody without a stored key, once there is another, if that can be. */
     Transmission transmit(Address to, Content content) {
-        return surroundings.finder().filter(finder -> keys.lacks(to))
-                .map(finder -> heard(finder.transmit(this, to, content))).orElseGet(() -> transmitAsIs(to, content));
+        return context.keyService().filter(keyService -> keys.lacks(to))
+                .map(keyService -> heard(keyService.transmit(this, to, content)))
+                .orElseGet(() -> transmitAsIs(to, content));
     }
 
     @Override
@@ -235,7 +236,7 @@ final class Device implements BoardListener, KeyService.Host {
     }
 
     /** What a device is from which something came sealed. */
-    Peer peer(Address from) {
+    TrustLevel peer(Address from) {
         return keys.peer(from);
     }
 
@@ -273,12 +274,12 @@ final class Device implements BoardListener, KeyService.Host {
 
     @Override
     public void received(Address from, Content content) {
-        address().ifPresent(self -> take(new ReceivedMessage(from, self, 0, content), Peer.CERTIFIED));
+        address().ifPresent(self -> take(new ReceivedMessage(from, self, 0, content), TrustLevel.CERTIFIED));
     }
 
     @Override
     public void warn(String what) {
-        surroundings.warnings().once(what);
+        context.warnings().once(what);
     }
 
     // On the session's thread:
@@ -292,7 +293,7 @@ final class Device implements BoardListener, KeyService.Host {
         actions = Set.copyOf(info.actions());
         address = info.rfId();
         if (legacy) {
-            surroundings.warnings()
+            context.warnings()
                     .once("the board on " + port + " speaks the older protocol: percepts and .act work, the"
                             + " radio does not; for that flash a sketch with the Javino library");
         }
@@ -302,7 +303,7 @@ final class Device implements BoardListener, KeyService.Host {
         if (hasOther) {
             session.thenCompose(board -> board.setRfId(wanted.rfId().get())).whenComplete((done, thrown) -> {
                 if (thrown != null) {
-                    surroundings.warnings().always(Failure.of(thrown).message());
+                    context.warnings().always(Failure.of(thrown).message());
                 }
                 askForKeys(thrown == null || info.rfId().isPresent());
             });
@@ -321,9 +322,9 @@ final class Device implements BoardListener, KeyService.Host {
             if (thrown == null) {
                 toldKeys = list;
                 keys.told(list);
-                LostState.ofFloors(list).ifPresent(surroundings.warnings()::once);
+                LostState.ofFloors(list).ifPresent(context.warnings()::once);
             } else {
-                surroundings.warnings()
+                context.warnings()
                         .once("it is not known which keys the board has: " + Failure.of(thrown).message());
             }
             nowOnline(hasAddress);
@@ -343,8 +344,8 @@ final class Device implements BoardListener, KeyService.Host {
 
     private void tellFinder() {
         if (online && !legacy && !closed) {
-            address().ifPresent(self -> surroundings.finder()
-                    .ifPresent(finder -> finder.online(this, self, bootEpoch, toldKeys)));
+            address().ifPresent(self -> context.keyService()
+                    .ifPresent(keyService -> keyService.online(this, self, bootEpoch, toldKeys)));
         }
     }
 
@@ -354,7 +355,7 @@ final class Device implements BoardListener, KeyService.Host {
         communicability.offline();
         percepts.port(false);
         if (!closed) {
-            surroundings.warnings().always("the board is off: " + why);
+            context.warnings().always("the board is off: " + why);
         }
         decided.complete(null);
         tellAgent();
@@ -369,15 +370,15 @@ final class Device implements BoardListener, KeyService.Host {
     @Override
     public void message(ReceivedMessage message) {
         boolean shared = message.to().kind() == Address.Kind.MULTICAST
-                && surroundings.finder().map(KeyService::sharesGroup).orElse(false);
-        take(message, shared ? Peer.CERTIFIED : keys.peer(message.from()));
+                && context.keyService().map(KeyService::sharesGroup).orElse(false);
+        take(message, shared ? TrustLevel.CERTIFIED : keys.peer(message.from()));
     }
 
-    private void take(ReceivedMessage message, Peer peer) {
+    private void take(ReceivedMessage message, TrustLevel peer) {
         // After the end it is left to the next session, as the board was not told that it was taken.
         if (!closed) {
             communicability.heard();
-            surroundings.inbox().put(message, peer, surroundings.agent());
+            context.inbox().put(message, peer, context.agent());
             tellAgent();
         }
     }
@@ -386,27 +387,27 @@ final class Device implements BoardListener, KeyService.Host {
     public void word(Address from, Address to, Word word) {
         if (!closed) {
             communicability.heard();
-            surroundings.finder().ifPresent(finder -> finder.word(from, to, word));
+            context.keyService().ifPresent(keyService -> keyService.word(from, to, word));
         }
     }
 
     @Override
     public void noKey(PollReply.NoKey frame) {
         if (!closed) {
-            surroundings.finder().ifPresent(finder -> finder.noKey(frame));
+            context.keyService().ifPresent(keyService -> keyService.noKey(frame));
         }
     }
 
     @Override
     public void warning(String what) {
         if (!closed) {
-            surroundings.warnings().once(what);
+            context.warnings().once(what);
         }
     }
 
     private void tellAgent() {
         if (!closed) {
-            surroundings.wake().run();
+            context.wake().run();
         }
     }
 }

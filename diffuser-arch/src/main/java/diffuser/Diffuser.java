@@ -124,7 +124,7 @@ public class Diffuser extends AgArch {
         PlainLines.everywhere();
         ExclusivePort link = new ExclusivePort(link(port), getAgName(), closeDevice());
         device = Device.open(link, portTerm(port), boardConfig(), settings,
-                new Device.Surroundings(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));
+                new Device.DeviceContext(getAgName(), inbox, warnings, this::wakeAgent, service(KeyService.class)));
         return device.decided();
     }
 
@@ -228,7 +228,7 @@ public class Diffuser extends AgArch {
      * @return completes as soon as the board has taken the message; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
      */
-    public CompletableFuture<?> diffuse(Letter letter) throws JasonException {
+    public CompletableFuture<?> diffuse(OutgoingMessage letter) throws JasonException {
         Device board = requireDevice();
         questions.remember(letter);
         return outbox.diffuse(letter, board);
@@ -241,7 +241,7 @@ public class Diffuser extends AgArch {
      * @return completes when the message is delivered; fails with what {@link Failure#of} reads.
      * @throws JasonException no_port if no port was opened.
      */
-    public CompletableFuture<?> deliver(Letter letter) throws JasonException {
+    public CompletableFuture<?> deliver(OutgoingMessage letter) throws JasonException {
         Device board = requireDevice();
         questions.remember(letter);
         return outbox.deliver(letter, board);
@@ -279,8 +279,8 @@ public class Diffuser extends AgArch {
     }
 
     /** What a device is from which something came sealed; without a board, a stranger. For any thread. */
-    public Peer peer(Address device) {
-        return device().map(board -> board.peer(device)).orElse(Peer.CERTIFIED);
+    public TrustLevel peer(Address device) {
+        return device().map(board -> board.peer(device)).orElse(TrustLevel.CERTIFIED);
     }
 
     /** Where the board's messages go. */
@@ -348,7 +348,7 @@ public class Diffuser extends AgArch {
         } else if (question.isPresent()) {
             outbox.answer(message, question.get(), device);
         } else {
-            outbox.post(Letter.of(message), device);
+            outbox.post(OutgoingMessage.of(message), device);
         }
     }
 

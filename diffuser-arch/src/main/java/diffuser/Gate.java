@@ -42,7 +42,7 @@ import jason.util.Config;
 import diffuser.Policy.Act;
 
 import javino.protocol.Address;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /**
  * The one door between the air and the agent: all that comes by radio passes here, on the agent's own thread, just
@@ -122,13 +122,13 @@ public final class Gate implements CircumstanceListener {
      * @throws RefusedException if nothing of it passes.
      */
     void pass(Message message, Provenance of) throws RefusedException {
-        Force force = Force.of(message.getIlForce()).orElseThrow();
+        Performative force = Performative.of(message.getIlForce()).orElseThrow();
         Policy.Decision decision = permit(Act.of(force), of);
         Term said = (Term) message.getPropCont();
         refuseJasonsOwn(said);
-        Term clean = force == Force.TELL_HOW ? labelled(said) : clean(said);
-        if (message.getInReplyTo() != null && force != Force.SORRY) {
-            Term answer = force == Force.TELL ? marked(clean, of.marks()) : asList(clean);
+        Term clean = force == Performative.TELL_HOW ? labelled(said) : clean(said);
+        if (message.getInReplyTo() != null && force != Performative.SORRY) {
+            Term answer = force == Performative.TELL ? marked(clean, of.marks()) : asList(clean);
             rehearse(message, answer);
             handOn(message, answer);
             return;
@@ -146,7 +146,7 @@ public final class Gate implements CircumstanceListener {
             case UNTELL, UNACHIEVE -> {
                 if (decision.verdict() != Policy.Verdict.ITS_OWN) {
                     adopt(message, received(message, clean, of), decision);
-                } else if (force == Force.UNTELL) {
+                } else if (force == Performative.UNTELL) {
                     retract(message, (Literal) clean, of);
                 } else {
                     // Jason drops only goals that have all the annotations.

@@ -13,7 +13,7 @@ import jason.asSyntax.Term;
 
 import javino.board.ReceivedMessage;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /** Messages from the radio on their way to the agent: the board's thread puts them in, the agent's takes them out. */
 final class Inbox {
@@ -65,9 +65,9 @@ final class Inbox {
     }
 
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
-    void put(ReceivedMessage message, Peer peer, String receiver) {
+    void put(ReceivedMessage message, TrustLevel peer, String receiver) {
         Provenance of = Provenance.of(message.from(), Cast.of(message.to()), peer);
-        if (message.content().force() == Force.MOVE) {
+        if (message.content().force() == Performative.MOVE) {
             putMove(message, of);
             return;
         }
@@ -150,7 +150,7 @@ final class Inbox {
             question.ifPresent(asked -> fail(asked, mail, "its answer was dropped: " + e.getMessage()));
             throw e;
         }
-        if (mail.content().force() == Force.SORRY) {
+        if (mail.content().force() == Performative.SORRY) {
             fail(question.orElseThrow(), mail, ((StringTerm) mail.term()).getString());
         }
     }

@@ -28,14 +28,14 @@ final class Outbox {
     }
 
     /** Sends a message; completes when the board has taken it. Its outcome is an event. */
-    CompletableFuture<?> diffuse(Letter letter, Device board) {
+    CompletableFuture<?> diffuse(OutgoingMessage letter, Device board) {
         Transmission transmission = transmit(letter, board);
         transmission.end().thenAccept(outcome -> tell(letter, outcome));
         return transmission.taken();
     }
 
     /** Sends a message for which nobody waits: that it was refused is an event, too. */
-    void post(Letter letter, Device board) {
+    void post(OutgoingMessage letter, Device board) {
         diffuse(letter, board).exceptionally(thrown -> {
             Failure failure = Failure.of(thrown);
             warnings.always(failure.message());
@@ -51,18 +51,18 @@ final class Outbox {
      */
     void answer(Message answer, IncomingQuestion question, Device board) throws JasonException {
         try {
-            Letter letter = Letter.answer(answer, question.conversation());
+            OutgoingMessage letter = OutgoingMessage.answer(answer, question.conversation());
             if (!question.ofGroup() || !letter.knowsNothing()) {
                 post(letter, board);
             }
         } catch (JasonException e) {
-            post(Letter.sorry(answer, question.conversation(), Failure.of(e)), board);
+            post(OutgoingMessage.sorry(answer, question.conversation(), Failure.of(e)), board);
             throw e;
         }
     }
 
     /** Sends a message; completes when it is delivered, and fails if it is not. Its outcome is no event. */
-    CompletableFuture<?> deliver(Letter letter, Device board) {
+    CompletableFuture<?> deliver(OutgoingMessage letter, Device board) {
         Transmission transmission = transmit(letter, board);
         return transmission.taken().thenCompose(nothing -> transmission.end()).thenAccept(outcome -> {
             if (outcome != Outcome.DELIVERED) {
@@ -71,7 +71,7 @@ final class Outbox {
         });
     }
 
-    private Transmission transmit(Letter letter, Device board) {
+    private Transmission transmit(OutgoingMessage letter, Device board) {
         if (Destinations.isMistakable(letter.to())) {
             String group = letter.to().group();
             warnings.once(letter.to() + " is the device // of group " + group + "; for the whole group write \"//"
@@ -84,7 +84,7 @@ final class Outbox {
     }
 
     /** A board tells how long a message may be, but not how long this one is. */
-    private static Void taken(Throwable thrown, Letter letter) {
+    private static Void taken(Throwable thrown, OutgoingMessage letter) {
         if (thrown == null) {
             return null;
         }
@@ -99,7 +99,7 @@ final class Outbox {
     }
 
     /** That a message to all or to a group was sent is nothing to tell. */
-    private void tell(Letter letter, Outcome outcome) {
+    private void tell(OutgoingMessage letter, Outcome outcome) {
         Optional<Literal> event = switch (outcome) {
             case SENT -> Optional.empty();
             case DELIVERED -> Optional.of(letter.delivered());
@@ -108,7 +108,7 @@ final class Outbox {
         event.ifPresent(signal);
     }
 
-    private static Failure unacknowledged(Letter letter) {
+    private static Failure unacknowledged(OutgoingMessage letter) {
         String why = letter.isAcknowledged() ? "was not acknowledged: its receiver is out of reach or a board was lost"
                 : "was not sent yet when the board was lost";
         return new Failure("undelivered", letter + " " + why + "; it may have arrived all the same");

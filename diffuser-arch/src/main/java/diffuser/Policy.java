@@ -15,7 +15,7 @@ import jason.asSyntax.Plan;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /**
  * Who may do what: the one place that decides about acts that come from outside an agent. It is a table; what is in no
@@ -83,7 +83,7 @@ public final class Policy {
         HOST_MESSAGE;
 
         /** To say something of that force. */
-        public static Act of(Force force) {
+        public static Act of(Performative force) {
             return valueOf(force.name());
         }
     }
@@ -180,7 +180,8 @@ public final class Policy {
 
     /** How the table calls a value: performatives as messages do. */
     static String word(Enum<?> value) {
-        return Stream.of(Force.values()).filter(force -> force.name().equals(value.name())).map(Force::toString)
+        return Stream.of(Performative.values()).filter(force -> force.name().equals(value.name()))
+                .map(Performative::toString)
                 .findFirst().orElseGet(() -> value.name().toLowerCase(Locale.ROOT).replace('_', ' '));
     }
 

@@ -8,7 +8,7 @@ import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 
 import javino.protocol.Address;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /**
  * Where an act comes from that the agent has not begun itself: all that {@link Policy} decides by.
@@ -21,7 +21,8 @@ import javino.protocol.Force;
  * @param address the same as an address; none if no agent moves.
  * @param away    whether the agent that it concerns has moved elsewhere.
  */
-public record Provenance(Cast cast, String from, Peer peer, Question answers, Home home, Optional<Address> address,
+public record Provenance(Cast cast, String from, TrustLevel peer, Question answers, Home home,
+        Optional<Address> address,
         boolean away) {
 
     /** A question, as far as that matters; only of {@code askHow}, whether an intention waits for the answer. */
@@ -37,8 +38,8 @@ public record Provenance(Cast cast, String from, Peer peer, Question answers, Ho
          * @param asked   its performative; null if none is open.
          * @param awaited whether an intention waits for the answer.
          */
-        public static Question of(Force asked, boolean awaited) {
-            return asked == null ? NONE_OPEN : asked == Force.ASK_HOW && awaited ? AWAITED_ASK_HOW
+        public static Question of(Performative asked, boolean awaited) {
+            return asked == null ? NONE_OPEN : asked == Performative.ASK_HOW && awaited ? AWAITED_ASK_HOW
                     : valueOf(asked.name());
         }
     }
@@ -56,13 +57,14 @@ public record Provenance(Cast cast, String from, Peer peer, Question answers, Ho
      *
      * @param peer what the key says about the sender; of a broadcast, about the one that it names.
      */
-    public static Provenance of(Address from, Cast cast, Peer peer) {
+    public static Provenance of(Address from, Cast cast, TrustLevel peer) {
         return new Provenance(cast, from.toString(), peer, Question.NOTHING, Home.NOBODY, Optional.empty(), false);
     }
 
     /** What a guest of this MAS does. */
     public static Provenance ofGuest(String name) {
-        return new Provenance(Cast.LOCAL, name, Peer.NONE, Question.NOTHING, Home.NOBODY, Optional.empty(), false);
+        return new Provenance(Cast.LOCAL, name, TrustLevel.NONE, Question.NOTHING, Home.NOBODY, Optional.empty(),
+                false);
     }
 
     /** The same as an answer. */

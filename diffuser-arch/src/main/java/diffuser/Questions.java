@@ -33,10 +33,10 @@ final class Questions {
      * @param messageId by which an intention waits for the answer; empty if none does.
      * @param answered  who has answered.
      */
-    record Question(Letter letter, Optional<String> messageId, Set<Address> answered) {
+    record Question(OutgoingMessage letter, Optional<String> messageId, Set<Address> answered) {
 
         /** Where an answer of a device comes from: as the question went. */
-        Provenance answered(Address by, Peer peer) {
+        Provenance answered(Address by, TrustLevel peer) {
             return Provenance.of(by, Cast.of(letter.to()), peer).answering(
                     Provenance.Question.of(letter.content().force(), messageId.isPresent()));
         }
@@ -55,7 +55,7 @@ final class Questions {
      */
     void ask(Message message, Device board) throws JasonException {
         try {
-            Letter letter = Letter.of(message);
+            OutgoingMessage letter = OutgoingMessage.of(message);
             if (intentions.isWaiting(message.getMsgId())) {
                 await(letter, message.getMsgId(), board);
             } else {
@@ -68,7 +68,7 @@ final class Questions {
         }
     }
 
-    private void await(Letter letter, String messageId, Device board) throws JasonException {
+    private void await(OutgoingMessage letter, String messageId, Device board) throws JasonException {
         if (!letter.isAcknowledged()) {
             throw new JasonException("an answer can be awaited from one device, not from " + letter.to()
                     + "; without the argument for it, each answer comes as a belief", JasonException.WRONG_ARGS);
@@ -86,13 +86,13 @@ final class Questions {
     }
 
     /** Expects answers to a letter, if it is a question, for which no intention waits. */
-    void remember(Letter letter) {
+    void remember(OutgoingMessage letter) {
         if (letter.isQuestion()) {
             remember(letter, Optional.empty());
         }
     }
 
-    private void remember(Letter letter, Optional<String> messageId) {
+    private void remember(OutgoingMessage letter, Optional<String> messageId) {
         open.values().removeIf(question -> question.messageId().filter(id -> !intentions.isWaiting(id)).isPresent());
         if (messageId.isEmpty()) {
             forgetOldUnawaited();

@@ -39,7 +39,7 @@ import jason.asSyntax.parser.as2jTokenManager;
 import javino.Printable;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /** Turns terms into the texts that travel, and texts into terms (SPEC 3). */
 public final class Texts {
@@ -47,8 +47,8 @@ public final class Texts {
     private static final Set<Class<?>> LITERALS =
             Set.of(Atom.class, Structure.class, Pred.class, LiteralImpl.class);
 
-    private static final String FORCES = Arrays.stream(Force.values()).filter(Force::isSaid)
-            .map(Force::toString).collect(Collectors.joining(", "));
+    private static final String FORCES = Arrays.stream(Performative.values()).filter(Performative::isSaid)
+            .map(Performative::toString).collect(Collectors.joining(", "));
 
     /** Jason's parser takes twice as long with each level of braces, or of annotations of variables. */
     private static final int DEEPEST = 10;
@@ -63,8 +63,8 @@ public final class Texts {
      *
      * @throws JasonException wrong_arguments if it is none that can travel.
      */
-    static Force force(String name) throws JasonException {
-        return Force.of(name).filter(Force::isSaid).orElseThrow(() -> new JasonException(
+    static Performative force(String name) throws JasonException {
+        return Performative.of(name).filter(Performative::isSaid).orElseThrow(() -> new JasonException(
                 "the radio takes only " + FORCES + ", not " + name, JasonException.WRONG_ARGS));
     }
 
@@ -74,7 +74,7 @@ public final class Texts {
      * @throws JasonException bad_content if the term is not what goes with the force, or its text does not read back;
      *                        too_long if it is longer than any message.
      */
-    static Content content(Force force, Optional<Conversation> conversation, Term term) throws JasonException {
+    static Content content(Performative force, Optional<Conversation> conversation, Term term) throws JasonException {
         try {
             String text = TermWriter.write(Gate.clean(term));
             checked(force, conversation.isPresent(), text);
@@ -105,11 +105,11 @@ public final class Texts {
      * @param answer whether it answers a question.
      * @throws MalformedTextException if it is not what goes with the force, or its text does not read back.
      */
-    public static Term asFromTheAir(Force force, boolean answer, Term said) throws MalformedTextException {
+    public static Term asFromTheAir(Performative force, boolean answer, Term said) throws MalformedTextException {
         return checked(force, answer, TermWriter.write(Gate.clean(said)));
     }
 
-    private static Term checked(Force force, boolean conversing, String text) throws MalformedTextException {
+    private static Term checked(Performative force, boolean conversing, String text) throws MalformedTextException {
         expectNoCommand(text);
         Term term = read(text, force);
         check(text, term, force, conversing);
@@ -156,7 +156,7 @@ public final class Texts {
      * Plans are not evaluated: what they compute, they compute when they run. Those that come as strings are read here,
      * so that what was looked at is what Jason takes.
      */
-    private static Term read(String text, Force force) throws MalformedTextException {
+    private static Term read(String text, Performative force) throws MalformedTextException {
         return switch (force) {
             case TELL_HOW -> each(parsed(text), term -> term.isString() ? plan(((StringTerm) term).getString()) : term);
             case UNTELL_HOW ->
@@ -194,7 +194,8 @@ public final class Texts {
         return parsed(text, ASSyntax::parseTrigger);
     }
 
-    private static void check(String text, Term term, Force force, boolean conversing) throws MalformedTextException {
+    private static void check(String text, Term term, Performative force, boolean conversing)
+            throws MalformedTextException {
         boolean fits = switch (force) {
             case TELL, UNTELL -> conversing ? isDatum(term) : all(term, Texts::isBelief);
             case ACHIEVE, UNACHIEVE, SIGNAL, UNTELL_HOW -> all(term, Texts::isBelief);
@@ -209,7 +210,7 @@ public final class Texts {
         expect(fits, text, expected(force, conversing));
     }
 
-    private static String expected(Force force, boolean conversing) {
+    private static String expected(Performative force, boolean conversing) {
         return switch (force) {
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> conversing
                     ? "beliefs, numbers, strings or a list of such were expected"

@@ -7,7 +7,7 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Term;
 
 import diffuser.Diffuser;
-import diffuser.Letter;
+import diffuser.OutgoingMessage;
 import diffuser.SensorMode;
 import diffuser.Texts;
 
@@ -50,10 +50,11 @@ public class Difuser extends Argo {
      * Sends a term to all.
      *
      * @return completes when the board has taken it.
-     * @throws JasonException what {@link #perform} and {@link Letter#of} throw.
+     * @throws JasonException what {@link #perform} and {@link OutgoingMessage#of} throw.
      */
     public CompletableFuture<?> transmit(Term content) throws JasonException {
         Literal message = ASSyntax.createLiteral(MESSAGE, content);
-        return performs(MESSAGE) ? perform(Texts.action(message)) : diffuse(Letter.of(TO_ALL, SIGNAL, message));
+        return performs(MESSAGE) ? perform(Texts.action(message))
+                : diffuse(OutgoingMessage.of(TO_ALL, SIGNAL, message));
     }
 }

@@ -394,7 +394,7 @@ class GateTest {
         for (int i = 0; i < 20; i++) {
             for (String content : List.of("tell;q(" + i + ")", "untell;q(" + i + ")")) {
                 inbox.put(new ReceivedMessage(Address.parse("ROMB"), Address.BROADCAST, 0, Content.parse(content)),
-                        Peer.PROVISIONED, agent.name());
+                        TrustLevel.PROVISIONED, agent.name());
             }
         }
         nothingSoFar(agent, board);

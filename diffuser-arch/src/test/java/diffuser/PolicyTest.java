@@ -27,7 +27,7 @@ class PolicyTest {
     /** A word that is misspelt would allow nothing, and nobody would see why. */
     @Test
     void table_hasKnownWordsOnly() {
-        List<Set<String>> known = List.of(words(Policy.Act.values()), words(Cast.values()), words(Peer.values()),
+        List<Set<String>> known = List.of(words(Policy.Act.values()), words(Cast.values()), words(TrustLevel.values()),
                 words(Provenance.Question.values()), words(Provenance.Home.values()), Set.of("here", "away"));
         Policy.TABLE.lines().skip(2).forEach(row -> {
             List<String> cells = Arrays.stream(row.split("\\|")).skip(1).map(String::strip).toList();
@@ -53,11 +53,12 @@ class PolicyTest {
     @Test
     void decide_agentOfAThirdDevice_comesOnlyWhereAPlanAsksForItsHome() {
         Address sender = Address.parse("SUPO");
-        Provenance of = Provenance.of(sender, Cast.UNICAST, Peer.CERTIFIED)
+        Provenance of = Provenance.of(sender, Cast.UNICAST, TrustLevel.CERTIFIED)
                 .moving(Address.parse("CAFE"), Address.parse("ROMA"), false);
         assertEquals("[peer(certified,S),home(S)]", Policy.decide(Policy.Act.OFFER, of).asking("S"));
-        Provenance own = Provenance.of(sender, Cast.UNICAST, Peer.PROVISIONED).moving(sender, Address.parse("ROMA"),
-                false);
+        Provenance own =
+                Provenance.of(sender, Cast.UNICAST, TrustLevel.PROVISIONED).moving(sender, Address.parse("ROMA"),
+                        false);
         assertEquals("", Policy.decide(Policy.Act.OFFER, own).asking("S"));
     }
 }

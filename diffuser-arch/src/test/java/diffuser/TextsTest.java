@@ -15,7 +15,7 @@ import jason.asSyntax.ASSyntax;
 
 import javino.protocol.Content;
 import javino.protocol.Conversation;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -54,18 +54,18 @@ class TextsTest {
     @Test
     void content_term_isWrittenOrRefused() throws Exception {
         assertEquals(Content.parse("tell;p(1)"),
-                Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("p(1)")));
-        assertRefused("bad_content", () -> Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("3")));
+                Texts.content(Performative.TELL, Optional.empty(), ASSyntax.parseTerm("p(1)")));
+        assertRefused("bad_content", () -> Texts.content(Performative.TELL, Optional.empty(), ASSyntax.parseTerm("3")));
         assertRefused("bad_content",
-                () -> Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("p(\"\u001b[2J\")")));
+                () -> Texts.content(Performative.TELL, Optional.empty(), ASSyntax.parseTerm("p(\"\u001b[2J\")")));
         assertRefused("too_long",
-                () -> Texts.content(Force.TELL, Optional.empty(), ASSyntax.parseTerm("p".repeat(490))));
+                () -> Texts.content(Performative.TELL, Optional.empty(), ASSyntax.parseTerm("p".repeat(490))));
         assertRefused("bad_content", () -> Texts.said("p("));
     }
 
     @Test
     void force_sorryOrNone_isRefused() throws Exception {
-        assertEquals(Force.ASK_ONE, Texts.force("askOne"));
+        assertEquals(Performative.ASK_ONE, Texts.force("askOne"));
         assertRefused("wrong_arguments", () -> Texts.force("sorry"));
         assertRefused("wrong_arguments", () -> Texts.force("shout"));
     }
@@ -90,14 +90,14 @@ class TextsTest {
             for (int length = random.nextInt(12); length > 0; length--) {
                 text.append(alphabet.charAt(random.nextInt(alphabet.length())));
             }
-            for (Force force : EnumSet.complementOf(EnumSet.of(Force.MOVE))) {
+            for (Performative force : EnumSet.complementOf(EnumSet.of(Performative.MOVE))) {
                 readOrMalformed(force, "p" + text);
             }
         }
     }
 
-    private static void readOrMalformed(Force force, String text) {
-        Optional<Conversation> conversation = force.isQuestion() || force == Force.SORRY
+    private static void readOrMalformed(Performative force, String text) {
+        Optional<Conversation> conversation = force.isQuestion() || force == Performative.SORRY
                 ? Optional.of(new Conversation(1)) : Optional.empty();
         try {
             Texts.readContent(new Content(force, conversation, text));
@@ -149,7 +149,7 @@ class TextsTest {
             strings = {"p(\"\u001b[2J\")", "p(\"\r\")", "p(\"\n\")", "p(\"\u009b\")", "p(\"\u2028\")", "p(\"\u202e\")",
                     "p(\"\u2066\")", "p(1)\n"})
     void readContent_characterThatCommandsATerminal_isMalformed(String text) {
-        assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
+        assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Performative.TELL, text)));
     }
 
     /** By Unicode's properties: none that turns the direction of writing, and none that is not seen. */
@@ -158,11 +158,11 @@ class TextsTest {
         for (int character : new int[] {0x061C, 0x200B, 0x200D, 0x200E, 0x200F, 0x2060, 0x2069, 0xAD, 0x34F, 0x115F,
                 0x180E, 0x3164, 0xFE0F, 0xFEFF, 0xFFA0, 0xFFF0, 0xE0001, 0xE0020, 0xE0100}) {
             String text = "p(\"a" + Character.toString(character) + "b\")";
-            assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)),
+            assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Performative.TELL, text)),
                     Integer.toHexString(character));
             assertEquals("a b", Texts.withoutCommands("a" + Character.toString(character) + "b"));
         }
-        Texts.readContent(new Content(Force.TELL, "p(\"\u00e9\u4e2d\u0627\ud83d\ude00\")"));
+        Texts.readContent(new Content(Performative.TELL, "p(\"\u00e9\u4e2d\u0627\ud83d\ude00\")"));
     }
 
     /** What Jason's parser prints where it stumbles is nobody's to see; that it has stumbled is known. */
@@ -177,7 +177,7 @@ class TextsTest {
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         System.setErr(new PrintStream(printed, true));
         try {
-            assertMalformed(Force.of(force).orElseThrow(), text);
+            assertMalformed(Performative.of(force).orElseThrow(), text);
         } finally {
             System.setErr(before);
         }
@@ -198,12 +198,12 @@ class TextsTest {
             "p(X[math.sqrt(4)])", "p({ q :- X > math.sqrt(4) })", "p({ !q(math.sqrt(4)) })", "p({ +!q <- r(1+1) })",
             "p({ +q(1+1) })"})
     void readContent_somethingToCompute_isMalformed(String text) {
-        assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Force.TELL, text)));
+        assertThrows(MalformedTextException.class, () -> Texts.readContent(new Content(Performative.TELL, text)));
     }
 
     @Test
     void readContent_deeplyNested_isRead() throws Exception {
-        Texts.readContent(new Content(Force.TELL, "p(".repeat(160) + "1" + ")".repeat(160)));
+        Texts.readContent(new Content(Performative.TELL, "p(".repeat(160) + "1" + ")".repeat(160)));
     }
 
     /** As deep as a content can be: the parser comes back, with a plan or without. */
@@ -215,7 +215,7 @@ class TextsTest {
     void readContent_deepPlan_isReadOrMalformed(String opening, String inside, String closing, int depth) {
         String text =
                 "{ +!g <- " + opening.repeat(depth) + inside + (closing == null ? "" : closing).repeat(depth) + " }";
-        readOrMalformed(Force.TELL_HOW, text);
+        readOrMalformed(Performative.TELL_HOW, text);
     }
 
     /** Jason's parser would take twice as long with each level. */
@@ -224,13 +224,13 @@ class TextsTest {
     @Timeout(5)
     void readContent_nestedInAWayThatTakesForEver_isMalformedAtOnce(String opening, String closing, int depth) {
         String text = opening.repeat(depth) + "x" + closing.repeat(depth);
-        assertMalformed(Force.TELL, "p({" + text + "})");
-        assertMalformed(Force.TELL_HOW, "{ +!g <- " + text + " }");
-        assertMalformed(Force.TELL_HOW, "\"+!g <- " + text + ".\"");
-        assertMalformed(Force.ASK_HOW, "\"+!g(" + text + ")\"");
+        assertMalformed(Performative.TELL, "p({" + text + "})");
+        assertMalformed(Performative.TELL_HOW, "{ +!g <- " + text + " }");
+        assertMalformed(Performative.TELL_HOW, "\"+!g <- " + text + ".\"");
+        assertMalformed(Performative.ASK_HOW, "\"+!g(" + text + ")\"");
     }
 
-    private static void assertMalformed(Force force, String text) {
+    private static void assertMalformed(Performative force, String text) {
         Optional<Conversation> conversation = Optional.of(new Conversation(1)).filter(c -> force.isQuestion());
         assertThrows(MalformedTextException.class,
                 () -> Texts.readContent(new Content(force, conversation, text)), text);

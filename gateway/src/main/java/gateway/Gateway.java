@@ -41,10 +41,10 @@ final class Gateway implements AutoCloseable {
     private final Consumer<String> log;
     private final String name;
     private final Topics topics;
-    private final Tallies tallies = new Tallies();
+    private final GatewayCounters counters = new GatewayCounters();
     private final Router router;
-    private final Outgoing outgoing = new Outgoing(tallies);
-    private final Colleagues colleagues;
+    private final Outgoing outgoing = new Outgoing(counters);
+    private final CellGateways cellGateways;
     private final Ages ages = new Ages();
     private final ScheduledExecutorService clock = new ScheduledThreadPoolExecutor(1, task -> {
         Thread thread = new Thread(task, "gateway");
@@ -76,8 +76,8 @@ final class Gateway implements AutoCloseable {
         new SecureRandom().nextBytes(random);
         name = HexFormat.of().formatHex(random);
         topics = new Topics(config.prefix());
-        colleagues = new Colleagues(name);
-        router = new Router(config.cell(), config.broadcasts(), new Effects(), tallies, now());
+        cellGateways = new CellGateways(name);
+        router = new Router(config.cell(), config.broadcasts(), new Effects(), counters, now());
     }
 
     /**
@@ -92,7 +92,7 @@ final class Gateway implements AutoCloseable {
         try {
             gateway.openBoard(link);
             gateway.openBroker();
-            gateway.clock.scheduleAtFixedRate(gateway::sayThere, Colleagues.SAY_MILLIS, Colleagues.SAY_MILLIS,
+            gateway.clock.scheduleAtFixedRate(gateway::sayThere, CellGateways.SAY_MILLIS, CellGateways.SAY_MILLIS,
                     TimeUnit.MILLISECONDS);
             return gateway;
         } catch (JavinoException | InterruptedException e) {
@@ -123,15 +123,15 @@ final class Gateway implements AutoCloseable {
     }
 
     /** What was counted. */
-    Tallies tallies() {
-        return tallies;
+    GatewayCounters counters() {
+        return counters;
     }
 
     /** Tells the broker, and the other gateways of the cell, that this one works, and what it has counted. */
     private void sayThere() {
         if (broker != null && board.state() == BoardState.ONLINE) {
-            broker.publish(Broker.Message.kept(topics.gateway(config.cell(), name), tallies.json(),
-                    TimeUnit.MILLISECONDS.toSeconds(Colleagues.GONE_MILLIS)));
+            broker.publish(Broker.Message.kept(topics.gateway(config.cell(), name), counters.json(),
+                    TimeUnit.MILLISECONDS.toSeconds(CellGateways.GONE_MILLIS)));
         }
     }
 
@@ -199,11 +199,11 @@ final class Gateway implements AutoCloseable {
         @Override
         public void overheard(PollReply.Overheard packet) {
             synchronized (Gateway.this) {
-                tallies.count(Tally.HEARD);
+                counters.count(GatewayCounter.HEARD);
                 if (packet.how() == PollReply.Came.DAMAGED) {
-                    tallies.count(Tally.DAMAGED);
+                    counters.count(GatewayCounter.DAMAGED);
                 } else if (router.heard(packet.payload(), now())) {
-                    tallies.count(publish(packet) ? Tally.PUBLISHED : Tally.UNPUBLISHED);
+                    counters.count(publish(packet) ? GatewayCounter.PUBLISHED : GatewayCounter.UNPUBLISHED);
                 }
             }
         }
@@ -224,7 +224,7 @@ final class Gateway implements AutoCloseable {
         @Override
         public void disconnected(BrokerException why) {
             synchronized (Gateway.this) {
-                colleagues.clear();
+                cellGateways.clear();
                 if (why.isTakeover() && takeoverSaid) {
                     return;
                 }
@@ -248,7 +248,7 @@ final class Gateway implements AutoCloseable {
                         .kept(topic.cell(), device, now() - ageOfKept(message.expiry())));
                 case GATEWAY -> {
                     boolean isThere = message.payload().length > 0;
-                    colleagues.said(topic.name(), isThere, now());
+                    cellGateways.said(topic.name(), isThere, now());
                     if (topic.name().equals(name) && !isThere) {
                         // The will of an earlier connection, which the broker takes for lost only now.
                         clock.execute(Gateway.this::sayThere);
@@ -262,10 +262,10 @@ final class Gateway implements AutoCloseable {
             if (from.equals(name)) {
                 return;
             }
-            tallies.count(Tally.ARRIVED);
+            counters.count(GatewayCounter.ARRIVED);
             long until = now() + Router.LIFE_MILLIS - age(cell + "/" + from, message.properties().get(TIME));
             router.arrived(cell, from, Bytes.copyOf(message.payload()), until,
-                    colleagues.isOwnTurn(now()) && board.state() == BoardState.ONLINE, now());
+                    cellGateways.isOwnTurn(now()) && board.state() == BoardState.ONLINE, now());
         }
 
         private long age(String gateway, String sent) {
@@ -278,7 +278,7 @@ final class Gateway implements AutoCloseable {
 
         private static long ageOfKept(OptionalLong left) {
             long millis = left.isPresent() ? TimeUnit.SECONDS.toMillis(left.getAsLong()) : 0;
-            return Math.max(0, Places.KEEP_MILLIS - millis);
+            return Math.max(0, DeviceLocations.KEEP_MILLIS - millis);
         }
     }
 
@@ -295,7 +295,7 @@ final class Gateway implements AutoCloseable {
         public void keep(Address device) {
             if (broker != null) {
                 broker.publish(Broker.Message.kept(topics.heard(config.cell(), device), name,
-                        TimeUnit.MILLISECONDS.toSeconds(Places.KEEP_MILLIS)));
+                        TimeUnit.MILLISECONDS.toSeconds(DeviceLocations.KEEP_MILLIS)));
             }
         }
 

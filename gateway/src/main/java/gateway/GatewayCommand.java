@@ -115,7 +115,7 @@ public final class GatewayCommand implements FurtherCommand {
         try {
             new CountDownLatch(1).await();
         } finally {
-            log(gateway.tallies().json());
+            log(gateway.counters().json());
         }
     }
 

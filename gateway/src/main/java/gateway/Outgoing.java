@@ -15,15 +15,15 @@ final class Outgoing {
 
     private static final int MOST = 16;
 
-    private final Tallies tallies;
+    private final GatewayCounters counters;
     private final Deque<Waiting> waiting = new ArrayDeque<>();
     private Frame underWay;
 
     private record Waiting(Frame frame, long until) {
     }
 
-    Outgoing(Tallies tallies) {
-        this.tallies = tallies;
+    Outgoing(GatewayCounters counters) {
+        this.counters = counters;
     }
 
     /** Takes a frame in, unless there is no room for it, or the same waits already and would be repeated. */
@@ -31,9 +31,9 @@ final class Outgoing {
         Address.Kind kind = frame.destination().kind();
         boolean repeated = kind == Address.Kind.DEVICE || kind == Address.Kind.PIECE;
         if (repeated && (frame.equals(underWay) || waiting.stream().anyMatch(other -> other.frame.equals(frame)))) {
-            tallies.count(Tally.DUPLICATES);
+            counters.count(GatewayCounter.DUPLICATES);
         } else if (waiting.size() == MOST) {
-            tallies.count(Tally.OVERFLOWED);
+            counters.count(GatewayCounter.OVERFLOWED);
         } else if (kind == Address.Kind.ACKNOWLEDGEMENT) {
             waiting.addFirst(new Waiting(frame, until));
         } else {
@@ -53,7 +53,7 @@ final class Outgoing {
                 underWay = next.frame;
                 return Optional.of(underWay);
             }
-            tallies.count(Tally.EXPIRED);
+            counters.count(GatewayCounter.EXPIRED);
         }
         return Optional.empty();
     }
@@ -61,12 +61,12 @@ final class Outgoing {
     /** The board has sent the frame that was under way, or has not. */
     void ended(boolean sent) {
         underWay = null;
-        tallies.count(sent ? Tally.RELAYED : Tally.FAILED);
+        counters.count(sent ? GatewayCounter.RELAYED : GatewayCounter.FAILED);
     }
 
     /** The board has gone. */
     void clear() {
-        waiting.forEach(frame -> tallies.count(Tally.FAILED));
+        waiting.forEach(frame -> counters.count(GatewayCounter.FAILED));
         waiting.clear();
     }
 }

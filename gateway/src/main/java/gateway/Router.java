@@ -31,10 +31,10 @@ final class Router {
     private final String cell;
     private final boolean broadcasts;
     private final Effects effects;
-    private final Tallies tallies;
-    private final Sightings sightings = new Sightings();
+    private final GatewayCounters counters;
+    private final FrameHistory frameHistory = new FrameHistory();
     private final Conversations conversations = new Conversations();
-    private final Places places;
+    private final DeviceLocations places;
     private final Budget all;
     private final Budget searches;
 
@@ -55,12 +55,12 @@ final class Router {
      * @param cell       the gateway's own.
      * @param broadcasts whether broadcasts of other cells are relayed.
      */
-    Router(String cell, boolean broadcasts, Effects effects, Tallies tallies, long now) {
+    Router(String cell, boolean broadcasts, Effects effects, GatewayCounters counters, long now) {
         this.cell = cell;
         this.broadcasts = broadcasts;
         this.effects = effects;
-        this.tallies = tallies;
-        places = new Places(cell);
+        this.counters = counters;
+        places = new DeviceLocations(cell);
         all = new Budget(AT_ONCE_MILLIS, SHARE_PERCENT, now);
         searches = new Budget(SEARCH_AT_ONCE_MILLIS, SEARCH_PERCENT, now);
     }
@@ -69,15 +69,15 @@ final class Router {
     boolean heard(Bytes packet, long now) {
         Optional<Frame> read = read(packet);
         if (read.isEmpty()) {
-            tallies.count(Tally.FOREIGN);
+            counters.count(GatewayCounter.FOREIGN);
             return false;
         }
         Frame frame = read.get();
-        Sightings.Sighting sighting = sightings.of(packet);
+        FrameHistory.Sighting sighting = frameHistory.of(packet);
         boolean echo = sighting.isEcho(now);
         sighting.onAir(now);
         if (echo) {
-            tallies.count(Tally.ECHOES);
+            counters.count(GatewayCounter.ECHOES);
             return false;
         }
         conversations.learn(frame, true, now);
@@ -95,7 +95,7 @@ final class Router {
     void arrived(String from, String gateway, Bytes packet, long until, boolean active, long now) {
         Optional<Frame> read = read(packet);
         if (read.isEmpty()) {
-            tallies.count(Tally.MALFORMED);
+            counters.count(GatewayCounter.MALFORMED);
             return;
         }
         Frame frame = read.get();
@@ -105,15 +105,16 @@ final class Router {
             settle(frame.origin(), now);
             return;
         }
-        Sightings.Sighting sighting = sightings.of(packet);
+        FrameHistory.Sighting sighting = frameHistory.of(packet);
         int nth = sighting.arrived(gateway, now);
         conversations.learn(frame, false, now);
         if (sighting.isNew()) {
             places.heard(frame.origin(), from, now);
         }
-        Optional<Tally> refusal = active ? refusal(frame, sighting, nth, until, now) : Optional.of(Tally.STANDBY);
+        Optional<GatewayCounter> refusal =
+                active ? refusal(frame, sighting, nth, until, now) : Optional.of(GatewayCounter.STANDBY);
         if (refusal.isPresent()) {
-            tallies.count(refusal.get());
+            counters.count(refusal.get());
         } else {
             sighting.onAir(now);
             effects.relay(frame, until);
@@ -140,34 +141,36 @@ final class Router {
     }
 
     /** Why a frame from another cell is not relayed; nothing where it is. */
-    private Optional<Tally> refusal(Frame frame, Sightings.Sighting sighting, int nth, long until, long now) {
+    private Optional<GatewayCounter> refusal(Frame frame, FrameHistory.Sighting sighting, int nth, long until,
+            long now) {
         if (now > until) {
-            return Optional.of(Tally.EXPIRED);
+            return Optional.of(GatewayCounter.EXPIRED);
         }
         if (!sighting.lacks(nth)) {
-            return Optional.of(Tally.DUPLICATES);
+            return Optional.of(GatewayCounter.DUPLICATES);
         }
         long airtime = (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + frame.message().length())) / BITS_A_MILLI;
         if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
-            return !conversations.isAwaited(frame) ? Optional.of(Tally.ELSEWHERE) : within(all.take(airtime, now));
+            return !conversations.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
+                    : within(all.take(airtime, now));
         }
         if (conversations.isAnswered(frame, now)) {
-            return Optional.of(Tally.ANSWERED);
+            return Optional.of(GatewayCounter.ANSWERED);
         }
         Optional<Address> destination = frame.destination().kind() == Address.Kind.PIECE
                 ? conversations.destination(frame) : Optional.of(frame.destination());
         if (destination.isEmpty()) {
-            return Optional.of(Tally.ORPHANS);
+            return Optional.of(GatewayCounter.ORPHANS);
         }
         boolean known = isHere(destination.get(), now);
         if (!known && !isSearched(destination.get(), frame.origin(), nth, now)) {
-            return Optional.of(Tally.ELSEWHERE);
+            return Optional.of(GatewayCounter.ELSEWHERE);
         }
         return within((known || searches.take(airtime, now)) && all.take(airtime, now));
     }
 
-    private static Optional<Tally> within(boolean budget) {
-        return budget ? Optional.empty() : Optional.of(Tally.OVER_BUDGET);
+    private static Optional<GatewayCounter> within(boolean budget) {
+        return budget ? Optional.empty() : Optional.of(GatewayCounter.OVER_BUDGET);
     }
 
     private boolean isHere(Address destination, long now) {

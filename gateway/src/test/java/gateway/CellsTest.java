@@ -44,7 +44,7 @@ class CellsTest {
         Node(String cell, String name) {
             this.cell = cell;
             this.name = name;
-            router = new Router(cell, true, this, new Tallies(), now);
+            router = new Router(cell, true, this, new GatewayCounters(), now);
         }
 
         void hears(Bytes frame) {

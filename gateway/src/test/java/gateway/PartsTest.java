@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The small parts of a gateway. */
 class PartsTest {
 
-    private final Tallies tallies = new Tallies();
+    private final GatewayCounters counters = new GatewayCounters();
 
     private static Frame frame(int nonce) throws ProtocolException {
         return Frame.decode(Frames.sealed("SUPO", "ROMA", nonce));
@@ -29,7 +29,7 @@ class PartsTest {
 
     @Test
     void outgoing_givesOneAtATimeAcknowledgementsFirst() throws Exception {
-        Outgoing outgoing = new Outgoing(tallies);
+        Outgoing outgoing = new Outgoing(counters);
         outgoing.add(frame(1), 100);
         outgoing.add(frame(2), 100);
         outgoing.add(answer(3), 100);
@@ -38,43 +38,43 @@ class PartsTest {
         outgoing.ended(true);
         assertEquals(Optional.of(frame(1)), outgoing.next(0));
         outgoing.ended(false);
-        assertEquals(1, tallies.of(Tally.RELAYED));
-        assertEquals(1, tallies.of(Tally.FAILED));
+        assertEquals(1, counters.of(GatewayCounter.RELAYED));
+        assertEquals(1, counters.of(GatewayCounter.FAILED));
     }
 
     @Test
     void outgoing_dropsWhatIsLateTooMuchOrThereAlready() throws Exception {
-        Outgoing outgoing = new Outgoing(tallies);
+        Outgoing outgoing = new Outgoing(counters);
         for (int i = 0; i < 20; i++) {
             outgoing.add(frame(i), 100);
         }
-        assertEquals(4, tallies.of(Tally.OVERFLOWED));
+        assertEquals(4, counters.of(GatewayCounter.OVERFLOWED));
         outgoing.add(frame(3), 100);
-        assertEquals(1, tallies.of(Tally.DUPLICATES));
+        assertEquals(1, counters.of(GatewayCounter.DUPLICATES));
         assertTrue(outgoing.next(100).isPresent());
         outgoing.add(frame(0), 500);
-        assertEquals(2, tallies.of(Tally.DUPLICATES), "it is under way");
+        assertEquals(2, counters.of(GatewayCounter.DUPLICATES), "it is under way");
         outgoing.ended(true);
         assertEquals(Optional.empty(), outgoing.next(101));
-        assertEquals(15, tallies.of(Tally.EXPIRED));
+        assertEquals(15, counters.of(GatewayCounter.EXPIRED));
     }
 
     @Test
     void colleagues_theFirstByNameThatIsThereRelays() {
-        Colleagues colleagues = new Colleagues("m");
-        assertFalse(colleagues.isOwnTurn(0), "the broker has not told yet who is there");
-        colleagues.said("m", true, 0);
-        assertTrue(colleagues.isOwnTurn(0));
-        colleagues.said("z", true, 0);
-        assertTrue(colleagues.isOwnTurn(0));
-        colleagues.said("a", true, 0);
-        assertFalse(colleagues.isOwnTurn(0));
-        colleagues.said("a", false, 0);
-        assertTrue(colleagues.isOwnTurn(0));
-        colleagues.said("a", true, 0);
-        assertTrue(colleagues.isOwnTurn(Colleagues.GONE_MILLIS), "it has said nothing for too long");
-        colleagues.clear();
-        assertFalse(colleagues.isOwnTurn(0));
+        CellGateways cellGateways = new CellGateways("m");
+        assertFalse(cellGateways.isOwnTurn(0), "the broker has not told yet who is there");
+        cellGateways.said("m", true, 0);
+        assertTrue(cellGateways.isOwnTurn(0));
+        cellGateways.said("z", true, 0);
+        assertTrue(cellGateways.isOwnTurn(0));
+        cellGateways.said("a", true, 0);
+        assertFalse(cellGateways.isOwnTurn(0));
+        cellGateways.said("a", false, 0);
+        assertTrue(cellGateways.isOwnTurn(0));
+        cellGateways.said("a", true, 0);
+        assertTrue(cellGateways.isOwnTurn(CellGateways.GONE_MILLIS), "it has said nothing for too long");
+        cellGateways.clear();
+        assertFalse(cellGateways.isOwnTurn(0));
     }
 
     @Test

@@ -16,7 +16,7 @@ class RouterTest {
 
     private static final long STEP = 600;
 
-    private final Tallies tallies = new Tallies();
+    private final GatewayCounters counters = new GatewayCounters();
     private final List<Bytes> relayed = new ArrayList<>();
     private final List<String> kept = new ArrayList<>();
     private final List<String> forgotten = new ArrayList<>();
@@ -39,7 +39,7 @@ class RouterTest {
             public void forget(Address device) {
                 forgotten.add(device.toString());
             }
-        }, tallies, 0);
+        }, counters, 0);
     }
 
     private boolean heard(Bytes frame) {
@@ -70,7 +70,7 @@ class RouterTest {
         heard(Frames.sealed("ROMA", "SUPO", 1));
         relays("north", "n1", Frames.sealed("BUS1", "SUPO", 2));
         assertFalse(relays(Frames.sealed("SUPO", "ROMA", 3)));
-        assertEquals(1, tallies.of(Tally.ELSEWHERE));
+        assertEquals(1, counters.of(GatewayCounter.ELSEWHERE));
     }
 
     @Test
@@ -109,7 +109,7 @@ class RouterTest {
         }
         // 500 × 0.6 s, a tenth of it and 5 s at once; a packet of 30 bytes takes 0.222 s.
         assertTrue(searched <= 35_000 / 222 + 1, "" + searched);
-        assertTrue(tallies.of(Tally.OVER_BUDGET) > 0);
+        assertTrue(counters.of(GatewayCounter.OVER_BUDGET) > 0);
     }
 
     @Test
@@ -127,7 +127,7 @@ class RouterTest {
         assertFalse(relays("east", "e2", frame));
         assertTrue(relays("east", "e2", frame));
         assertFalse(relays("east", "e1", frame));
-        assertEquals(2, tallies.of(Tally.DUPLICATES));
+        assertEquals(2, counters.of(GatewayCounter.DUPLICATES));
     }
 
     @Test
@@ -145,9 +145,9 @@ class RouterTest {
         Bytes frame = Frames.sealed("SUPO", "ROMA", 2);
         now += STEP;
         router.arrived("east", "e1", frame, now + Router.LIFE_MILLIS, false, now);
-        assertEquals(1, tallies.of(Tally.STANDBY));
+        assertEquals(1, counters.of(GatewayCounter.STANDBY));
         assertFalse(heard(frame));
-        assertEquals(1, tallies.of(Tally.ECHOES));
+        assertEquals(1, counters.of(GatewayCounter.ECHOES));
         assertFalse(relays("east", "e2", frame));
     }
 
@@ -222,7 +222,7 @@ class RouterTest {
         assertTrue(relays(frame));
         heard(Frames.acknowledgement("SUPO", 2));
         assertFalse(relays(frame));
-        assertEquals(1, tallies.of(Tally.ANSWERED));
+        assertEquals(1, counters.of(GatewayCounter.ANSWERED));
         assertTrue(relays(frame), "it was lost, it seems");
     }
 
@@ -236,7 +236,7 @@ class RouterTest {
         }
         // 10 s at once; a packet of 18 bytes takes 0.15 s.
         assertEquals(10_000 / 150, forged);
-        assertEquals(1000 - forged, tallies.of(Tally.OVER_BUDGET));
+        assertEquals(1000 - forged, counters.of(GatewayCounter.OVER_BUDGET));
     }
 
     @Test
@@ -246,7 +246,7 @@ class RouterTest {
             assertTrue(heard(frame));
             assertFalse(relays("false", "f1", frame));
         }
-        assertEquals(0, tallies.of(Tally.ECHOES));
+        assertEquals(0, counters.of(GatewayCounter.ECHOES));
     }
 
     @Test
@@ -266,7 +266,7 @@ class RouterTest {
         assertTrue(relays(Frames.piece("SUPO", "ROMA", 7, 8, 2)));
         assertTrue(relays(Frames.piece("SUPO", "ROMA", 7, 1, 2)));
         assertFalse(relays(Frames.piece("SUPO", "ROMA", 8, 1, 2)));
-        assertEquals(1, tallies.of(Tally.ORPHANS));
+        assertEquals(1, counters.of(GatewayCounter.ORPHANS));
         relays("north", "n1", Frames.sealed("ROMA", "BUS1", 3));
         assertFalse(relays(Frames.piece("BUS1", "ROMA", 8, 0, 4)));
         assertFalse(relays(Frames.piece("BUS1", "ROMA", 8, 1, 4)));
@@ -302,7 +302,7 @@ class RouterTest {
         heard(Frames.sealed("ROMA", "SUPO", 1));
         router.arrived("east", "e1", Frames.sealed("SUPO", "ROMA", 2), now - 1, true, now);
         assertTrue(relayed.isEmpty());
-        assertEquals(1, tallies.of(Tally.EXPIRED));
+        assertEquals(1, counters.of(GatewayCounter.EXPIRED));
     }
 
     @Test
@@ -313,7 +313,7 @@ class RouterTest {
         relays(Frames.sealed("ROMA", "SUPO", 3));
         heard(Frames.sealed("ROMA", "SUPO", 4));
         assertEquals(List.of("SUPO", "SUPO"), kept);
-        now += Places.KEEP_MILLIS / 3;
+        now += DeviceLocations.KEEP_MILLIS / 3;
         heard(Frames.sealed("ROMA", "SUPO", 5));
         assertEquals(3, kept.size());
         router.connected();
@@ -333,7 +333,7 @@ class RouterTest {
     @Test
     void device_silentForADay_isUnknown() {
         heard(Frames.sealed("ROMA", "SUPO", 1));
-        now += Places.KEEP_MILLIS + 1;
+        now += DeviceLocations.KEEP_MILLIS + 1;
         relays("north", "n1", Frames.sealed("ROMA", "SUHO", 4));
         assertFalse(relays(Frames.sealed("//SU", "ROMA", 2)));
         assertTrue(relays(Frames.sealed("SUPO", "ROMA", 3)), "as an unknown one");
@@ -371,7 +371,7 @@ class RouterTest {
                         now + random.nextInt(6000) - 500, random.nextBoolean(), now);
             }
         }
-        assertTrue(tallies.of(Tally.MALFORMED) > 0 && tallies.of(Tally.FOREIGN) > 0);
+        assertTrue(counters.of(GatewayCounter.MALFORMED) > 0 && counters.of(GatewayCounter.FOREIGN) > 0);
         assertTrue(relayed.stream().allMatch(frame -> frame.length() <= 77));
     }
 }

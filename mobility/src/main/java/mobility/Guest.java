@@ -31,7 +31,7 @@ import diffuser.Provenance;
 import diffuser.Terms;
 import diffuser.Texts;
 
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /**
  * An agent that has come under inquilinism: it may think, speak with agents of the MAS and move on, and nothing else.
@@ -64,7 +64,7 @@ public class Guest extends Agent {
     private static final int MOST_ASKED = 100;
 
     /** What it was asked and has not answered: by whom, and the id of the message, with the performative. */
-    private final transient Map<List<String>, Force> asked = new LinkedHashMap<>();
+    private final transient Map<List<String>, Performative> asked = new LinkedHashMap<>();
 
     /** Each other internal action fails. */
     @Override
@@ -111,7 +111,7 @@ public class Guest extends Agent {
      * @throws JasonException guest, if nothing of it may be sent.
      */
     void check(Message message) throws JasonException {
-        Optional<Force> force = Force.of(message.getIlForce()).filter(Force::isSaid);
+        Optional<Performative> force = Performative.of(message.getIlForce()).filter(Performative::isSaid);
         Provenance of = Provenance.ofGuest(message.getSender()).answering(answered(message));
         if (force.map(known -> Policy.decide(Policy.Act.of(known), of)).filter(Policy.Decision::isAllowed).isEmpty()) {
             throw refused(".send(_," + message.getIlForce() + ",_)"
@@ -134,7 +134,7 @@ public class Guest extends Agent {
     }
 
     private void note(Message question) {
-        Force.of(question.getIlForce()).filter(Force::isQuestion).ifPresent(force -> {
+        Performative.of(question.getIlForce()).filter(Performative::isQuestion).ifPresent(force -> {
             asked.put(List.of(question.getSender(), question.getMsgId()), force);
             asked.keySet().stream().limit(Math.max(0, asked.size() - MOST_ASKED)).toList().forEach(asked::remove);
         });

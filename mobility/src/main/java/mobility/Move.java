@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 import diffuser.Cast;
-import diffuser.Peer;
+import diffuser.TrustLevel;
 import diffuser.Provenance;
 
 import javino.protocol.Address;
@@ -130,7 +130,7 @@ record Move(Key key, State state, Protocol protocol, Identity identity, String n
      * @param here    the board to which it comes; where that is not known, any agent may be at home there.
      * @param returns whether it {@link #isReturnOf} a going from there.
      */
-    Provenance provenance(Peer peer, Optional<Address> here, boolean returns) {
+    Provenance provenance(TrustLevel peer, Optional<Address> here, boolean returns) {
         return Provenance.of(key.peer, Cast.UNICAST, peer).moving(identity.home, here.orElse(identity.home), returns);
     }
 

@@ -27,13 +27,14 @@ class RightsTest {
 
     /** By whom and how an act comes. */
     enum Who {
-        ANYBODY("////", Peer.PROVISIONED), GROUP("//CA", Peer.PROVISIONED), OPEN_GROUP("//CA", Peer.CERTIFIED),
-        PARTNER("CAFE", Peer.PROVISIONED), STRANGER("CAFE", Peer.CERTIFIED), GUEST(null, Peer.NONE);
+        ANYBODY("////", TrustLevel.PROVISIONED), GROUP("//CA", TrustLevel.PROVISIONED),
+        OPEN_GROUP("//CA", TrustLevel.CERTIFIED),
+        PARTNER("CAFE", TrustLevel.PROVISIONED), STRANGER("CAFE", TrustLevel.CERTIFIED), GUEST(null, TrustLevel.NONE);
 
         final String to;
-        final Peer peer;
+        final TrustLevel peer;
 
-        Who(String to, Peer peer) {
+        Who(String to, TrustLevel peer) {
             this.to = to;
             this.peer = peer;
         }
@@ -268,10 +269,10 @@ class RightsTest {
             victim.local("tell", null, Literals.of("theirs(1)"));
         } else {
             victim.radio(SENDER, Address.parse(who.to), who.peer, "tell", null, "theirs(1)");
-            victim.radio(SENDER, Victim.SELF, Peer.PROVISIONED, "tell", null, "sealed(1)");
-            victim.radio(SENDER, Victim.SELF, Peer.PROVISIONED, "tellHow", null, "{ @theirs +!learnt <- true }");
+            victim.radio(SENDER, Victim.SELF, TrustLevel.PROVISIONED, "tell", null, "sealed(1)");
+            victim.radio(SENDER, Victim.SELF, TrustLevel.PROVISIONED, "tellHow", null, "{ @theirs +!learnt <- true }");
         }
-        victim.radio("ROMA", Victim.SELF, Peer.PROVISIONED, "tell", null, "others(1)");
+        victim.radio("ROMA", Victim.SELF, TrustLevel.PROVISIONED, "tell", null, "others(1)");
         if (who != Who.GUEST) {
             victim.radio(SENDER, Address.parse(who.to), who.peer, "achieve", null, "keep(theirs)");
         }

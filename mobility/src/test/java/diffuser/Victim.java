@@ -195,17 +195,17 @@ final class Victim implements AutoCloseable {
             ((Guest) guest.getTS().getAg()).selectMessage(new ArrayDeque<>(List.of(message)));
             return;
         }
-        Letter letter = Letter.of(message);
+        OutgoingMessage letter = OutgoingMessage.of(message);
         boolean awaited = body.getTS().getC().getPendingIntentions().containsKey(lastAsked);
         remember(letter, awaited ? Optional.of(lastAsked) : Optional.empty());
         conversations.put(lastAsked, letter.content().conversation().orElseThrow());
     }
 
     /** As if a board had taken the question. */
-    private void remember(Letter letter, Optional<String> awaited) throws ReflectiveOperationException {
+    private void remember(OutgoingMessage letter, Optional<String> awaited) throws ReflectiveOperationException {
         var questions = Diffuser.class.getDeclaredField("questions");
         questions.setAccessible(true);
-        var remember = Questions.class.getDeclaredMethod("remember", Letter.class, Optional.class);
+        var remember = Questions.class.getDeclaredMethod("remember", OutgoingMessage.class, Optional.class);
         remember.setAccessible(true);
         remember.invoke(questions.get(diffuser), letter, awaited);
     }
@@ -224,7 +224,7 @@ final class Victim implements AutoCloseable {
     }
 
     /** A message by radio. @param asked the question that it answers; null if it is no answer. */
-    void radio(String from, Address to, Peer peer, String force, String asked, String term) {
+    void radio(String from, Address to, TrustLevel peer, String force, String asked, String term) {
         String conversation = asked == null ? force.startsWith("ask") ? "#AbC" : ""
                 : "#" + conversations.getOrDefault(asked, new Conversation(1));
         diffuser.inbox().put(new ReceivedMessage(Address.parse(from), to, 0,

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-import diffuser.Peer;
+import diffuser.TrustLevel;
 import diffuser.Policy;
 import diffuser.Provenance;
 
@@ -33,12 +33,12 @@ class AdmissionTest {
                 Optional.empty());
     }
 
-    private static Provenance from(Peer peer, Move move, boolean returns) {
+    private static Provenance from(TrustLevel peer, Move move, boolean returns) {
         return move.provenance(peer, Optional.of(HERE), returns);
     }
 
     /** What an agent with one plan has done, or why it does not let the newcomer in. */
-    private static String asked(String marks, Peer peer, String home, boolean returns) {
+    private static String asked(String marks, TrustLevel peer, String home, boolean returns) {
         Move move = offer(Protocol.MUTUALISM, home);
         Provenance of = from(peer, move, returns);
         Policy.Decision decision = Policy.decide(Policy.Act.OFFER, of);
@@ -70,7 +70,7 @@ class AdmissionTest {
             "provisioned # SUPO # false # cast(multicast,From) # no plan"})
     void plan_asksForWhatTheNewcomerIs_letsItIn(String peer, String home, boolean returns, String marks,
             String refusal) {
-        String outcome = asked(marks, Peer.valueOf(peer.toUpperCase(java.util.Locale.ROOT)), home, returns);
+        String outcome = asked(marks, TrustLevel.valueOf(peer.toUpperCase(java.util.Locale.ROOT)), home, returns);
         assertTrue(refusal.isEmpty() ? outcome.equals("welcome") : outcome.contains(refusal), outcome);
     }
 
@@ -81,20 +81,20 @@ class AdmissionTest {
                     .term2string(From, "SUPO") & .term2string(Home, "CAFE") <- welcome.
                 """);
         Move move = offer(Protocol.MUTUALISM, "CAFE");
-        Provenance of = from(Peer.PROVISIONED, move, false);
+        Provenance of = from(TrustLevel.PROVISIONED, move, false);
         CompletableFuture<Void> answer = new CompletableFuture<>();
         Admission.pursue(stage.ts, move, of, Policy.decide(Policy.Act.OFFER, of), answer);
         stage.run(10);
         assertEquals(List.of("welcome"), stage.done);
         Move other = offer(Protocol.MUTUALISM, "SUBB");
-        Provenance elsewhere = from(Peer.PROVISIONED, other, false);
+        Provenance elsewhere = from(TrustLevel.PROVISIONED, other, false);
         assertThrows(RefusedException.class, () -> Admission.pursue(stage.ts, other, elsewhere,
                 Policy.decide(Policy.Act.OFFER, elsewhere), new CompletableFuture<>()));
     }
 
     @ParameterizedTest
-    @EnumSource(value = Peer.class, mode = EnumSource.Mode.EXCLUDE, names = "NONE")
-    void offer_thatClaimsThisHome_isRefusedWhateverThePlans(Peer peer) {
+    @EnumSource(value = TrustLevel.class, mode = EnumSource.Mode.EXCLUDE, names = "NONE")
+    void offer_thatClaimsThisHome_isRefusedWhateverThePlans(TrustLevel peer) {
         Provenance of = from(peer, offer(Protocol.MUTUALISM, "ROMA"), false);
         for (Policy.Act act : List.of(Policy.Act.OFFER, Policy.Act.RETURN)) {
             for (boolean away : List.of(true, false)) {
@@ -106,8 +106,8 @@ class AdmissionTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = Peer.class, mode = EnumSource.Mode.EXCLUDE, names = "NONE")
-    void offer_whileNobodyIsThereToAsk_isItsOwnReturnOrRefused(Peer peer) {
+    @EnumSource(value = TrustLevel.class, mode = EnumSource.Mode.EXCLUDE, names = "NONE")
+    void offer_whileNobodyIsThereToAsk_isItsOwnReturnOrRefused(TrustLevel peer) {
         Provenance own = from(peer, offer(Protocol.MUTUALISM, "ROMA"), true).whileAway(true);
         assertEquals(Policy.Verdict.ALLOWED, Policy.decide(Policy.Act.RETURN, own).verdict());
         for (Provenance of : List.of(own, from(peer, offer(Protocol.MUTUALISM, "SUPO"), false).whileAway(true),

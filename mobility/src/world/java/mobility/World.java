@@ -20,7 +20,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
 import diffuser.Failure;
-import diffuser.Peer;
+import diffuser.TrustLevel;
 import diffuser.Policy;
 
 import javino.protocol.Address;
@@ -363,7 +363,7 @@ final class World {
         @Override
         public CompletableFuture<Void> admit(Move move, boolean returns) {
             Policy.Decision decision = Policy.decide(Policy.Act.OFFER,
-                    move.provenance(Peer.PROVISIONED, here(), returns));
+                    move.provenance(TrustLevel.PROVISIONED, here(), returns));
             if (decision.verdict() == Policy.Verdict.REFUSED) {
                 return CompletableFuture.failedFuture(new RefusedException("refused", decision.reason()));
             }

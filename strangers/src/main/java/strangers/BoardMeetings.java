@@ -293,8 +293,8 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     @Override
     public void word(Address from, Address to, Word word) {
         execute(() -> {
-            Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.Peer.PROVISIONED
-                    : diffuser.Peer.CERTIFIED);
+            Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.TrustLevel.PROVISIONED
+                    : diffuser.TrustLevel.CERTIFIED);
             if (meetings != null && Policy.decide(Policy.Act.HOST_MESSAGE, of).isAllowed()) {
                 meetings.received(from, word, millis());
             } else if (meetings != null && Policy.decide(Policy.Act.HANDSHAKE, of).isAllowed()) {

@@ -18,7 +18,7 @@ import javino.board.BoardOfflineException;
 import javino.board.Transmission;
 import javino.protocol.Address;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 class BoardMeetingsTest {
 
     private static final int MINUTE = 60_000;
-    private static final Content CONTENT = new Content(Force.TELL, "x");
+    private static final Content CONTENT = new Content(Performative.TELL, "x");
     private static final Address BUSA = Address.parse("BUSA");
     private static final Address GROUP = Address.multicast(BUSA.group());
 

@@ -17,7 +17,7 @@ import java.util.stream.LongStream;
 import javino.JavinoException;
 import javino.protocol.Address;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Word;
 import org.junit.jupiter.api.AfterEach;
@@ -185,7 +185,7 @@ class MeetingsTest {
     @Test
     void send_moreThanWait_isRefused() {
         World.Host roma = world.add(romaIdentity);
-        Content content = new Content(Force.TELL, "x");
+        Content content = new Content(Performative.TELL, "x");
         for (int i = 0; i < Peer.MOST_WAITING; i++) {
             assertTrue(roma.meetings.send(supoIdentity.certificate().address(), content, 0).isPresent());
         }
@@ -200,9 +200,10 @@ class MeetingsTest {
         World.Host supo = world.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));
         for (int i = 0; i < Meetings.MOST_UNKNOWN; i++) {
-            assertTrue(roma.meetings.send(new Address(i), new Content(Force.TELL, "x"), world.millis()).isPresent());
+            assertTrue(roma.meetings.send(new Address(i), new Content(Performative.TELL, "x"), world.millis())
+                    .isPresent());
         }
-        assertEquals(Optional.empty(), roma.meetings.send(new Address(99), new Content(Force.TELL, "x"), 0));
+        assertEquals(Optional.empty(), roma.meetings.send(new Address(99), new Content(Performative.TELL, "x"), 0));
         assertTrue(roma.meetings.isSecure(supo.address));
     }
 

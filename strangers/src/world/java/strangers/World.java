@@ -21,7 +21,7 @@ import java.util.stream.Collectors;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Word;
 
@@ -389,7 +389,7 @@ final class World {
         }
 
         Letter send(Address to) {
-            return send(to, new Content(Force.TELL, "x" + letters++));
+            return send(to, new Content(Performative.TELL, "x" + letters++));
         }
 
         private Letter send(Address to, Content content) {

@@ -5,10 +5,10 @@ import java.util.concurrent.CompletableFuture;
 import jason.JasonException;
 
 import diffuser.Diffuser;
-import diffuser.Letter;
+import diffuser.OutgoingMessage;
 
 /**
- * <p>Internal action: <b><code>.deliver(<i>To</i>,<i>Force</i>,<i>Content</i>)</code></b>.
+ * <p>Internal action: <b><code>.deliver(<i>To</i>,<i>Performative</i>,<i>Content</i>)</code></b>.
  *
  * <p>Description: sends a message by radio to one device, as <code>.diffuse</code> does. The intention is suspended
  * until the other device's agent has the message; that may take seconds. It fails with the error
@@ -19,7 +19,7 @@ import diffuser.Letter;
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): a device such as <code>"ROMA"</code>. Messages to
  *     all or to a group are not acknowledged: send those with <code>.diffuse</code>.
- * <li>+ Force (atom): as of <code>.diffuse</code>. For a question the action waits for its delivery, not for the
+ * <li>+ Performative (atom): as of <code>.diffuse</code>. For a question the action waits for its delivery, not for the
  * answer.
  * <li>+ Content (literal or list of literals; for questions and plans see <code>.diffuse</code>): with the force, at
  * most 494 bytes.
@@ -36,7 +36,7 @@ public class deliver extends diffuse {
     private static final long serialVersionUID = 1L;
 
     @Override
-    protected CompletableFuture<?> send(Diffuser diffuser, Letter letter) throws JasonException {
+    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage letter) throws JasonException {
         if (!letter.isAcknowledged()) {
             throw JasonException.createWrongArgument(this, "a device such as \"ROMA\" was expected, not " + letter.to()
                     + ", as messages to all or to a group are not acknowledged; use .diffuse.");

@@ -8,17 +8,17 @@ import java.util.Optional;
  *
  * @param force        what the message is meant to do.
  * @param conversation the number that joins a question and its answer; else empty.
- * @param body         an AgentSpeak term in UTF-8, or of {@link Force#MOVE} any bytes; at least one byte. The whole
+ * @param body         an AgentSpeak term in UTF-8, or of {@link Performative#MOVE} any bytes; at least one byte. The whole
  *                     content has at most 494 bytes.
  */
-public record Content(Force force, Optional<Conversation> conversation, Bytes body) {
+public record Content(Performative force, Optional<Conversation> conversation, Bytes body) {
 
     /** The most bytes of a content: the sealed content fits a frame, and the opened one a poll reply. */
     public static final int MAX_LENGTH = 494;
 
     private static final char DIVIDER = ';';
     private static final char CONVERSATION_MARK = '#';
-    private static final Bytes MOVE_HEAD = Bytes.ofText(Force.MOVE.toString() + DIVIDER);
+    private static final Bytes MOVE_HEAD = Bytes.ofText(Performative.MOVE.toString() + DIVIDER);
 
     /**
      * @throws IllegalArgumentException if the body is empty, is no UTF-8 where it must be, or is too long; if a
@@ -32,7 +32,7 @@ public record Content(Force force, Optional<Conversation> conversation, Bytes bo
         if (body.length() == 0) {
             throw new IllegalArgumentException("a content needs a term after \"" + force + ";\"");
         }
-        if (force != Force.MOVE) {
+        if (force != Performative.MOVE) {
             expectText(body);
         }
         int length = head(force, conversation).length() + body.length();
@@ -43,18 +43,18 @@ public record Content(Force force, Optional<Conversation> conversation, Bytes bo
     }
 
     /** A content of text. */
-    public Content(Force force, Optional<Conversation> conversation, String term) {
+    public Content(Performative force, Optional<Conversation> conversation, String term) {
         this(force, conversation, Bytes.ofText(term));
     }
 
     /** A content that is no question and no answer. */
-    public Content(Force force, String term) {
+    public Content(Performative force, String term) {
         this(force, Optional.empty(), term);
     }
 
     /** What a host says to another host about an agent that travels. */
     public static Content move(Bytes body) {
-        return new Content(Force.MOVE, Optional.empty(), body);
+        return new Content(Performative.MOVE, Optional.empty(), body);
     }
 
     private static void expectText(Bytes body) {
@@ -91,7 +91,7 @@ public record Content(Force force, Optional<Conversation> conversation, Bytes bo
     private static Optional<Content> read(String head, String term) {
         int mark = head.indexOf(CONVERSATION_MARK);
         boolean conversing = mark >= 0;
-        Optional<Force> force = Force.of(conversing ? head.substring(0, mark) : head);
+        Optional<Performative> force = Performative.of(conversing ? head.substring(0, mark) : head);
         Optional<Conversation> conversation = conversing ? Conversation.of(head.substring(mark + 1)) : Optional.empty();
         boolean whole = !term.isEmpty() && conversing == conversation.isPresent();
         return force.filter(known -> whole && fits(known, conversing))
@@ -99,8 +99,9 @@ public record Content(Force force, Optional<Conversation> conversation, Bytes bo
     }
 
     /** Questions and {@code sorry} are always of a conversation, other answers may be, and nothing else is. */
-    private static boolean fits(Force force, boolean conversing) {
-        return conversing ? force.isQuestion() || force.canAnswer() : !force.isQuestion() && force != Force.SORRY;
+    private static boolean fits(Performative force, boolean conversing) {
+        return conversing ? force.isQuestion() || force.canAnswer()
+                : !force.isQuestion() && force != Performative.SORRY;
     }
 
     /** Whether it answers a question. */
@@ -124,7 +125,7 @@ public record Content(Force force, Optional<Conversation> conversation, Bytes bo
     /** The term; of a move, whose term is bytes, their hexadecimal digits. */
     public String term() {
         try {
-            return force == Force.MOVE ? body.hex() : body.text();
+            return force == Performative.MOVE ? body.hex() : body.text();
         } catch (ProtocolException e) {
             throw new IllegalStateException("the constructor has read it", e);
         }
@@ -141,11 +142,11 @@ public record Content(Force force, Optional<Conversation> conversation, Bytes bo
         return headText(force, conversation) + term();
     }
 
-    private static Bytes head(Force force, Optional<Conversation> conversation) {
+    private static Bytes head(Performative force, Optional<Conversation> conversation) {
         return Bytes.ofText(headText(force, conversation));
     }
 
-    private static String headText(Force force, Optional<Conversation> conversation) {
+    private static String headText(Performative force, Optional<Conversation> conversation) {
         return force + conversation.map(known -> CONVERSATION_MARK + known.toString()).orElse("") + DIVIDER;
     }
 }

@@ -10,7 +10,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javino.protocol.Address;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
 
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 abstract class BoardFixture {
 
     static final Address SUPO = Address.parse("SUPO");
-    static final Content HELP = new Content(Force.TELL, "help");
+    static final Content HELP = new Content(Performative.TELL, "help");
 
     final FakeBoard fake = new FakeBoard();
     final FakePort port = new FakePort(fake);

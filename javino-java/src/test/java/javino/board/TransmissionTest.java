@@ -17,7 +17,7 @@ import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
@@ -194,7 +194,7 @@ class TransmissionTest extends BoardFixture {
     @Test
     void transmit_longestContent_reachesTheBoardWhole() throws Exception {
         openAndAwaitOnline();
-        Content longest = new Content(Force.TELL, "x".repeat(489));
+        Content longest = new Content(Performative.TELL, "x".repeat(489));
         board.transmit(Address.BROADCAST, longest).taken().get();
         assertEquals(longest.encode(), Bytes.ofHex(fake.requests().stream()
                 .filter(request -> request.startsWith("74656c6c3b")).findFirst().orElseThrow()));

@@ -171,7 +171,7 @@ class CommandTest {
         assertThrows(IllegalArgumentException.class, () -> Request.renewKey(Address.SERIAL, key));
         assertThrows(IllegalArgumentException.class, () -> Request.setSessionKey(Address.parse("//SU"), key));
         assertThrows(IllegalArgumentException.class,
-                () -> Request.transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Force.TELL, "x")));
+                () -> Request.transmit(Address.SERIAL, Address.parse("ROMA"), new Content(Performative.TELL, "x")));
     }
 
     @Test

@@ -50,15 +50,15 @@ class ContentTest {
 
     @Test
     void decode_vectors_haveEachForce() {
-        assertEquals(EnumSet.allOf(Force.class), valid().map(vector -> VectorFile.text(vector, "force"))
-                .map(name -> Force.of(name).orElseThrow()).collect(Collectors.toSet()));
+        assertEquals(EnumSet.allOf(Performative.class), valid().map(vector -> VectorFile.text(vector, "force"))
+                .map(name -> Performative.of(name).orElseThrow()).collect(Collectors.toSet()));
     }
 
     @ParameterizedTest
-    @EnumSource(Force.class)
-    void constructor_conversationWhereNoneBelongs_throws(Force force) {
+    @EnumSource(Performative.class)
+    void constructor_conversationWhereNoneBelongs_throws(Performative force) {
         boolean may = force.isQuestion() || force.canAnswer();
-        boolean must = force.isQuestion() || force == Force.SORRY;
+        boolean must = force.isQuestion() || force == Performative.SORRY;
         Optional<Conversation> some = Optional.of(new Conversation(7));
         if (may) {
             assertEquals(some, new Content(force, some, "x").conversation());
@@ -74,9 +74,11 @@ class ContentTest {
 
     @Test
     void requiresSeal_force_isWhatWantsAnAnswerGivesOneOrTouchesPlans() {
-        assertEquals(EnumSet.of(Force.ASK_ONE, Force.ASK_ALL, Force.ASK_HOW, Force.TELL_HOW, Force.UNTELL_HOW,
-                Force.SORRY, Force.MOVE),
-                Stream.of(Force.values()).filter(Force::requiresSeal).collect(Collectors.toSet()));
+        assertEquals(
+                EnumSet.of(Performative.ASK_ONE, Performative.ASK_ALL, Performative.ASK_HOW, Performative.TELL_HOW,
+                        Performative.UNTELL_HOW,
+                        Performative.SORRY, Performative.MOVE),
+                Stream.of(Performative.values()).filter(Performative::requiresSeal).collect(Collectors.toSet()));
     }
 
     @ParameterizedTest
@@ -98,15 +100,15 @@ class ContentTest {
         assertEquals("move;ff003b", content.toString());
         assertThrows(ProtocolException.class, () -> Content.decode(Bytes.ofText("move;")));
         assertThrows(IllegalArgumentException.class,
-                () -> new Content(Force.TELL, Optional.empty(), Bytes.of(0xFF)));
+                () -> new Content(Performative.TELL, Optional.empty(), Bytes.of(0xFF)));
     }
 
     @Test
     void length_inBytesOfUtf8_is494AtMost() throws ProtocolException {
-        Content longest = new Content(Force.TELL, "\u00e9".repeat(244) + "x");
+        Content longest = new Content(Performative.TELL, "\u00e9".repeat(244) + "x");
         assertEquals(Content.MAX_LENGTH, longest.encode().length());
         assertEquals(longest, Content.decode(longest.encode()));
-        assertThrows(IllegalArgumentException.class, () -> new Content(Force.TELL, "\u00e9".repeat(245)));
+        assertThrows(IllegalArgumentException.class, () -> new Content(Performative.TELL, "\u00e9".repeat(245)));
         Bytes tooLong = Bytes.ofText("tell;" + "x".repeat(490));
         assertEquals(ProtocolError.TOO_LONG,
                 assertThrows(ProtocolException.class, () -> Content.decode(tooLong)).error());
@@ -114,7 +116,7 @@ class ContentTest {
 
     @Test
     void parse_content_isReadAtItsFirstDivider() {
-        assertEquals(new Content(Force.ACHIEVE, "say(\"a;b\")"), Content.parse("achieve;say(\"a;b\")"));
+        assertEquals(new Content(Performative.ACHIEVE, "say(\"a;b\")"), Content.parse("achieve;say(\"a;b\")"));
     }
 
     @ParameterizedTest
@@ -125,8 +127,8 @@ class ContentTest {
 
     @Test
     void constructor_emptyOrUnencodableTerm_throws() {
-        assertThrows(IllegalArgumentException.class, () -> new Content(Force.TELL, ""));
-        assertThrows(IllegalArgumentException.class, () -> new Content(Force.TELL, "\ud800"));
+        assertThrows(IllegalArgumentException.class, () -> new Content(Performative.TELL, ""));
+        assertThrows(IllegalArgumentException.class, () -> new Content(Performative.TELL, "\ud800"));
     }
 
     @Test

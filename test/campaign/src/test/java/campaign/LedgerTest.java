@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -66,7 +66,7 @@ class LedgerTest {
     void received_whatWasNotSent_isWrong() {
         ledger.received(ledger.content(3));
         ledger.received(Contents.of(1, LENGTH + 1));
-        ledger.received(new Content(Force.TELL, "x"));
+        ledger.received(new Content(Performative.TELL, "x"));
         ledger.strayed();
         assertEquals(List.of("test: delivered with another content than was sent: 4"), violations());
     }
@@ -76,7 +76,7 @@ class LedgerTest {
         String text = ledger.content(1).term();
         for (int i = 0; i < text.length(); i++) {
             char other = text.charAt(i) == '9' ? '8' : '9';
-            ledger.received(new Content(Force.TELL, text.substring(0, i) + other + text.substring(i + 1)));
+            ledger.received(new Content(Performative.TELL, text.substring(0, i) + other + text.substring(i + 1)));
         }
         assertEquals(text.length(), ledger.sum().wrong());
         assertEquals(0, ledger.sum().received());

@@ -10,7 +10,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javino.protocol.Counter;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import org.junit.jupiter.api.Test;
 
 /** The tables of SPEC.md that Java, the firmware and the vectors repeat: each repeats them whole and in order. */
@@ -69,6 +69,6 @@ class SpecTablesTest {
     void forces_inJava_areThoseOfTheTable() {
         List<String> rows = found("^\\| `.*?` \\|", section("3 Content")).toList();
         assertEquals(rows.stream().flatMap(row -> found("\\w+", row)).sorted().toList(),
-                Arrays.stream(Force.values()).map(Force::toString).sorted().toList());
+                Arrays.stream(Performative.values()).map(Performative::toString).sorted().toList());
     }
 }

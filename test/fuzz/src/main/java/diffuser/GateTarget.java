@@ -117,7 +117,7 @@ public final class GateTarget {
     }
 
     /** One line of the input. */
-    private record Line(Address to, Address from, Peer peer, Bytes content) {
+    private record Line(Address to, Address from, TrustLevel peer, Bytes content) {
 
         static Line of(byte[] bytes) {
             Address to = switch (bytes[0]) {
@@ -130,7 +130,7 @@ public final class GateTarget {
             for (int i = 2; i < bytes.length; i++) {
                 content.append(bytes[i] < 0 ? WORDS.get((bytes[i] & 0x7F) % WORDS.size()) : (char) bytes[i]);
             }
-            return new Line(to, Address.parse(from), bytes[0] == 's' ? Peer.CERTIFIED : Peer.PROVISIONED,
+            return new Line(to, Address.parse(from), bytes[0] == 's' ? TrustLevel.CERTIFIED : TrustLevel.PROVISIONED,
                     Bytes.ofText(content.toString()));
         }
 
@@ -140,7 +140,7 @@ public final class GateTarget {
 
         /** Whether it may teach, where no plan asks for that. */
         boolean teaches() {
-            return isSealed() && peer == Peer.PROVISIONED && has("tellHow");
+            return isSealed() && peer == TrustLevel.PROVISIONED && has("tellHow");
         }
 
         boolean has(String force) {

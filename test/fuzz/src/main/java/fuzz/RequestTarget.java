@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 import javino.protocol.Request;
@@ -50,7 +50,7 @@ public final class RequestTarget {
     private static void transmit(String term) throws ProtocolException {
         Content content;
         try {
-            content = new Content(Force.TELL, term);
+            content = new Content(Performative.TELL, term);
         } catch (IllegalArgumentException refused) {
             return;
         }

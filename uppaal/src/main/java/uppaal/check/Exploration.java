@@ -23,7 +23,7 @@ public final class Exploration {
     private int[] parents = new int[1 << 10];
     private final int[] settled;
     /** One for each property that speaks of whole runs, at its index; else nothing. */
-    private final Endless[] endless;
+    private final LivenessCheck[] endless;
     /** Kept only for these properties. */
     private final Optional<Graph> graph;
     private int deadlocks;
@@ -37,8 +37,9 @@ public final class Exploration {
         this.settled = new int[properties.size()];
         Arrays.fill(settled, NOWHERE);
         this.graph = properties.stream().anyMatch(Property::ofRuns) ? Optional.of(new Graph()) : Optional.empty();
-        this.endless = properties.stream().map(property -> property.ofRuns() ? new Endless(graph.orElseThrow()) : null)
-                .toArray(Endless[]::new);
+        this.endless =
+                properties.stream().map(property -> property.ofRuns() ? new LivenessCheck(graph.orElseThrow()) : null)
+                        .toArray(LivenessCheck[]::new);
     }
 
     /**
@@ -73,7 +74,7 @@ public final class Exploration {
 
     /**
      * A shortest way to a state that refutes {@code A[]} or shows {@code E<>}, or a run that refutes {@code A<>} or
-     * {@code -->} (see {@link Endless}); empty when there is none.
+     * {@code -->} (see {@link LivenessCheck}); empty when there is none.
      */
     public Optional<Trace> evidence(int property) {
         if (endless[property] != null) {

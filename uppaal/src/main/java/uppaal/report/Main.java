@@ -69,8 +69,8 @@ public final class Main {
         Check quiet = Check.of(Scene.QUIET, models, folder);
         report.verdicts(paper);
         report.counterexamples(paper);
-        report.substance(Substance.of(paper.network(), paper.queries()));
-        report.readings(Reading.all(models));
+        report.substance(VacuityCheck.of(paper.network(), paper.queries()));
+        report.readings(Interpretation.all(models));
         report.verdicts(quiet);
 
         List<String> wrong = new ArrayList<>(paper.disagreements());

@@ -38,20 +38,20 @@ final class Report {
     }
 
     /** Whether the implications say anything. */
-    void substance(List<Substance> implications) {
+    void substance(List<VacuityCheck> implications) {
         heading("Do the implications say anything?");
         out.printf("%-6s%-18s%s%n", "", "left side", "right side alone");
-        for (Substance implication : implications) {
+        for (VacuityCheck implication : implications) {
             out.printf("%-6s%-18s%s%n", implication.query(), implication.reached() ? "is reached" : "is NEVER reached",
                     implication.needless() ? "holds always: the left side adds nothing" : "does not always hold");
         }
     }
 
     /** What comes of other readings of the paper's text. */
-    void readings(List<Reading> readings) {
+    void readings(List<Interpretation> readings) {
         heading("Other readings of the paper's text");
         out.printf("%-8s%-16s%s%n", "states", "failing", "what is other");
-        for (Reading reading : readings) {
+        for (Interpretation reading : readings) {
             out.printf("%-8d%-16s%s%n", reading.states(), names(reading.failing()), reading.sentence());
         }
     }

@@ -2,7 +2,7 @@ package uppaal.replay;
 
 import java.util.List;
 import java.util.Set;
-import uppaal.network.Possible;
+import uppaal.network.StateSet;
 
 /**
  * One end of a message, at its sender's board or at a receiver's: what its automata may be doing. It hears of all
@@ -29,7 +29,7 @@ final class End {
     private final Scenes.Scene scene;
     private final Ear ear;
     private final Scenes scenes;
-    private Possible possible;
+    private StateSet possible;
     /** Up to when its automata know what its board has heard. */
     private double told = Double.NEGATIVE_INFINITY;
     /** Since when its board's air is quiet, or busy. */
@@ -117,7 +117,7 @@ final class End {
      */
     void perhapsSends(double seconds, String step) throws RefusedException {
         reach(seconds);
-        Possible.Seen sent = possible.see(step);
+        StateSet.Seen sent = possible.see(step);
         cover(sent);
         sent.possible().flatMap(sending -> sending.elapse(PACKET, PACKET).possible())
                 .flatMap(sending -> sending.after("end")).ifPresent(over -> settle(possible.or(over)));
@@ -134,17 +134,17 @@ final class End {
         return possible.after(step).isPresent();
     }
 
-    private void take(Possible.Seen seen, String step) throws RefusedException {
-        Possible now = seen.possible().orElseThrow(() -> message.refusal(step, who, this));
+    private void take(StateSet.Seen seen, String step) throws RefusedException {
+        StateSet now = seen.possible().orElseThrow(() -> message.refusal(step, who, this));
         cover(seen);
         settle(now);
     }
 
-    private void cover(Possible.Seen seen) {
+    private void cover(StateSet.Seen seen) {
         scenes.cover(scene, seen);
     }
 
-    private void settle(Possible now) {
+    private void settle(StateSet now) {
         possible = now;
         ended = possible.isCertain(scene.ended()) ? Math.min(ended, told) : Double.POSITIVE_INFINITY;
         if (isAwake()) {
@@ -221,7 +221,7 @@ final class End {
             slots = 0;
             overlapping &= carriers != 0;
             if (carriers == 0) {
-                Possible.Seen quiet = possible.only(scene.quiet());
+                StateSet.Seen quiet = possible.only(scene.quiet());
                 cover(quiet);
                 settle(quiet.possible().orElseThrow());
             }
@@ -240,7 +240,7 @@ final class End {
         }
         double passed = Math.max(0, seconds - told) / ear.slot();
         double all = Math.max(0, seconds - since) / ear.slot();
-        Possible.Seen seen;
+        StateSet.Seen seen;
         if (seconds <= told) {
             return; // what its board has just heard, it need not have acted upon
         }
@@ -258,7 +258,7 @@ final class End {
             seen = possible.elapse(Math.min(most, Math.max(0, (int) (passed - LATE))), most);
             slots += most;
         }
-        take(seen, Possible.SLOT);
+        take(seen, StateSet.SLOT);
         told = Math.max(told, seconds);
     }
 }

@@ -15,7 +15,7 @@ import uppaal.language.Term;
 import uppaal.network.JointMove;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
-import uppaal.network.Possible;
+import uppaal.network.StateSet;
 
 /**
  * The automata of {@code handover.xml} in which the two ends of a move are replayed: its sender or its receiver, each
@@ -36,7 +36,7 @@ final class Handover {
     private static final Document MODEL = Scenes.model(FILE);
 
     private final Map<String, Scene> known = new HashMap<>();
-    private final Set<Possible.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
+    private final Set<StateSet.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
     private final Set<String> edges = new TreeSet<>();
 
     /**
@@ -45,9 +45,9 @@ final class Handover {
      * @param first what is known before the move has begun, or where it goes on from a record
      * @param terms what is asked of it, by its text
      */
-    record Scene(String template, Possible first, Map<String, Term> terms) {
+    record Scene(String template, StateSet first, Map<String, Term> terms) {
         /** What is known where this is true; nothing where it cannot be. */
-        Optional<Possible> where(Possible possible, String text) {
+        Optional<StateSet> where(StateSet possible, String text) {
             Term term = terms.get(text);
             return possible.only(term).possible().filter(kept -> kept.isCertain(term));
         }
@@ -67,15 +67,15 @@ final class Handover {
             Map<String, Term> terms = new HashMap<>();
             asked.forEach(text -> terms.put(text, Expressions.parse(text, network, FILE)));
             Map<String, String> kinds = kinds(network);
-            Possible first = Possible.first(network, terms.values(), (state, move) -> name(network, kinds, move));
+            StateSet first = StateSet.first(network, terms.values(), (state, move) -> name(network, kinds, move));
             return new Scene(template, anew(first), terms);
         });
     }
 
     /** What is known of a process that has just been started: it goes on from any record, or has none yet. */
-    private static Possible anew(Possible first) {
-        Possible any = first;
-        Possible before;
+    private static StateSet anew(StateSet first) {
+        StateSet any = first;
+        StateSet before;
         do {
             before = any;
             for (String name : before.next()) {
@@ -118,8 +118,8 @@ final class Handover {
     }
 
     /** What is known once a move was seen, of which the edges are kept; nothing where it cannot have been. */
-    Optional<Possible> after(Scene scene, Possible possible, String name) {
-        Possible.Seen seen = possible.see(name);
+    Optional<StateSet> after(Scene scene, StateSet possible, String name) {
+        StateSet.Seen seen = possible.see(name);
         if (seen.possible().isPresent() && covered.add(seen)) {
             seen.edges().stream().filter(edge -> edge.startsWith("End:"))
                     .forEach(edge -> edges.add("Move " + scene.template() + edge.substring("End".length())));

@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import uppaal.network.Possible;
+import uppaal.network.StateSet;
 
 /**
  * One end of a move, at its sender's host or at its receiver's: what its automata may be doing. A host hears what its
@@ -45,12 +45,12 @@ final class MoveEnd {
      * @param at of each part: a sender's next byte, or how many bytes a receiver has at most; none where it has said
      *     nothing of them since it began
      */
-    private record State(Possible possible, int heard, List<Integer> at) {
-        State with(Possible other) {
+    private record State(StateSet possible, int heard, List<Integer> at) {
+        State with(StateSet other) {
             return new State(other, heard, at);
         }
 
-        State heard(Possible other, List<Integer> bytes) {
+        State heard(StateSet other, List<Integer> bytes) {
             return new State(other, heard + 1, bytes);
         }
     }
@@ -204,8 +204,8 @@ final class MoveEnd {
     }
 
     /** With so many bytes more, pieces of the model are complete. */
-    private Optional<Possible> pass(Possible possible, String what, int before, int after) {
-        Optional<Possible> passed = Optional.of(possible);
+    private Optional<StateSet> pass(StateSet possible, String what, int before, int after) {
+        Optional<StateSet> passed = Optional.of(possible);
         for (int piece = pieces(before); piece < pieces(after); piece++) {
             String name = what + piece;
             passed = passed.flatMap(known -> handover.after(scene, known, name));
@@ -286,14 +286,14 @@ final class MoveEnd {
         };
     }
 
-    private Possible perhaps(Possible possible, String name) {
+    private StateSet perhaps(StateSet possible, String name) {
         return handover.after(scene, possible, name).map(possible::or).orElse(possible);
     }
 
     private List<State> receiverIsOffered(State state, List<Integer> kept) {
         List<State> after = new ArrayList<>();
         scene.where(state.possible, NONE).ifPresent(none -> {
-            Possible known = none.after("kept 0").orElseThrow();
+            StateSet known = none.after("kept 0").orElseThrow();
             for (int piece = 1; piece <= pieces(total(kept)); piece++) {
                 known = known.or(none.after("kept " + piece).orElseThrow());
             }
@@ -309,7 +309,7 @@ final class MoveEnd {
         List<State> after = new ArrayList<>();
         scene.where(state.possible, NOT_COMING)
                 .ifPresent(possible -> after.add(state.heard(possible, state.at)));
-        Optional<Possible> coming = scene.where(state.possible, COMING);
+        Optional<StateSet> coming = scene.where(state.possible, COMING);
         if (coming.isEmpty()) {
             return after;
         }

@@ -21,7 +21,7 @@ import uppaal.language.Term;
 import uppaal.network.JointMove;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
-import uppaal.network.Possible;
+import uppaal.network.StateSet;
 
 /**
  * The automata of {@code delivery.xml} in which the two ends of a message are replayed: its sender, or a receiver
@@ -48,7 +48,7 @@ final class Scenes {
     private static final Document MODEL = model(FILE);
 
     private final Map<String, Scene> known = new HashMap<>();
-    private final Set<Possible.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
+    private final Set<StateSet.Seen> covered = Collections.newSetFromMap(new IdentityHashMap<>());
     private final Set<String> edges = new TreeSet<>();
 
     /**
@@ -60,7 +60,7 @@ final class Scenes {
      * @param over true where nothing more can become of it
      * @param quiet true where nobody sends
      */
-    record Scene(String template, Possible first, Term rest, Term ended, Term over, Term quiet) {}
+    record Scene(String template, StateSet first, Term rest, Term ended, Term over, Term quiet) {}
 
     /**
      * The sender's end.
@@ -98,7 +98,7 @@ final class Scenes {
         List<Term> asked = Stream.of(rest, ended, over, "Air.Quiet && World.There")
                 .map(text -> Expressions.parse(text, network, FILE)).toList();
         return new Scene(template,
-                Possible.first(network, asked, (state, move) -> name(network, move)),
+                StateSet.first(network, asked, (state, move) -> name(network, move)),
                 asked.get(0), asked.get(1), asked.get(2), asked.get(3));
     }
 
@@ -131,7 +131,7 @@ final class Scenes {
     }
 
     /** Takes what was seen at one end of a message, for the edges. */
-    void cover(Scene scene, Possible.Seen seen) {
+    void cover(Scene scene, StateSet.Seen seen) {
         if (covered.add(seen)) {
             for (String edge : seen.edges()) {
                 int colon = edge.indexOf(':');

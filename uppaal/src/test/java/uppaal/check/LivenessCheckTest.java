@@ -18,7 +18,7 @@ import uppaal.network.JointMove;
 import uppaal.network.Network;
 import uppaal.network.Successors;
 
-class EndlessTest {
+class LivenessCheckTest {
     private static final List<String> PROPERTIES =
             List.of("x == 2 --> y == 2", "y == 1 --> x != 1", "y == 2 --> x == 0", "y != 0 --> !P.a || x == 2");
 

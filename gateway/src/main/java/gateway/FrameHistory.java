@@ -10,7 +10,7 @@ import javino.protocol.Bytes;
  * <p>A sender repeats the same bytes until it hears an acknowledgement. So they may have to pass again, and only the
  * numbers tell a repeat from a copy by another way.
  */
-final class Sightings {
+final class FrameHistory {
 
     private static final int MOST = 2048;
     private static final int MOST_GATEWAYS = 8;

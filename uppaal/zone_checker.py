@@ -1,6 +1,6 @@
 """A second opinion on the models: explores them in real time, with zones, and shares no code with our checker.
 
-usage: opinion.py FILE.xml...
+usage: zone_checker.py FILE.xml...
 
 Beside each stands its FILE.q. Exits with 1 when a verdict is not the expected one. It reads what README.md calls the
 subset, and does not look for mistakes in it: that is our checker's part.

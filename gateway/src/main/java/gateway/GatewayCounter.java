@@ -1,7 +1,7 @@
 package gateway;
 
 /** What a gateway counts. */
-enum Tally {
+enum GatewayCounter {
     /** Packets that its board has heard. */
     HEARD("heard"),
     /** Of these, packets that came damaged beyond mending; nobody else gets them. */
@@ -41,7 +41,7 @@ enum Tally {
 
     private final String text;
 
-    Tally(String text) {
+    GatewayCounter(String text) {
         this.text = text;
     }
 

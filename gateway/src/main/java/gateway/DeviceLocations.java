@@ -5,7 +5,7 @@ import java.util.Optional;
 import javino.protocol.Address;
 
 /** In which cell each device was last heard. */
-final class Places {
+final class DeviceLocations {
 
     /** So long a device that says nothing is remembered. */
     static final long KEEP_MILLIS = 24 * 3_600_000L;
@@ -26,7 +26,7 @@ final class Places {
     }
 
     /** @param here the gateway's own cell. */
-    Places(String here) {
+    DeviceLocations(String here) {
         this.here = here;
     }
 

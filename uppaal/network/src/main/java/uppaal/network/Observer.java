@@ -16,18 +16,18 @@ import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 
 /** What all that watch one network share: its states and their moves, as far as they were looked at. */
-final class Watch {
+final class Observer {
     private final Successors steps;
     private final Order order;
     private final BiFunction<int[], JointMove, Optional<String>> name;
     private final Map<Transition, String> edges = new IdentityHashMap<>();
     private final Map<IntBuffer, Node> nodes = new HashMap<>();
     private final Map<IntBuffer, Object> rests = new HashMap<>();
-    private final Map<Set<Node>, Possible> known = new HashMap<>();
+    private final Map<Set<Node>, StateSet> known = new HashMap<>();
     private int size;
 
-    /** @see Possible#first */
-    Watch(Network network, BiFunction<int[], JointMove, Optional<String>> name) {
+    /** @see StateSet#first */
+    Observer(Network network, BiFunction<int[], JointMove, Optional<String>> name) {
         this.steps = new Successors(network);
         this.order = new Order(network);
         this.name = name;
@@ -76,11 +76,11 @@ final class Watch {
     }
 
     /** What is known where each of some states is possible. */
-    Possible known(Collection<? extends Collection<Node>> several) {
+    StateSet known(Collection<? extends Collection<Node>> several) {
         Set<Node> all = several.stream().flatMap(Collection::stream).collect(Collectors.toSet());
         return known.computeIfAbsent(all, added -> {
             size += added.size();
-            return new Possible(this, added, only(added));
+            return new StateSet(this, added, only(added));
         });
     }
 
@@ -91,7 +91,7 @@ final class Watch {
 
     /** Forgets all that can be found again. */
     void forget() {
-        known.values().forEach(Possible::forgetNext);
+        known.values().forEach(StateSet::forgetNext);
         nodes.values().forEach(Node::forget);
         known.clear();
         nodes.clear();
@@ -126,11 +126,11 @@ final class Watch {
         List<Move> found = new ArrayList<>();
         boolean idle = steps.each(state.values, (parts, target) -> {
             JointMove move = new JointMove(parts, target);
-            found.add(new Move(move.passesTime() ? Optional.of(Possible.SLOT) : name.apply(state.values, move),
+            found.add(new Move(move.passesTime() ? Optional.of(StateSet.SLOT) : name.apply(state.values, move),
                     node(target), parts.stream().map(part -> edges.get(part.transition())).toList()));
         });
         if (idle) {
-            found.add(new Move(Optional.of(Possible.SLOT), state, List.of()));
+            found.add(new Move(Optional.of(StateSet.SLOT), state, List.of()));
         }
         return found;
     }
@@ -151,7 +151,7 @@ final class Watch {
 
     /** Those that stand for all of these: nothing can be seen in the others, or others allow the same. */
     private Set<Node> only(Collection<Node> states) {
-        Front front = new Front(this);
+        Antichain front = new Antichain(this);
         if (!front.add(states.stream().filter(this::isLasting).toList())) {
             front.add(states);
         }

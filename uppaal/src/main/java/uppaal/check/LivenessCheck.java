@@ -13,7 +13,7 @@ import java.util.Optional;
  * shortest way to such an end or round, and a shortest round. Rounds are found as strongly connected components
  * (Tarjan, 1972).
  */
-final class Endless {
+final class LivenessCheck {
     private static final int NOWHERE = -1;
 
     private final Graph graph;
@@ -49,7 +49,7 @@ final class Endless {
     }
 
     /** @param graph is complete when it is asked for a run */
-    Endless(Graph graph) {
+    LivenessCheck(Graph graph) {
         this.graph = graph;
     }
 

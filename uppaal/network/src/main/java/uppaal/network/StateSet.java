@@ -15,19 +15,19 @@ import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import uppaal.language.Term;
-import uppaal.network.Watch.Move;
-import uppaal.network.Watch.Node;
+import uppaal.network.Observer.Move;
+import uppaal.network.Observer.Node;
 
 /**
  * What who watches a network knows of it: all states in which it may be after what was seen. Some moves are seen, by a
  * name; the others pass unseen. That time passes is seen as {@link #SLOT}. Each is found once and kept, so that a
  * network that is watched often, by many, soon costs a look-up for each thing that is seen.
  */
-public final class Possible {
+public final class StateSet {
     /** What it is seen as that a unit of time passes. */
     public static final String SLOT = "slot";
 
-    private final Watch watch;
+    private final Observer watch;
     /** All that were found. */
     private final Set<Node> all;
     /** Those that stand for all. */
@@ -38,7 +38,7 @@ public final class Possible {
     private final Map<Term, Seen> only = new HashMap<>();
     private Set<String> visible;
 
-    Possible(Watch watch, Set<Node> all, Set<Node> states) {
+    StateSet(Observer watch, Set<Node> all, Set<Node> states) {
         this.watch = watch;
         this.all = all;
         this.states = states;
@@ -50,7 +50,7 @@ public final class Possible {
      * @param possible what is known now; nothing where it cannot have been
      * @param edges which edges may have been taken: {@code automaton: source -> target, number among these}
      */
-    public record Seen(Optional<Possible> possible, Set<String> edges) {
+    public record Seen(Optional<StateSet> possible, Set<String> edges) {
         private static final Seen NEVER = new Seen(Optional.empty(), Set.of());
     }
 
@@ -60,9 +60,9 @@ public final class Possible {
      * @param observed all formulas that are asked of what is known
      * @param name what a move out of a state is seen as; nothing where it is not seen
      */
-    public static Possible first(Network network, Collection<Term> observed,
+    public static StateSet first(Network network, Collection<Term> observed,
             BiFunction<int[], JointMove, Optional<String>> name) {
-        Watch watch = new Watch(Slice.of(network, observed), name);
+        Observer watch = new Observer(Slice.of(network, observed), name);
         return watch.known(List.of(watch.closed(List.of(watch.node(network.initial())))));
     }
 
@@ -83,7 +83,7 @@ public final class Possible {
     }
 
     /** What is known once a move was seen; nothing where it cannot have been. */
-    public Optional<Possible> after(String name) {
+    public Optional<StateSet> after(String name) {
         return see(name).possible();
     }
 
@@ -98,10 +98,10 @@ public final class Possible {
     }
 
     private Seen wait(int least, int most) {
-        Front found = new Front(watch);
+        Antichain found = new Antichain(watch);
         List<Set<Node>> several = new ArrayList<>();
         Set<String> edges = new HashSet<>();
-        Possible now = this;
+        StateSet now = this;
         for (int units = 0; units <= most; units++) {
             // Where nothing new was found, no later time finds more.
             if (units >= least && !found.add(now.states)) {
@@ -121,17 +121,17 @@ public final class Possible {
     }
 
     /** What is known where a move may have been made, or not. */
-    public Possible perhaps(String name) {
+    public StateSet perhaps(String name) {
         return after(name).map(this::or).orElse(this);
     }
 
     /** What is known where this is, or the other. */
-    public Possible or(Possible other) {
+    public StateSet or(StateSet other) {
         return watch.known(List.of(all, other.all));
     }
 
     /** What is known where a move is made if it can be; no clock may decide about that. */
-    public Possible where(String name) {
+    public StateSet where(String name) {
         Set<Node> moved = after(name).map(possible -> possible.all).orElse(Set.of());
         return watch.known(List.of(moved, kept(state -> watch.after(state, name).isEmpty())));
     }

@@ -25,14 +25,14 @@ import uppaal.language.Expressions;
 import uppaal.language.Symbol;
 import uppaal.language.Term;
 
-class PossibleTest {
+class StateSetTest {
     private static final int DEPTH = 3;
 
-    private static Possible of(Network network) {
-        return Possible.first(network, List.of(), (state, move) -> move.channel().map(channel -> channel.name()));
+    private static StateSet of(Network network) {
+        return StateSet.first(network, List.of(), (state, move) -> move.channel().map(channel -> channel.name()));
     }
 
-    private static Possible of(Sketch sketch) {
+    private static StateSet of(Sketch sketch) {
         return of(sketch.network());
     }
 
@@ -43,25 +43,25 @@ class PossibleTest {
                 .network();
     }
 
-    private static Possible door() {
+    private static StateSet door() {
         return of(doors());
     }
 
-    private static Possible clock() {
+    private static StateSet clock() {
         return of(Sketch.of("broadcast chan late; clock x;")
                 .template("Clock", "A{x<=3} -> B; guard x >= 2; sync late!").network());
     }
 
     @Test
     void after_aMoveThatIsPossible_knowsWhatFollows() {
-        Possible open = door().after("open").orElseThrow();
+        StateSet open = door().after("open").orElseThrow();
         assertEquals(Set.of("close"), open.next());
         assertEquals(Set.of("open", "ring"), open.after("close").orElseThrow().next());
     }
 
     @Test
     void after_aMoveThatOnlyAnUnseenOneAllows_isPossibleAndRulesOthersOut() {
-        Possible rung = door().after("ring").orElseThrow();
+        StateSet rung = door().after("ring").orElseThrow();
         assertEquals(Set.of("ring"), rung.next());
         assertFalse(rung.after("open").isPresent());
     }
@@ -84,7 +84,7 @@ class PossibleTest {
         assertEquals(door().next(), door().where("close").next());
     }
 
-    /** What is known, found without any of what {@link Possible} leaves out. */
+    /** What is known, found without any of what {@link StateSet} leaves out. */
     private record Plain(Successors steps, Set<List<Integer>> states) {
         static Plain of(Network network) {
             return new Plain(new Successors(network), Set.of()).closed(List.of(listed(network.initial())));
@@ -100,12 +100,12 @@ class PossibleTest {
             int[] from = state.stream().mapToInt(Integer::intValue).toArray();
             boolean idle = steps.each(from, (parts, target) -> {
                 JointMove move = new JointMove(parts, target);
-                String seen = move.passesTime() ? Possible.SLOT : move.channel().map(Symbol.Channel::name).orElse("");
+                String seen = move.passesTime() ? StateSet.SLOT : move.channel().map(Symbol.Channel::name).orElse("");
                 if (seen.equals(name)) {
                     targets.add(listed(target));
                 }
             });
-            if (idle && name.equals(Possible.SLOT)) {
+            if (idle && name.equals(StateSet.SLOT)) {
                 targets.add(state);
             }
             return targets;
@@ -133,7 +133,7 @@ class PossibleTest {
         Plain elapse(int least, int most) {
             Plain now = this;
             Plain all = new Plain(steps, Set.of());
-            for (int units = 0; units <= most; units++, now = now.after(Possible.SLOT)) {
+            for (int units = 0; units <= most; units++, now = now.after(StateSet.SLOT)) {
                 all = units < least ? all : all.or(now);
             }
             return all;
@@ -141,7 +141,7 @@ class PossibleTest {
     }
 
     /** Both know the same: what can be seen next, in each of so many steps. */
-    private static void compare(String before, Plain plain, Possible possible, int steps) {
+    private static void compare(String before, Plain plain, StateSet possible, int steps) {
         for (String name : List.of("one", "all")) {
             Plain next = plain.after(name);
             assertEquals(!next.states.isEmpty(), possible.after(name).isPresent(), before + name);
@@ -179,7 +179,7 @@ class PossibleTest {
 
     @Test
     void forget_whatWasFound_isFoundAgain() {
-        Possible door = door();
+        StateSet door = door();
         int before = door.size();
         door.after("open");
         assertTrue(door.size() > before);
@@ -191,7 +191,7 @@ class PossibleTest {
 
     @Test
     void elapse_upToABound_keepsWhatHasMostTimeLeft() {
-        Possible first = of(clocked().template("Clock", "A{x<=9} -> B; sync late!"));
+        StateSet first = of(clocked().template("Clock", "A{x<=9} -> B; sync late!"));
         assertSame(first, first.elapse(0, 4).possible().orElseThrow());
         assertTrue(first.elapse(9, 9).possible().isPresent());
         assertFalse(first.elapse(10, 10).possible().isPresent());
@@ -199,14 +199,14 @@ class PossibleTest {
 
     @Test
     void elapse_upToWhatMayBeWaitedFor_keepsTheLatest() {
-        Possible waited = of(clocked().template("Clock", "A -> B; guard x >= 3; sync late!")).elapse(0, 3)
+        StateSet waited = of(clocked().template("Clock", "A -> B; guard x >= 3; sync late!")).elapse(0, 3)
                 .possible().orElseThrow();
         assertTrue(waited.after("late").isPresent());
     }
 
     @Test
     void elapse_upToABroadcastThatMustBeHeard_keepsWhoIsTooLateForIt() {
-        Possible waited = of(clocked().template("Caller", "A -> B; sync go!")
+        StateSet waited = of(clocked().template("Caller", "A -> B; sync go!")
                 .template("Clock", "C -> D; guard x <= 1; sync go?", "C -> C; sync late!", "D -> D; sync early!"))
                 .elapse(0, 2).possible().orElseThrow();
         assertEquals(Set.of("early", "late"), waited.after("go").orElseThrow().next());
@@ -214,21 +214,21 @@ class PossibleTest {
 
     @Test
     void elapse_upToAnUrgentStep_keepsWhoIsTooLateForIt() {
-        Possible waited = of(clocked().template("Clock", "A -> B; sync go!", "B -> C{x<=1}; sync hurry!"))
+        StateSet waited = of(clocked().template("Clock", "A -> B; sync go!", "B -> C{x<=1}; sync hurry!"))
                 .elapse(0, 2).possible().orElseThrow();
         assertTrue(waited.after("go").orElseThrow().elapse(9, 9).possible().isPresent());
     }
 
     @Test
     void elapse_whereAClockIsComparedLater_counts() {
-        Possible first = of(clocked().local("clock y;").template("Clock", "A -> B{y<=3}; sync go!"));
+        StateSet first = of(clocked().local("clock y;").template("Clock", "A -> B{y<=3}; sync go!"));
         assertTrue(first.elapse(3, 3).possible().orElseThrow().after("go").isPresent());
         assertFalse(first.elapse(4, 4).possible().orElseThrow().after("go").isPresent());
     }
 
     @Test
     void elapse_whereAClockIsResetBeforeItIsCompared_doesNotCount() {
-        Possible first = of(Sketch.of("broadcast chan go;").local("clock y;")
+        StateSet first = of(Sketch.of("broadcast chan go;").local("clock y;")
                 .template("Clock", "A -> B{y<=3}; sync go!; set y = 0"));
         assertSame(first, first.elapse(4, 4).possible().orElseThrow());
     }
@@ -237,9 +237,9 @@ class PossibleTest {
     void first_variableThatNobodyAsksFor_isNotCounted() {
         Sketch sketch = Sketch.of("broadcast chan ring; int[0,1] rung, known;")
                 .template("Door", "Shut -> Shut; sync ring!; set rung++, known = rung");
-        Possible once = of(sketch.network()).after("ring").orElseThrow();
+        StateSet once = of(sketch.network()).after("ring").orElseThrow();
         assertTrue(once.after("ring").isPresent());
-        Possible asked = Possible.first(sketch.network(),
+        StateSet asked = StateSet.first(sketch.network(),
                 List.of(Expressions.parse("known", sketch.network(), "here")),
                 (state, move) -> move.channel().map(channel -> channel.name()));
         assertThrows(ModelException.class, () -> asked.after("ring"));
@@ -248,10 +248,10 @@ class PossibleTest {
     @Test
     void only_knowsWhereAFormulaIsTrue_andTellsTheWaysThere() {
         Network doors = doors();
-        Possible.Seen locked = of(doors).only(Expressions.parse("Door.Locked", doors, "test"));
+        StateSet.Seen locked = of(doors).only(Expressions.parse("Door.Locked", doors, "test"));
         assertEquals(Set.of("ring"), locked.possible().orElseThrow().next());
         assertEquals(Set.of("Door: Shut -> Locked, 1"), locked.edges());
-        Possible.Seen ajar = of(doors).only(Expressions.parse("Door.Ajar", doors, "test"));
+        StateSet.Seen ajar = of(doors).only(Expressions.parse("Door.Ajar", doors, "test"));
         assertEquals(Set.of("open", "ring"), ajar.possible().orElseThrow().next());
         assertEquals(Set.of(), ajar.edges());
     }
@@ -281,7 +281,7 @@ class PossibleTest {
 
     @Test
     void elapse_whereNothingChanges_goesOnForEver() {
-        Possible late = clock().elapse(2, 2).possible().flatMap(known -> known.after("late")).orElseThrow();
+        StateSet late = clock().elapse(2, 2).possible().flatMap(known -> known.after("late")).orElseThrow();
         assertTrue(late.elapse(1000, 1000).possible().isPresent());
     }
 }

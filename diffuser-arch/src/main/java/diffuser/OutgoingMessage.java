@@ -15,10 +15,10 @@ import jason.bb.BeliefBase;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
-import javino.protocol.Force;
+import javino.protocol.Performative;
 
 /** A message for the radio: the content that travels, and the terms by which its agent knows it. */
-public final class Letter {
+public final class OutgoingMessage {
 
     private static final String DELIVERED = "delivered";
     private static final String UNDELIVERED = "undelivered";
@@ -29,7 +29,7 @@ public final class Letter {
     private final Content content;
     private final List<Term> given;
 
-    private Letter(Address to, Content content, List<Term> given) {
+    private OutgoingMessage(Address to, Content content, List<Term> given) {
         this.to = to;
         this.content = content;
         this.given = given;
@@ -43,8 +43,8 @@ public final class Letter {
      * @param content what goes with the force.
      * @throws JasonException bad_address, wrong_arguments, bad_content, too_long or not_sealed.
      */
-    public static Letter of(Term to, Term force, Term content) throws JasonException {
-        Force known = Texts.force(force.toString());
+    public static OutgoingMessage of(Term to, Term force, Term content) throws JasonException {
+        Performative known = Texts.force(force.toString());
         return of(to, known, known.isQuestion() ? Optional.of(nextConversation()) : Optional.empty(), content);
     }
 
@@ -53,7 +53,7 @@ public final class Letter {
      *
      * @throws JasonException as the other.
      */
-    static Letter of(Message message) throws JasonException {
+    static OutgoingMessage of(Message message) throws JasonException {
         return of(receiver(message), ASSyntax.createAtom(message.getIlForce()), said(message));
     }
 
@@ -62,19 +62,19 @@ public final class Letter {
      *
      * @throws JasonException as the others.
      */
-    static Letter answer(Message message, Conversation conversation) throws JasonException {
-        Force force = Texts.force(message.getIlForce());
+    static OutgoingMessage answer(Message message, Conversation conversation) throws JasonException {
+        Performative force = Texts.force(message.getIlForce());
         Term to = receiver(message);
         boolean answers = force.canAnswer() && Destinations.of(to).kind() == Address.Kind.DEVICE;
         return of(to, force, answers ? Optional.of(conversation) : Optional.empty(), said(message));
     }
 
     /** That a message cannot be sent as an answer, and why. */
-    static Letter sorry(Message answer, Conversation conversation, Failure why) throws JasonException {
-        return of(receiver(answer), Force.SORRY, Optional.of(conversation), ASSyntax.createString(why.brief()));
+    static OutgoingMessage sorry(Message answer, Conversation conversation, Failure why) throws JasonException {
+        return of(receiver(answer), Performative.SORRY, Optional.of(conversation), ASSyntax.createString(why.brief()));
     }
 
-    private static Letter of(Term to, Force force, Optional<Conversation> conversation, Term content)
+    private static OutgoingMessage of(Term to, Performative force, Optional<Conversation> conversation, Term content)
             throws JasonException {
         Address address = Destinations.of(to);
         if (force.requiresSeal() && address.kind() == Address.Kind.BROADCAST) {
@@ -85,7 +85,7 @@ public final class Letter {
         }
         // Where a variable's name was meant, the variable itself would match anything.
         Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();
-        return new Letter(address, Texts.content(force, conversation, content),
+        return new OutgoingMessage(address, Texts.content(force, conversation, content),
                 List.of(named, ASSyntax.createAtom(force.toString()), content.clone()));
     }
 
@@ -120,7 +120,7 @@ public final class Letter {
 
     /** Whether it is an answer that says only that nothing is known. */
     boolean knowsNothing() {
-        return content.force() == Force.UNTELL || content.term().equals("[]");
+        return content.force() == Performative.UNTELL || content.term().equals("[]");
     }
 
     /** Whether its receiver says that it has come: only a single device does (SPEC 7.2). */
@@ -128,12 +128,12 @@ public final class Letter {
         return to.kind() == Address.Kind.DEVICE;
     }
 
-    /** {@code delivered(To,Force,Content)[source(percept)]}. */
+    /** {@code delivered(To,Performative,Content)[source(percept)]}. */
     Literal delivered() {
         return event(DELIVERED);
     }
 
-    /** {@code undelivered(To,Force,Content)[source(percept),error(Error),error_msg(Message)]}. */
+    /** {@code undelivered(To,Performative,Content)[source(percept),error(Error),error_msg(Message)]}. */
     Literal undelivered(Failure why) {
         Literal event = event(UNDELIVERED);
         event.addAnnots(why.annotations());

@@ -16,11 +16,11 @@ import uppaal.network.Network;
  * @param reached whether some state has the left side; otherwise the property holds of nothing
  * @param needless whether the right side holds in all states by itself; then the left side says nothing
  */
-record Substance(String query, boolean reached, boolean needless) {
+record VacuityCheck(String query, boolean reached, boolean needless) {
     /** Asks it of each query that is an implication. */
-    static List<Substance> of(Network network, List<Query> queries) {
+    static List<VacuityCheck> of(Network network, List<Query> queries) {
         List<Property> properties = Check.properties(network, queries);
-        List<Substance> found = new ArrayList<>();
+        List<VacuityCheck> found = new ArrayList<>();
         for (int i = 0; i < queries.size(); i++) {
             Optional<Term.Binary> implication = properties.get(i).implication();
             if (implication.isPresent()) {
@@ -30,10 +30,10 @@ record Substance(String query, boolean reached, boolean needless) {
         return found;
     }
 
-    private static Substance of(Network network, String name, Term.Binary implication) {
+    private static VacuityCheck of(Network network, String name, Term.Binary implication) {
         Exploration exploration = Exploration.of(network, List.of(
                 Property.possibly(implication.left(), "left side"),
                 Property.always(implication.right(), "right side")));
-        return new Substance(name, exploration.holds(0), exploration.holds(1));
+        return new VacuityCheck(name, exploration.holds(0), exploration.holds(1));
     }
 }

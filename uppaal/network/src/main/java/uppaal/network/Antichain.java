@@ -7,14 +7,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import uppaal.network.Watch.Node;
+import uppaal.network.Observer.Node;
 
 /** Some states of a network, without those of which another one allows all that they do. */
-final class Front {
-    private final Watch watch;
+final class Antichain {
+    private final Observer watch;
     private final Map<Object, List<Node>> byRest = new HashMap<>();
 
-    Front(Watch watch) {
+    Antichain(Observer watch) {
         this.watch = watch;
     }
 

@@ -22,7 +22,7 @@ import uppaal.tool.Tool;
 
 /** The second opinion must be the first one's, where no time passes also in the number of states. */
 @Tag("soak")
-class OpinionTest {
+class ZoneCheckerTest {
     private static final Path MODELS = Path.of("models");
 
     @TempDir
@@ -34,8 +34,9 @@ class OpinionTest {
     }
 
     private String opinion(String... files) throws IOException {
-        return Tool.run(folder, Stream.concat(Stream.of("python3", Path.of("opinion.py").toAbsolutePath().toString()),
-                Stream.of(files)).toArray(String[]::new));
+        return Tool.run(folder,
+                Stream.concat(Stream.of("python3", Path.of("zone_checker.py").toAbsolutePath().toString()),
+                        Stream.of(files)).toArray(String[]::new));
     }
 
     @Test

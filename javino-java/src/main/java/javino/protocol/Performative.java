@@ -7,7 +7,7 @@ import java.util.Optional;
  * The effect that a message is to have on its receiver: the performatives of Jason, {@code sorry}, and {@code move}
  * (SPEC 3).
  */
-public enum Force {
+public enum Performative {
     /** The receiver comes to believe the term. */
     TELL("tell"),
     /** The receiver ceases to believe it. */
@@ -35,12 +35,12 @@ public enum Force {
 
     private final String text;
 
-    Force(String text) {
+    Performative(String text) {
         this.text = text;
     }
 
     /** The force of that AgentSpeak name, if there is one. */
-    public static Optional<Force> of(String name) {
+    public static Optional<Performative> of(String name) {
         return Arrays.stream(values()).filter(force -> force.text.equals(name)).findFirst();
     }
 

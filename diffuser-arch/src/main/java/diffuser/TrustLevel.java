@@ -7,7 +7,7 @@ import jason.asSyntax.Structure;
 import javino.protocol.Address;
 
 /** What a device is to this one, by the key that they share. */
-public enum Peer {
+public enum TrustLevel {
     /** Somebody has put the key on both boards. */
     PROVISIONED,
     /** The hosts have agreed on the key, as both have a certificate: they may never have met before. */

@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** The gateways of one cell. One of them relays: the first by name of those that are there. */
-final class Colleagues {
+final class CellGateways {
 
     /** Each says so often that it is there. */
     static final long SAY_MILLIS = 60_000;
@@ -16,7 +16,7 @@ final class Colleagues {
     private final Map<String, Long> there = new TreeMap<>();
 
     /** @param own the name of this gateway. */
-    Colleagues(String own) {
+    CellGateways(String own) {
         this.own = own;
     }
 

@@ -12,15 +12,15 @@ import uppaal.check.QueryFile;
 import uppaal.network.Network;
 import uppaal.network.NetworkBuilder;
 
-class SubstanceTest {
+class VacuityCheckTest {
     private static final Path MODELS = Path.of("models");
 
     @Test
     void of_paper_onlyTheSecondSaysNothing() {
         Network network = NetworkBuilder.build(Scene.PAPER.document(MODELS));
-        List<Substance> found = Substance.of(network, QueryFile.read(MODELS.resolve("paper.q")));
-        assertTrue(found.stream().allMatch(Substance::reached));
-        assertEquals(List.of("P2"), found.stream().filter(Substance::needless).map(Substance::query).toList());
+        List<VacuityCheck> found = VacuityCheck.of(network, QueryFile.read(MODELS.resolve("paper.q")));
+        assertTrue(found.stream().allMatch(VacuityCheck::reached));
+        assertEquals(List.of("P2"), found.stream().filter(VacuityCheck::needless).map(VacuityCheck::query).toList());
         assertEquals(7, found.size());
     }
 
@@ -28,6 +28,6 @@ class SubstanceTest {
     void of_emptyImplication_isFound() {
         Network network = Sketch.of("").template("P", "a -> b; guard false").network();
         List<Query> query = List.of(new Query("V", true, "nothing.", "A[] P.b imply false", "here"));
-        assertEquals(List.of(new Substance("V", false, false)), Substance.of(network, query));
+        assertEquals(List.of(new VacuityCheck("V", false, false)), VacuityCheck.of(network, query));
     }
 }

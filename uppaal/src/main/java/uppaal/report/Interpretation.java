@@ -21,7 +21,7 @@ import uppaal.network.NetworkBuilder;
  * @param sentence what is other
  * @param failing the names of the paper's properties that fail
  */
-record Reading(String sentence, int states, List<String> failing) {
+record Interpretation(String sentence, int states, List<String> failing) {
 
     private static final UnaryOperator<Document> BINARY =
             document -> document.withDeclarations(document.declarations().replace("broadcast chan", "chan"));
@@ -39,17 +39,17 @@ record Reading(String sentence, int states, List<String> failing) {
             new Change("all channels are binary: a message to many reaches one", BINARY),
             new Change("the first acknowledgement of many is enough", ONE_OF_MANY),
             new Change("the channel is only looked at, not acquired, and comes and goes as the connection does",
-                    Reading::lookedAt),
-            new Change("the same, with binary channels", both(BINARY, Reading::lookedAt)),
+                    Interpretation::lookedAt),
+            new Change("the same, with binary channels", both(BINARY, Interpretation::lookedAt)),
             new Change("the letter of the text: the same, and a sender is done with one acknowledgement",
-                    both(both(BINARY, Reading::lookedAt), Reading::doneAtOnce)));
+                    both(both(BINARY, Interpretation::lookedAt), Interpretation::doneAtOnce)));
 
     /** All of them, asked the paper's queries. */
-    static List<Reading> all(Path models) {
+    static List<Interpretation> all(Path models) {
         return CHANGES.stream().map(change -> of(change, models)).toList();
     }
 
-    private static Reading of(Change change, Path models) {
+    private static Interpretation of(Change change, Path models) {
         Network network = NetworkBuilder.build(change.change.apply(Scene.PAPER.document(models)));
         List<Query> queries = QueryFile.read(models.resolve("paper.q"));
         Exploration exploration = Exploration.of(network, Check.properties(network, queries));
@@ -59,7 +59,7 @@ record Reading(String sentence, int states, List<String> failing) {
                 failing.add(queries.get(i).name());
             }
         }
-        return new Reading(change.sentence, exploration.states(), failing);
+        return new Interpretation(change.sentence, exploration.states(), failing);
     }
 
     private static Document lookedAt(Document document) {
