@@ -35,7 +35,6 @@ class NumbersTest {
     private static final int AHEAD = firmware("MORE_PER_WRITE");
     private static final int FLOORS = firmware("JAVINO_FLOOR_SLOTS");
     private static final int SAMPLE = firmware("DEFAULT_SAMPLE_MILLIS");
-    private static final int BIT_RATE = 2000;
     private static final BoardConfig SESSION = BoardConfig.create();
 
     static Stream<Arguments> sayings() {
@@ -73,19 +72,9 @@ class NumbersTest {
                 says("SPEC.md", "The window is %d slots at first", WINDOW),
                 says("SPEC.md", "with fewer than %d its window grows", firmware("FEW_IDLE_SLOTS")),
                 says("SPEC.md", "up to %d slots", MOST_WINDOW),
-                says("DESIGN.md", "| window | %d…%d slots", WINDOW, MOST_WINDOW),
-                says("DESIGN.md", "Three digits cost 4 of the %d bytes of a packet", SEALED),
-                says("DESIGN.md", "**%d bytes of nonce instead of", NONCE),
-                says("DESIGN.md", "**A tag of %d bytes.**", TAG),
-                says("DESIGN.md", "until it has something to tell, at most %d s", SESSION.hold().toSeconds()),
-                says("DESIGN.md", "Floors ahead of what was accepted, %d messages a write", AHEAD + 1),
-                says("DESIGN.md", "| content | %d bytes | what fits a sealed %d-byte message", Content.MAX_LENGTH,
-                        Frame.MAX_MESSAGE_LENGTH),
-                says("DESIGN.md", "| attempts | %d, with %d ms of quiet air after each", ATTEMPTS, PATIENCE),
-                says("DESIGN.md", "| slot | %d bits, %d ms |", SLOT, 1000 * SLOT / BIT_RATE),
-                says("DESIGN.md", "| reply time | %d ms, %d times |", SESSION.replyTimeout().toMillis(),
+                says("DESIGN.md", "| reply time: %d ms, %d times |", SESSION.replyTimeout().toMillis(),
                         SESSION.attempts()),
-                says("DESIGN.md", "| hold | %d s |", SESSION.hold().toSeconds()),
+                says("DESIGN.md", "| hold: %d s |", SESSION.hold().toSeconds()),
                 says("SECURITY.md", "the last ones that it had (%d on a Mega)", 2 * firmware("JAVINO_SESSION_KEYS")),
                 says("SECURITY.md", "a proof of %d bytes under the key", firmware("PROOF_LENGTH")),
                 says("SECURITY.md", "each free again %d s after its last piece", EXPIRY),
