@@ -95,7 +95,6 @@ class NumbersTest {
                 says("emulator/README.md", "A picture shows at most %d s",
                         constant("test/campaign/src/main/java/air", "MOST_SECONDS")),
                 says("emulator/README.md", "less than a slot (%d bits)", SLOT),
-                says("examples/highway/README.md", "up to %d times", ATTEMPTS),
                 says("examples/highway/README.md", "\n| %d |", behaviours()),
                 says("docs/first-steps.md", "highway: %1$d of %1$d behaviours observed", behaviours()));
     }
