@@ -118,22 +118,22 @@ public final class Gate implements CircumstanceListener {
      * handed on as a message; all else as the goal by which Jason has an agent handle it, with the marks, so that plans
      * can refuse it. Of these goals the plan is chosen here, by how things are now.
      *
-     * @param message what goes with its force, as a term; of a list of literals, one.
+     * @param message what goes with its performative, as a term; of a list of literals, one.
      * @throws RefusedException if nothing of it passes.
      */
     void pass(Message message, Provenance of) throws RefusedException {
-        Performative force = Performative.of(message.getIlForce()).orElseThrow();
-        Policy.Decision decision = permit(Act.of(force), of);
+        Performative performative = Performative.of(message.getIlForce()).orElseThrow();
+        Policy.Decision decision = permit(Act.of(performative), of);
         Term said = (Term) message.getPropCont();
         refuseJasonsOwn(said);
-        Term clean = force == Performative.TELL_HOW ? labelled(said) : clean(said);
-        if (message.getInReplyTo() != null && force != Performative.SORRY) {
-            Term answer = force == Performative.TELL ? marked(clean, of.marks()) : asList(clean);
+        Term clean = performative == Performative.TELL_HOW ? labelled(said) : clean(said);
+        if (message.getInReplyTo() != null && performative != Performative.SORRY) {
+            Term answer = performative == Performative.TELL ? marked(clean, of.marks()) : asList(clean);
             rehearse(message, answer);
             handOn(message, answer);
             return;
         }
-        switch (force) {
+        switch (performative) {
             case TELL, SIGNAL -> handOn(message, marked(clean, of.marks()));
             case ACHIEVE -> {
                 Term goal = marked(clean, of.marks());
@@ -146,7 +146,7 @@ public final class Gate implements CircumstanceListener {
             case UNTELL, UNACHIEVE -> {
                 if (decision.verdict() != Policy.Verdict.ITS_OWN) {
                     adopt(message, received(message, clean, of), decision);
-                } else if (force == Performative.UNTELL) {
+                } else if (performative == Performative.UNTELL) {
                     retract(message, (Literal) clean, of);
                 } else {
                     // Jason drops only goals that have all the annotations.

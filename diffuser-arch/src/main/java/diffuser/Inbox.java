@@ -47,8 +47,8 @@ final class Inbox {
 
         /** As Jason has it. */
         Message toJason() {
-            Message jason = new Message(content().force().toString(), of.from(), receiver, term);
-            if (content().force().isQuestion()) {
+            Message jason = new Message(content().performative().toString(), of.from(), receiver, term);
+            if (content().performative().isQuestion()) {
                 content().conversation().map(asked -> new IncomingQuestion(asked, of.cast()).messageId())
                         .ifPresent(jason::setMsgId);
             }
@@ -67,7 +67,7 @@ final class Inbox {
     /** Takes a message in, or drops, counts and reports it if its content is no AgentSpeak. For any thread. */
     void put(ReceivedMessage message, TrustLevel peer, String receiver) {
         Provenance of = Provenance.of(message.from(), Cast.of(message.to()), peer);
-        if (message.content().force() == Performative.MOVE) {
+        if (message.content().performative() == Performative.MOVE) {
             putMove(message, of);
             return;
         }
@@ -92,7 +92,7 @@ final class Inbox {
 
     /** Of a list, each literal passes the gate or does not; answers and plans are the asker's to take as a whole. */
     private static List<Term> apart(Term term, Content content) {
-        boolean whole = content.force().requiresSeal() || content.isAnswer() || !term.isList();
+        boolean whole = content.performative().requiresSeal() || content.isAnswer() || !term.isList();
         return whole ? List.of(term) : (ListTerm) term;
     }
 
@@ -132,7 +132,7 @@ final class Inbox {
 
     private void refuse(ReceivedMessage message, String kind, String why) {
         refused.incrementAndGet();
-        String what = "dropped " + message.content().force() + " from " + message.from() + ": ";
+        String what = "dropped " + message.content().performative() + " from " + message.from() + ": ";
         warnings.once(what + kind, what + why);
     }
 
@@ -150,7 +150,7 @@ final class Inbox {
             question.ifPresent(asked -> fail(asked, mail, "its answer was dropped: " + e.getMessage()));
             throw e;
         }
-        if (mail.content().force() == Performative.SORRY) {
+        if (mail.content().performative() == Performative.SORRY) {
             fail(question.orElseThrow(), mail, ((StringTerm) mail.term()).getString());
         }
     }

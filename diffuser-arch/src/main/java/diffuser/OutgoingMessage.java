@@ -39,12 +39,12 @@ public final class OutgoingMessage {
      * Reads what an agent gave.
      *
      * @param to      as {@link Destinations#of} reads it.
-     * @param force   an atom, as {@link Texts#content} reads it.
-     * @param content what goes with the force.
+     * @param performative an atom, as {@link Texts#content} reads it.
+     * @param content what goes with the performative.
      * @throws JasonException bad_address, wrong_arguments, bad_content, too_long or not_sealed.
      */
-    public static OutgoingMessage of(Term to, Term force, Term content) throws JasonException {
-        Performative known = Texts.force(force.toString());
+    public static OutgoingMessage of(Term to, Term performative, Term content) throws JasonException {
+        Performative known = Texts.performative(performative.toString());
         return of(to, known, known.isQuestion() ? Optional.of(nextConversation()) : Optional.empty(), content);
     }
 
@@ -63,10 +63,10 @@ public final class OutgoingMessage {
      * @throws JasonException as the others.
      */
     static OutgoingMessage answer(Message message, Conversation conversation) throws JasonException {
-        Performative force = Texts.force(message.getIlForce());
+        Performative performative = Texts.performative(message.getIlForce());
         Term to = receiver(message);
-        boolean answers = force.canAnswer() && Destinations.of(to).kind() == Address.Kind.DEVICE;
-        return of(to, force, answers ? Optional.of(conversation) : Optional.empty(), said(message));
+        boolean answers = performative.canAnswer() && Destinations.of(to).kind() == Address.Kind.DEVICE;
+        return of(to, performative, answers ? Optional.of(conversation) : Optional.empty(), said(message));
     }
 
     /** That a message cannot be sent as an answer, and why. */
@@ -74,19 +74,20 @@ public final class OutgoingMessage {
         return of(receiver(answer), Performative.SORRY, Optional.of(conversation), ASSyntax.createString(why.brief()));
     }
 
-    private static OutgoingMessage of(Term to, Performative force, Optional<Conversation> conversation, Term content)
+    private static OutgoingMessage of(Term to, Performative performative, Optional<Conversation> conversation,
+            Term content)
             throws JasonException {
         Address address = Destinations.of(to);
-        if (force.requiresSeal() && address.kind() == Address.Kind.BROADCAST) {
+        if (performative.requiresSeal() && address.kind() == Address.Kind.BROADCAST) {
             throw new Failure("not_sealed",
-                    force + " goes to a device or a group, not to all: no agent accepts it from a"
+                    performative + " goes to a device or a group, not to all: no agent accepts it from a"
                             + " broadcast, which anyone can send in anyone's name")
                     .toException();
         }
         // Where a variable's name was meant, the variable itself would match anything.
         Term named = to.isVar() ? ASSyntax.createString(Names.of(to).orElseThrow()) : to.clone();
-        return new OutgoingMessage(address, Texts.content(force, conversation, content),
-                List.of(named, ASSyntax.createAtom(force.toString()), content.clone()));
+        return new OutgoingMessage(address, Texts.content(performative, conversation, content),
+                List.of(named, ASSyntax.createAtom(performative.toString()), content.clone()));
     }
 
     /** From a random one on, so that a late answer to a question before the last start answers none of this run. */
@@ -115,12 +116,12 @@ public final class OutgoingMessage {
 
     /** Whether it asks for an answer. */
     boolean isQuestion() {
-        return content.force().isQuestion();
+        return content.performative().isQuestion();
     }
 
     /** Whether it is an answer that says only that nothing is known. */
     boolean knowsNothing() {
-        return content.force() == Performative.UNTELL || content.term().equals("[]");
+        return content.performative() == Performative.UNTELL || content.term().equals("[]");
     }
 
     /** Whether its receiver says that it has come: only a single device does (SPEC 7.2). */

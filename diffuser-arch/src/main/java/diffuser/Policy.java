@@ -82,9 +82,9 @@ public final class Policy {
         /** A sealed message of a host. */
         HOST_MESSAGE;
 
-        /** To say something of that force. */
-        public static Act of(Performative force) {
-            return valueOf(force.name());
+        /** To say something of that performative. */
+        public static Act of(Performative performative) {
+            return valueOf(performative.name());
         }
     }
 
@@ -180,7 +180,7 @@ public final class Policy {
 
     /** How the table calls a value: performatives as messages do. */
     static String word(Enum<?> value) {
-        return Stream.of(Performative.values()).filter(force -> force.name().equals(value.name()))
+        return Stream.of(Performative.values()).filter(performative -> performative.name().equals(value.name()))
                 .map(Performative::toString)
                 .findFirst().orElseGet(() -> value.name().toLowerCase(Locale.ROOT).replace('_', ' '));
     }

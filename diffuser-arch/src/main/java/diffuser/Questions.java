@@ -38,7 +38,7 @@ final class Questions {
         /** Where an answer of a device comes from: as the question went. */
         Provenance answered(Address by, TrustLevel peer) {
             return Provenance.of(by, Cast.of(letter.to()), peer).answering(
-                    Provenance.Question.of(letter.content().force(), messageId.isPresent()));
+                    Provenance.Question.of(letter.content().performative(), messageId.isPresent()));
         }
     }
 

@@ -59,11 +59,11 @@ public final class Texts {
     }
 
     /**
-     * The force of that name, as a program gives it.
+     * The performative of that name, as a program gives it.
      *
      * @throws JasonException wrong_arguments if it is none that can travel.
      */
-    static Performative force(String name) throws JasonException {
+    static Performative performative(String name) throws JasonException {
         return Performative.of(name).filter(Performative::isSaid).orElseThrow(() -> new JasonException(
                 "the radio takes only " + FORCES + ", not " + name, JasonException.WRONG_ARGS));
     }
@@ -71,14 +71,15 @@ public final class Texts {
     /**
      * What one agent says to another.
      *
-     * @throws JasonException bad_content if the term is not what goes with the force, or its text does not read back;
-     *                        too_long if it is longer than any message.
+     * @throws JasonException bad_content if the term is not what goes with the performative, or its text does not read
+     * back; too_long if it is longer than any message.
      */
-    static Content content(Performative force, Optional<Conversation> conversation, Term term) throws JasonException {
+    static Content content(Performative performative, Optional<Conversation> conversation, Term term)
+            throws JasonException {
         try {
             String text = TermWriter.write(Gate.clean(term));
-            checked(force, conversation.isPresent(), text);
-            return new Content(force, conversation, text);
+            checked(performative, conversation.isPresent(), text);
+            return new Content(performative, conversation, text);
         } catch (MalformedTextException e) {
             throw unsayable(e);
         } catch (IllegalArgumentException e) {
@@ -103,16 +104,18 @@ public final class Texts {
      * What an agent of this MAS says that is trusted no more than another device: as it would come from there.
      *
      * @param answer whether it answers a question.
-     * @throws MalformedTextException if it is not what goes with the force, or its text does not read back.
+     * @throws MalformedTextException if it is not what goes with the performative, or its text does not read back.
      */
-    public static Term asFromTheAir(Performative force, boolean answer, Term said) throws MalformedTextException {
-        return checked(force, answer, TermWriter.write(Gate.clean(said)));
+    public static Term asFromTheAir(Performative performative, boolean answer, Term said)
+            throws MalformedTextException {
+        return checked(performative, answer, TermWriter.write(Gate.clean(said)));
     }
 
-    private static Term checked(Performative force, boolean conversing, String text) throws MalformedTextException {
+    private static Term checked(Performative performative, boolean conversing, String text)
+            throws MalformedTextException {
         expectNoCommand(text);
-        Term term = read(text, force);
-        check(text, term, force, conversing);
+        Term term = read(text, performative);
+        check(text, term, performative, conversing);
         return term;
     }
 
@@ -147,17 +150,17 @@ public final class Texts {
         return (Literal) term;
     }
 
-    /** Reads what a message says: what goes with its force. */
+    /** Reads what a message says: what goes with its performative. */
     static Term readContent(Content content) throws MalformedTextException {
-        return checked(content.force(), content.conversation().isPresent(), content.term());
+        return checked(content.performative(), content.conversation().isPresent(), content.term());
     }
 
     /**
      * Plans are not evaluated: what they compute, they compute when they run. Those that come as strings are read here,
      * so that what was looked at is what Jason takes.
      */
-    private static Term read(String text, Performative force) throws MalformedTextException {
-        return switch (force) {
+    private static Term read(String text, Performative performative) throws MalformedTextException {
+        return switch (performative) {
             case TELL_HOW -> each(parsed(text), term -> term.isString() ? plan(((StringTerm) term).getString()) : term);
             case UNTELL_HOW ->
                 each(read(text), term -> term.isString() ? label(((StringTerm) term).getString()) : term);
@@ -194,9 +197,9 @@ public final class Texts {
         return parsed(text, ASSyntax::parseTrigger);
     }
 
-    private static void check(String text, Term term, Performative force, boolean conversing)
+    private static void check(String text, Term term, Performative performative, boolean conversing)
             throws MalformedTextException {
-        boolean fits = switch (force) {
+        boolean fits = switch (performative) {
             case TELL, UNTELL -> conversing ? isDatum(term) : all(term, Texts::isBelief);
             case ACHIEVE, UNACHIEVE, SIGNAL, UNTELL_HOW -> all(term, Texts::isBelief);
             case ASK_ONE, ASK_ALL -> isBelief(term);
@@ -207,11 +210,11 @@ public final class Texts {
             case SORRY -> term.isString();
             case MOVE -> false;
         };
-        expect(fits, text, expected(force, conversing));
+        expect(fits, text, expected(performative, conversing));
     }
 
-    private static String expected(Performative force, boolean conversing) {
-        return switch (force) {
+    private static String expected(Performative performative, boolean conversing) {
+        return switch (performative) {
             case TELL, UNTELL, ACHIEVE, UNACHIEVE, SIGNAL -> conversing
                     ? "beliefs, numbers, strings or a list of such were expected"
                     : "a belief, a goal or a list of such was expected";

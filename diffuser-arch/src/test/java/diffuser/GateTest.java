@@ -311,17 +311,19 @@ class GateTest {
     @ValueSource(strings = {"tellHow;{ +!go(2) <- diffuser.note(taught) }", "untellHow;mine"})
     void pass_plansOfAStranger_refusedUnlessAPlanAsksForThem(String content) throws Exception {
         FakeBoard board = withAStranger();
-        String force = content.split(";")[0];
+        String performative = content.split(";")[0];
         RunningAgent agent = RunningAgent.listening(PROGRAM + "@mine +!own <- true.", board);
         String before = plansOf(agent);
         board.receive(ME, "ROMB", content);
         agent.warns("it came from a stranger, or under a key that strangers can get; if the agent is to take it,"
-                + " write a plan that asks for it: +!kqml_received(S," + force + ",X,_)[peer(certified,S)] <- ...");
+                + " write a plan that asks for it: +!kqml_received(S," + performative
+                + ",X,_)[peer(certified,S)] <- ...");
         nothingSoFar(agent, board);
         assertEquals(before, plansOf(agent));
         assertEquals(1, refused(agent));
         agent.close();
-        String open = "+!kqml_received(S,%s,X,_)[peer(certified,S)] <- diffuser.note(opened,S).".formatted(force);
+        String open =
+                "+!kqml_received(S,%s,X,_)[peer(certified,S)] <- diffuser.note(opened,S).".formatted(performative);
         FakeBoard again = withAStranger();
         RunningAgent asking = RunningAgent.listening(PROGRAM + open, again);
         again.receive(ME, "ROMB", content);

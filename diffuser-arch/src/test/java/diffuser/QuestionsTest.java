@@ -71,11 +71,12 @@ class QuestionsTest {
             "askHow | { +!go }  | tellHow#%s;[{ @g +!go <- run }] | [{ @g[source(ROMA)] +!go <- run }]",
             "askHow | \"+!go\"  | tellHow#%s;[]                  | []",
     })
-    void send_answerComes_intentionGoesOnWithIt(String force, String question, String answer, String bound) {
+    void send_answerComes_intentionGoesOnWithIt(String performative, String question, String answer, String bound) {
         FakeBoard board = board();
-        String action = ".send(\"ROMA\",%s,%s,A); .term2string(A,T); diffuser.note(T)".formatted(force, question);
+        String action =
+                ".send(\"ROMA\",%s,%s,A); .term2string(A,T); diffuser.note(T)".formatted(performative, question);
         RunningAgent agent = doing(action, board);
-        String id = Conversing.asked(board, "ROMA " + force + ";.*");
+        String id = Conversing.asked(board, "ROMA " + performative + ";.*");
         board.receive("SUPO", "ROMA", answer.formatted(id));
         agent.notes(bound);
         agent.notes("done");

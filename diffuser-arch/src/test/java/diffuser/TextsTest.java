@@ -65,9 +65,9 @@ class TextsTest {
 
     @Test
     void force_sorryOrNone_isRefused() throws Exception {
-        assertEquals(Performative.ASK_ONE, Texts.force("askOne"));
-        assertRefused("wrong_arguments", () -> Texts.force("sorry"));
-        assertRefused("wrong_arguments", () -> Texts.force("shout"));
+        assertEquals(Performative.ASK_ONE, Texts.performative("askOne"));
+        assertRefused("wrong_arguments", () -> Texts.performative("sorry"));
+        assertRefused("wrong_arguments", () -> Texts.performative("shout"));
     }
 
     @Test
@@ -90,17 +90,17 @@ class TextsTest {
             for (int length = random.nextInt(12); length > 0; length--) {
                 text.append(alphabet.charAt(random.nextInt(alphabet.length())));
             }
-            for (Performative force : EnumSet.complementOf(EnumSet.of(Performative.MOVE))) {
-                readOrMalformed(force, "p" + text);
+            for (Performative performative : EnumSet.complementOf(EnumSet.of(Performative.MOVE))) {
+                readOrMalformed(performative, "p" + text);
             }
         }
     }
 
-    private static void readOrMalformed(Performative force, String text) {
-        Optional<Conversation> conversation = force.isQuestion() || force == Performative.SORRY
+    private static void readOrMalformed(Performative performative, String text) {
+        Optional<Conversation> conversation = performative.isQuestion() || performative == Performative.SORRY
                 ? Optional.of(new Conversation(1)) : Optional.empty();
         try {
-            Texts.readContent(new Content(force, conversation, text));
+            Texts.readContent(new Content(performative, conversation, text));
         } catch (MalformedTextException e) {
             assertTrue(e.getMessage().startsWith("\"" + text + "\": "), e.getMessage());
         }
@@ -172,12 +172,12 @@ class TextsTest {
             "tellHow | { +!a <- !{ +!b } }",
             "tellHow | \"+!a. { @l +!b. @l +!c. }\"", "achieve | p({ +!a <- { +!b } ||| c })",
             "tellHow | { +!a <- b |&| { +!b <- c } }"})
-    void readContent_whereTheParserStumbles_isMalformedInSilence(String force, String text) {
+    void readContent_whereTheParserStumbles_isMalformedInSilence(String performative, String text) {
         PrintStream before = System.err;
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
         System.setErr(new PrintStream(printed, true));
         try {
-            assertMalformed(Performative.of(force).orElseThrow(), text);
+            assertMalformed(Performative.of(performative).orElseThrow(), text);
         } finally {
             System.setErr(before);
         }
@@ -230,9 +230,9 @@ class TextsTest {
         assertMalformed(Performative.ASK_HOW, "\"+!g(" + text + ")\"");
     }
 
-    private static void assertMalformed(Performative force, String text) {
-        Optional<Conversation> conversation = Optional.of(new Conversation(1)).filter(c -> force.isQuestion());
+    private static void assertMalformed(Performative performative, String text) {
+        Optional<Conversation> conversation = Optional.of(new Conversation(1)).filter(c -> performative.isQuestion());
         assertThrows(MalformedTextException.class,
-                () -> Texts.readContent(new Content(force, conversation, text)), text);
+                () -> Texts.readContent(new Content(performative, conversation, text)), text);
     }
 }

@@ -100,7 +100,7 @@ final class BoardSource implements Source, BoardListener {
     @Override
     public void message(ReceivedMessage message) {
         tell("message", "from", message.from().toString(), "to", message.to().toString(), "force",
-                message.content().force().toString(), "text", message.content().term());
+                message.content().performative().toString(), "text", message.content().term());
     }
 
     @Override

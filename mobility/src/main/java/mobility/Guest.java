@@ -111,9 +111,10 @@ public class Guest extends Agent {
      * @throws JasonException guest, if nothing of it may be sent.
      */
     void check(Message message) throws JasonException {
-        Optional<Performative> force = Performative.of(message.getIlForce()).filter(Performative::isSaid);
+        Optional<Performative> performative = Performative.of(message.getIlForce()).filter(Performative::isSaid);
         Provenance of = Provenance.ofGuest(message.getSender()).answering(answered(message));
-        if (force.map(known -> Policy.decide(Policy.Act.of(known), of)).filter(Policy.Decision::isAllowed).isEmpty()) {
+        if (performative.map(known -> Policy.decide(Policy.Act.of(known), of)).filter(Policy.Decision::isAllowed)
+                .isEmpty()) {
             throw refused(".send(_," + message.getIlForce() + ",_)"
                     + (message.getInReplyTo() == null ? "" : " in answer to that"));
         }
@@ -121,7 +122,7 @@ public class Guest extends Agent {
             Term said = message.getPropCont() instanceof Term term ? term
                     : ASSyntax.parseTerm(String.valueOf(message.getPropCont()));
             Gate.refuseJasonsOwn(said);
-            message.setPropCont(Texts.asFromTheAir(force.get(), message.getInReplyTo() != null, said));
+            message.setPropCont(Texts.asFromTheAir(performative.get(), message.getInReplyTo() != null, said));
         } catch (Gate.RefusedException | MalformedTextException | ParseException | TokenMgrError e) {
             throw refused(".send(_," + message.getIlForce() + ",_) of that: "
                     + Writing.brief(ASSyntax.createString(e.getMessage())));
@@ -134,8 +135,8 @@ public class Guest extends Agent {
     }
 
     private void note(Message question) {
-        Performative.of(question.getIlForce()).filter(Performative::isQuestion).ifPresent(force -> {
-            asked.put(List.of(question.getSender(), question.getMsgId()), force);
+        Performative.of(question.getIlForce()).filter(Performative::isQuestion).ifPresent(performative -> {
+            asked.put(List.of(question.getSender(), question.getMsgId()), performative);
             asked.keySet().stream().limit(Math.max(0, asked.size() - MOST_ASKED)).toList().forEach(asked::remove);
         });
     }

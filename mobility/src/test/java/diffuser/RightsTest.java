@@ -76,18 +76,18 @@ class RightsTest {
         TELL_VALUES("tell", "[4,\"four\",[4]]"),
         SORRY("sorry", "\"no\"");
 
-        final String force;
+        final String performative;
         final String said;
         private final Set<Effect> effects;
 
-        Try(String force, String said, Effect... effects) {
-            this.force = force;
+        Try(String performative, String said, Effect... effects) {
+            this.performative = performative;
             this.said = said;
             this.effects = Set.of(effects);
         }
 
         boolean canAnswer() {
-            return Set.of("tell", "untell", "tellHow", "sorry").contains(force);
+            return Set.of("tell", "untell", "tellHow", "sorry").contains(performative);
         }
 
         /** Whether it says something only as an answer. */
@@ -100,10 +100,10 @@ class RightsTest {
     enum Asked {
         NOTHING, ONE("askOne"), ALL("askAll"), HOW("askHow");
 
-        final String force;
+        final String performative;
 
-        Asked(String... force) {
-            this.force = force.length == 0 ? null : force[0];
+        Asked(String... performative) {
+            this.performative = performative.length == 0 ? null : performative[0];
         }
     }
 
@@ -204,8 +204,8 @@ class RightsTest {
             if (!of.isOpen() || !who.isAlone() && who != Who.GUEST) {
                 return Set.of();
             }
-            boolean fits = asked == Asked.HOW ? what.force.equals("tellHow")
-                    : what.force.equals("tell") || what.force.equals("untell");
+            boolean fits = asked == Asked.HOW ? what.performative.equals("tellHow")
+                    : what.performative.equals("tell") || what.performative.equals("untell");
             if (who == Who.GUEST) {
                 if (asked == Asked.HOW || !fits) {
                     return Set.of();
@@ -285,7 +285,7 @@ class RightsTest {
                 case ANOTHER, ANOTHER_AWAITED -> "ROMA";
                 default -> sender;
             };
-            asked = victim.ask(cell.of.isAwaited(), to, cell.asked.force,
+            asked = victim.ask(cell.of.isAwaited(), to, cell.asked.performative,
                     cell.asked == Asked.HOW ? "{ +!taught }" : "new(X)");
             if (cell.of == Of.SENDER_BEFORE) {
                 answer(victim, cell, asked);
@@ -297,9 +297,9 @@ class RightsTest {
             victim.away(true);
         }
         if (who == Who.GUEST) {
-            victim.local(cell.what.force, asked, Literals.of(cell.what.said));
+            victim.local(cell.what.performative, asked, Literals.of(cell.what.said));
         } else {
-            victim.radio(SENDER, Address.parse(who.to), who.peer, cell.what.force, asked, cell.what.said);
+            victim.radio(SENDER, Address.parse(who.to), who.peer, cell.what.performative, asked, cell.what.said);
         }
         victim.settle();
         return victim.effects(cell.marks());
@@ -307,12 +307,12 @@ class RightsTest {
 
     /** As it should, with nothing that is looked for. */
     private static void answer(Victim victim, Cell cell, String asked) {
-        String force = cell.asked == Asked.HOW ? "tellHow" : "tell";
+        String performative = cell.asked == Asked.HOW ? "tellHow" : "tell";
         String said = cell.asked == Asked.HOW ? "[]" : "old(1)";
         if (cell.who == Who.GUEST) {
-            victim.local(force, asked, Literals.of(said));
+            victim.local(performative, asked, Literals.of(said));
         } else {
-            victim.radio(SENDER, Victim.SELF, cell.who.peer, force, asked, said);
+            victim.radio(SENDER, Victim.SELF, cell.who.peer, performative, asked, said);
         }
     }
 

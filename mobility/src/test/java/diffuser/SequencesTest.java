@@ -138,7 +138,7 @@ class SequencesTest {
                 String to = OTHERS.get(step.to);
                 boolean awaited = step.awaited && !to.startsWith("//");
                 if (!asleep) {
-                    String id = victim.ask(awaited, to, step.asked.force,
+                    String id = victim.ask(awaited, to, step.asked.performative,
                             step.asked == Asked.HOW ? "{ +!taught }" : "new(X)");
                     questions.add(new Question(id, step.asked, to, awaited));
                 }
@@ -177,9 +177,10 @@ class SequencesTest {
         if (step.who == Who.GUEST) {
             // It is looked at on the guest's side.
             may.addAll(cell(step, question).expected());
-            victim.local(step.what.force, asked, Literals.of(step.what.said));
+            victim.local(step.what.performative, asked, Literals.of(step.what.said));
         } else {
-            victim.radio(SENDER, Address.parse(step.who.to), step.who.peer, step.what.force, asked, step.what.said);
+            victim.radio(SENDER, Address.parse(step.who.to), step.who.peer, step.what.performative, asked,
+                    step.what.said);
         }
         if (asleep) {
             waiting.add(allowed);

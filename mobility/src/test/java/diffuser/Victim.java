@@ -224,16 +224,16 @@ final class Victim implements AutoCloseable {
     }
 
     /** A message by radio. @param asked the question that it answers; null if it is no answer. */
-    void radio(String from, Address to, TrustLevel peer, String force, String asked, String term) {
-        String conversation = asked == null ? force.startsWith("ask") ? "#AbC" : ""
+    void radio(String from, Address to, TrustLevel peer, String performative, String asked, String term) {
+        String conversation = asked == null ? performative.startsWith("ask") ? "#AbC" : ""
                 : "#" + conversations.getOrDefault(asked, new Conversation(1));
         diffuser.inbox().put(new ReceivedMessage(Address.parse(from), to, 0,
-                Content.parse(force + conversation + ";" + term)), peer, NAME);
+                Content.parse(performative + conversation + ";" + term)), peer, NAME);
     }
 
     /** A message of the guest. */
-    void local(String force, String asked, Object term) {
-        Message message = new Message(force, GUEST, NAME, term);
+    void local(String performative, String asked, Object term) {
+        Message message = new Message(performative, GUEST, NAME, term);
         message.setInReplyTo(asked);
         try {
             guest.getTS().getAgArch().sendMsg(message);

@@ -86,21 +86,21 @@ class GuestTest {
     @CsvSource(delimiter = '#', value = {"tell # p(1)[cast(unicast,'SUPP'),source(bob),a(2)] # p(1)[a(2)]",
             "tell # [p(1)[cast(unicast,'SUPP')],q(-2)] # [p(1),q(-2)]", "askOne # p(X)[Y] # p(X)",
             "signal # go[error(x)] # go"})
-    void message_leavesWhatAnotherDeviceCouldSay(String force, String said, String left) throws Exception {
-        Message message = new Message(force, "guest", "bob", ASSyntax.parseTerm(said));
+    void message_leavesWhatAnotherDeviceCouldSay(String performative, String said, String left) throws Exception {
+        Message message = new Message(performative, "guest", "bob", ASSyntax.parseTerm(said));
         new Guest().check(message);
         assertEquals(left, message.getPropCont().toString());
     }
 
-    private static Guest asked(String force, String id) {
+    private static Guest asked(String performative, String id) {
         Guest guest = new Guest();
         guest.selectMessage(
-                new ArrayDeque<>(List.of(new Message(force, "bob", "guest", ASSyntax.createAtom("p"), id))));
+                new ArrayDeque<>(List.of(new Message(performative, "bob", "guest", ASSyntax.createAtom("p"), id))));
         return guest;
     }
 
-    private static Message answer(String force, String to, String said, String id) throws Exception {
-        Message message = new Message(force, "guest", to, ASSyntax.parseTerm(said));
+    private static Message answer(String performative, String to, String said, String id) throws Exception {
+        Message message = new Message(performative, "guest", to, ASSyntax.parseTerm(said));
         message.setInReplyTo(id);
         return message;
     }
@@ -118,10 +118,10 @@ class GuestTest {
     @CsvSource({"askOne,tell,bob,samid2", "askOne,tell,eve,samid1", "askOne,tell,bob,rf1", "askOne,tell,bob,asleep",
             "askOne,tell,bob,moveOut/javino/1", "askOne,signal,bob,samid1", "askHow,tell,bob,samid1",
             "askHow,tellHow,bob,samid1", "tell,tell,bob,samid1"})
-    void answer_toNoQuestionThatItWasAsked_isRefused(String question, String force, String to, String id)
+    void answer_toNoQuestionThatItWasAsked_isRefused(String question, String performative, String to, String id)
             throws Exception {
         for (String said : List.of("3", "\"a\"", "[1,2]", "p(4)", "[]")) {
-            Message message = answer(force, to, said, id);
+            Message message = answer(performative, to, said, id);
             assertThrows(JasonException.class, () -> asked(question, "samid1").check(message));
         }
     }

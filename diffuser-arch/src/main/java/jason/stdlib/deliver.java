@@ -21,8 +21,8 @@ import diffuser.OutgoingMessage;
  *     all or to a group are not acknowledged: send those with <code>.diffuse</code>.
  * <li>+ Performative (atom): as of <code>.diffuse</code>. For a question the action waits for its delivery, not for the
  * answer.
- * <li>+ Content (literal or list of literals; for questions and plans see <code>.diffuse</code>): with the force, at
- * most 494 bytes.
+ * <li>+ Content (literal or list of literals; for questions and plans see <code>.diffuse</code>): with the
+ * performative, at most 494 bytes.
  * </ul>
  *
  * <p>Examples:<ul>

@@ -20,9 +20,9 @@ import diffuser.OutgoingMessage;
  *
  * <p>An event without a belief tells later how a message to a device ended:
  * <code>+delivered(<i>To</i>,<i>Performative</i>,<i>Content</i>)[source(percept)]</code> or
- * <code>+undelivered(<i>To</i>,<i>Performative</i>,<i>Content</i>)[source(percept)]</code>. Messages to all or to a group are
- * not acknowledged: they are <code>undelivered</code> if the board was lost before it sent them; otherwise there is no
- * event.
+ * <code>+undelivered(<i>To</i>,<i>Performative</i>,<i>Content</i>)[source(percept)]</code>. Messages to all or to a
+ * group are not acknowledged: they are <code>undelivered</code> if the board was lost before it sent them; otherwise
+ * there is no event.
  *
  * <p>Parameters:<ul>
  * <li>+ To (string, atom or the name of a variable without value): <code>broadcast</code> or <code>"////"</code>;
@@ -32,8 +32,8 @@ import diffuser.OutgoingMessage;
  *     <code>askHow</code>, <code>tellHow</code> or <code>untellHow</code>. Answers come as beliefs or are learnt as
  *     plans; to wait for an answer use <code>.send(<i>To</i>,<i>Performative</i>,<i>Content</i>,<i>Answer</i>)</code>.
  * <li>+ Content (literal or list of literals; a triggering event, a plan or its label for the forces of plans): with
- * the force, at most 494 bytes. Up to 67 bytes to all and 53 to a group or device fit one radio packet; longer ones are
- * cut into pieces.
+ * the performative, at most 494 bytes. Up to 67 bytes to all and 53 to a group or device fit one radio packet; longer
+ * ones are cut into pieces.
  * </ul>
  *
  * <p>Examples:<ul>
@@ -59,7 +59,7 @@ public class diffuse extends BoardAction {
         super.checkArguments(args);
         if (!args[1].isAtom()) {
             throw JasonException.createWrongArgument(this,
-                    "a force such as tell was expected, not '" + args[1] + "'.");
+                    "a performative such as tell was expected, not '" + args[1] + "'.");
         }
     }
 

@@ -29,9 +29,8 @@ final class SendCommand implements Callable<Integer> {
     private Address to;
 
     @Parameters(index = "1", paramLabel = "CONTENT", converter = ContentText.class,
-            description = "A force and a term of AgentSpeak, such as 'tell;help'; a question or an answer has three "
-                    + "digits"
-                    + " for the conversation too, such as 'askOne#AbC;speed(X)'.")
+            description = "A performative and a term of AgentSpeak, such as 'tell;help'; a question or an answer has "
+                    + "three digits for the conversation too, such as 'askOne#AbC;speed(X)'.")
     private Content content;
 
     @Spec
@@ -51,8 +50,8 @@ final class SendCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws JavinoException, InterruptedException {
-        if (to.equals(Address.BROADCAST) && content.force().requiresSeal()) {
-            throw new ParameterException(spec.commandLine(), content.force()
+        if (to.equals(Address.BROADCAST) && content.performative().requiresSeal()) {
+            throw new ParameterException(spec.commandLine(), content.performative()
                     + " goes to a device or a group, not to all: no agent accepts it from a broadcast");
         }
         try (Board board = port.open()) {

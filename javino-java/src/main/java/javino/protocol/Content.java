@@ -3,15 +3,15 @@ package javino.protocol;
 import java.util.Optional;
 
 /**
- * What one agent says to another: {@code force;term} in UTF-8, or {@code force#conversation;term} for questions and
- * answers (SPEC 3).
+ * What one agent says to another: {@code performative;term} in UTF-8, or {@code performative#conversation;term} for
+ * questions and answers (SPEC 3).
  *
- * @param force        what the message is meant to do.
+ * @param performative what the message is meant to do.
  * @param conversation the number that joins a question and its answer; else empty.
- * @param body         an AgentSpeak term in UTF-8, or of {@link Performative#MOVE} any bytes; at least one byte. The whole
- *                     content has at most 494 bytes.
+ * @param body         an AgentSpeak term in UTF-8, or of {@link Performative#MOVE} any bytes; at least one byte. The
+ *                     whole content has at most 494 bytes.
  */
-public record Content(Performative force, Optional<Conversation> conversation, Bytes body) {
+public record Content(Performative performative, Optional<Conversation> conversation, Bytes body) {
 
     /** The most bytes of a content: the sealed content fits a frame, and the opened one a poll reply. */
     public static final int MAX_LENGTH = 494;
@@ -25,17 +25,17 @@ public record Content(Performative force, Optional<Conversation> conversation, B
      *         question or {@code sorry} has no conversation, or a content that is no question and no answer has one.
      */
     public Content {
-        if (!fits(force, conversation.isPresent())) {
-            throw new IllegalArgumentException("a " + force + (conversation.isEmpty() ? " needs a conversation"
+        if (!fits(performative, conversation.isPresent())) {
+            throw new IllegalArgumentException("a " + performative + (conversation.isEmpty() ? " needs a conversation"
                     : " belongs to no conversation"));
         }
         if (body.length() == 0) {
-            throw new IllegalArgumentException("a content needs a term after \"" + force + ";\"");
+            throw new IllegalArgumentException("a content needs a term after \"" + performative + ";\"");
         }
-        if (force != Performative.MOVE) {
+        if (performative != Performative.MOVE) {
             expectText(body);
         }
-        int length = head(force, conversation).length() + body.length();
+        int length = head(performative, conversation).length() + body.length();
         if (length > MAX_LENGTH) {
             throw new IllegalArgumentException(
                     "a content has at most " + MAX_LENGTH + " bytes of UTF-8, not " + length);
@@ -43,13 +43,13 @@ public record Content(Performative force, Optional<Conversation> conversation, B
     }
 
     /** A content of text. */
-    public Content(Performative force, Optional<Conversation> conversation, String term) {
-        this(force, conversation, Bytes.ofText(term));
+    public Content(Performative performative, Optional<Conversation> conversation, String term) {
+        this(performative, conversation, Bytes.ofText(term));
     }
 
     /** A content that is no question and no answer. */
-    public Content(Performative force, String term) {
-        this(force, Optional.empty(), term);
+    public Content(Performative performative, String term) {
+        this(performative, Optional.empty(), term);
     }
 
     /** What a host says to another host about an agent that travels. */
@@ -68,7 +68,7 @@ public record Content(Performative force, Optional<Conversation> conversation, B
     /**
      * Reads a content; the first {@code ;} divides.
      *
-     * @throws ProtocolException TOO_LONG, BAD_TEXT, or BAD_CONTENT if there is no known force or no term.
+     * @throws ProtocolException TOO_LONG, BAD_TEXT, or BAD_CONTENT if there is no known performative or no term.
      */
     public static Content decode(Bytes bytes) throws ProtocolException {
         if (bytes.length() > MAX_LENGTH) {
@@ -82,7 +82,7 @@ public record Content(Performative force, Optional<Conversation> conversation, B
         int divider = text.indexOf(DIVIDER);
         return (divider < 0 ? Optional.<Content>empty() : read(text.substring(0, divider), text.substring(divider + 1)))
                 .orElseThrow(() -> new ProtocolException(ProtocolError.BAD_CONTENT,
-                        "expected a force such as tell, with"
+                        "expected a performative such as tell, with"
                                 + " a conversation such as #AbC where it asks or answers, then ; and a term, found \""
                                 + text
                                 + "\""));
@@ -91,22 +91,22 @@ public record Content(Performative force, Optional<Conversation> conversation, B
     private static Optional<Content> read(String head, String term) {
         int mark = head.indexOf(CONVERSATION_MARK);
         boolean conversing = mark >= 0;
-        Optional<Performative> force = Performative.of(conversing ? head.substring(0, mark) : head);
+        Optional<Performative> performative = Performative.of(conversing ? head.substring(0, mark) : head);
         Optional<Conversation> conversation = conversing ? Conversation.of(head.substring(mark + 1)) : Optional.empty();
         boolean whole = !term.isEmpty() && conversing == conversation.isPresent();
-        return force.filter(known -> whole && fits(known, conversing))
+        return performative.filter(known -> whole && fits(known, conversing))
                 .map(known -> new Content(known, conversation, term));
     }
 
     /** Questions and {@code sorry} are always of a conversation, other answers may be, and nothing else is. */
-    private static boolean fits(Performative force, boolean conversing) {
-        return conversing ? force.isQuestion() || force.canAnswer()
-                : !force.isQuestion() && force != Performative.SORRY;
+    private static boolean fits(Performative performative, boolean conversing) {
+        return conversing ? performative.isQuestion() || performative.canAnswer()
+                : !performative.isQuestion() && performative != Performative.SORRY;
     }
 
     /** Whether it answers a question. */
     public boolean isAnswer() {
-        return conversation.isPresent() && force.canAnswer();
+        return conversation.isPresent() && performative.canAnswer();
     }
 
     /**
@@ -125,7 +125,7 @@ public record Content(Performative force, Optional<Conversation> conversation, B
     /** The term; of a move, whose term is bytes, their hexadecimal digits. */
     public String term() {
         try {
-            return force == Performative.MOVE ? body.hex() : body.text();
+            return performative == Performative.MOVE ? body.hex() : body.text();
         } catch (ProtocolException e) {
             throw new IllegalStateException("the constructor has read it", e);
         }
@@ -133,20 +133,21 @@ public record Content(Performative force, Optional<Conversation> conversation, B
 
     /** The content's bytes. */
     public Bytes encode() {
-        return Bytes.join(head(force, conversation), body);
+        return Bytes.join(head(performative, conversation), body);
     }
 
-    /** As on the line, {@code force;term} or {@code force#conversation;term}; but a move in hexadecimal digits. */
+    /** As on the line, {@code performative;term} or {@code performative#conversation;term}; but a move in hexadecimal
+     * digits. */
     @Override
     public String toString() {
-        return headText(force, conversation) + term();
+        return headText(performative, conversation) + term();
     }
 
-    private static Bytes head(Performative force, Optional<Conversation> conversation) {
-        return Bytes.ofText(headText(force, conversation));
+    private static Bytes head(Performative performative, Optional<Conversation> conversation) {
+        return Bytes.ofText(headText(performative, conversation));
     }
 
-    private static String headText(Performative force, Optional<Conversation> conversation) {
-        return force + conversation.map(known -> CONVERSATION_MARK + known.toString()).orElse("") + DIVIDER;
+    private static String headText(Performative performative, Optional<Conversation> conversation) {
+        return performative + conversation.map(known -> CONVERSATION_MARK + known.toString()).orElse("") + DIVIDER;
     }
 }

@@ -39,9 +39,9 @@ public enum Performative {
         this.text = text;
     }
 
-    /** The force of that AgentSpeak name, if there is one. */
+    /** The performative of that AgentSpeak name, if there is one. */
     public static Optional<Performative> of(String name) {
-        return Arrays.stream(values()).filter(force -> force.text.equals(name)).findFirst();
+        return Arrays.stream(values()).filter(performative -> performative.text.equals(name)).findFirst();
     }
 
     /** Whether it asks for an answer; then it names the conversation. */

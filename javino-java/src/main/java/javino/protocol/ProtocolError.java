@@ -20,7 +20,7 @@ public enum ProtocolError {
     BAD_ORIGIN,
     /** Bytes that should be text are no UTF-8. */
     BAD_TEXT,
-    /** A content is not {@code force;term} (SPEC 3). */
+    /** A content is not {@code performative;term} (SPEC 3). */
     BAD_CONTENT,
     /** A board's reply does not have the form of SPEC 4.3. */
     BAD_REPLY

@@ -148,7 +148,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @ParameterizedTest
     @CsvSource({"SUP,tell;help,digits", "++++,tell;help,a group such as //SU", "+FAA,tell;help,for all",
-            "SUPO,help,expected a force such as tell", "SUPO,tell;,and a term"})
+            "SUPO,help,expected a performative such as tell", "SUPO,tell;,and a term"})
     void send_badArgument_isWrongUsage(String to, String content, String reason) {
         assertFails(2, reason, "send", "--port", "fake", to, content);
         assertEquals(List.of(), fake.performed());

@@ -32,12 +32,12 @@ class ContentTest {
     void decode_validVector_hasItsPartsAndRoundTrips(JsonObject vector) throws ProtocolException {
         Bytes bytes = VectorFile.bytes(vector, "content");
         Content content = Content.decode(bytes);
-        assertEquals(VectorFile.text(vector, "force"), content.force().toString());
+        assertEquals(VectorFile.text(vector, "force"), content.performative().toString());
         assertEquals(vector.get("conversation").isJsonNull() ? Optional.empty()
                 : Optional.of(new Conversation(vector.get("conversation").getAsInt())), content.conversation());
         assertEquals(VectorFile.text(vector, "term"), content.body().text());
         assertEquals(bytes, content.encode());
-        assertEquals(bytes, new Content(content.force(), content.conversation(), content.body()).encode());
+        assertEquals(bytes, new Content(content.performative(), content.conversation(), content.body()).encode());
     }
 
     @ParameterizedTest
@@ -56,19 +56,19 @@ class ContentTest {
 
     @ParameterizedTest
     @EnumSource(Performative.class)
-    void constructor_conversationWhereNoneBelongs_throws(Performative force) {
-        boolean may = force.isQuestion() || force.canAnswer();
-        boolean must = force.isQuestion() || force == Performative.SORRY;
+    void constructor_conversationWhereNoneBelongs_throws(Performative performative) {
+        boolean may = performative.isQuestion() || performative.canAnswer();
+        boolean must = performative.isQuestion() || performative == Performative.SORRY;
         Optional<Conversation> some = Optional.of(new Conversation(7));
         if (may) {
-            assertEquals(some, new Content(force, some, "x").conversation());
+            assertEquals(some, new Content(performative, some, "x").conversation());
         } else {
-            assertThrows(IllegalArgumentException.class, () -> new Content(force, some, "x"));
+            assertThrows(IllegalArgumentException.class, () -> new Content(performative, some, "x"));
         }
         if (must) {
-            assertThrows(IllegalArgumentException.class, () -> new Content(force, "x"));
+            assertThrows(IllegalArgumentException.class, () -> new Content(performative, "x"));
         } else {
-            assertEquals(Optional.empty(), new Content(force, "x").conversation());
+            assertEquals(Optional.empty(), new Content(performative, "x").conversation());
         }
     }
 

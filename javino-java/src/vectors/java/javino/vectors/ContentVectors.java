@@ -8,7 +8,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 
-/** SPEC 3: each force, alone and in a conversation, then what is no content. */
+/** SPEC 3: each performative, alone and in a conversation, then what is no content. */
 final class ContentVectors {
 
     private ContentVectors() {
@@ -65,9 +65,9 @@ final class ContentVectors {
         return lists;
     }
 
-    private static Map<String, Object> valid(String force, String conversation, String term) {
-        String head = conversation == null ? force : force + "#" + conversation;
-        return vector("text", head + ";" + term, "content", Wire.hex(text(head + ";" + term)), "force", force,
+    private static Map<String, Object> valid(String performative, String conversation, String term) {
+        String head = conversation == null ? performative : performative + "#" + conversation;
+        return vector("text", head + ";" + term, "content", Wire.hex(text(head + ";" + term)), "force", performative,
                 "conversation", conversation == null ? null : number(conversation), "term", term);
     }
 

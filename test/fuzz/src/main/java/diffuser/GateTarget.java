@@ -143,8 +143,8 @@ public final class GateTarget {
             return isSealed() && peer == TrustLevel.PROVISIONED && has("tellHow");
         }
 
-        boolean has(String force) {
-            return new String(content.toArray(), StandardCharsets.UTF_8).startsWith(force);
+        boolean has(String performative) {
+            return new String(content.toArray(), StandardCharsets.UTF_8).startsWith(performative);
         }
 
         /** The mark of what it says, as Jason writes it. */

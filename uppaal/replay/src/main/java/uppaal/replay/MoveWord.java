@@ -41,7 +41,7 @@ record MoveWord(char type, String move, byte[] body) {
      */
     record Part(String hash, int packed) {}
 
-    /** What a content says of a move; nothing where it is of another force, or of a type that hosts drop. */
+    /** What a content says of a move; nothing where it is of another performative, or of a type that hosts drop. */
     static Optional<MoveWord> of(byte[] content) {
         if (content.length < BODY_AT || !Arrays.equals(FORCE, Arrays.copyOf(content, FORCE.length))) {
             return Optional.empty();
