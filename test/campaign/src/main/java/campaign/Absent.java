@@ -13,34 +13,29 @@ final class Absent {
     private static final double AIM_SECONDS = 5;
     private static final double MOST = 0.99;
 
-    private final Map<Integer, TrafficRun.Plan> before = new LinkedHashMap<>();
-    private final Map<Integer, TrafficRun.Plan> now = new LinkedHashMap<>();
+    private final Map<Integer, TrafficRun.Plan> plans = new LinkedHashMap<>();
 
     Absent(Settings settings) {
         for (int absent : settings.choose(List.of(0, 1, 3, 6), List.of(1))) {
-            before.put(absent, plan(absent, Before.BOARD));
-            now.put(absent, plan(absent, Map.of()));
+            plans.put(absent, plan(absent));
         }
     }
 
     /** A pair; the first board sends to the second one and to absent ones. */
-    private static TrafficRun.Plan plan(int absent, Map<String, Object> board) {
+    private static TrafficRun.Plan plan(int absent) {
         List<Traffic.Flow> flows = new ArrayList<>();
         flows.add(new Traffic.Flow(0, 1, PRESENT_SECONDS));
         for (int i = 0; i < absent; i++) {
             flows.add(new Traffic.Flow(0, 2 + i, ABSENT_SECONDS * absent));
         }
-        return new TrafficRun.Plan(new Field.Cell("Station", List.of(board, board)), flows);
+        return new TrafficRun.Plan(new Field.Cell("Station", 2), flows);
     }
 
     /** Each twice, for more figures. */
     List<TrafficRun.Plan> plans() {
-        List<TrafficRun.Plan> plans = new ArrayList<>();
-        for (int i = 0; i < 2; i++) {
-            plans.addAll(before.values());
-            plans.addAll(now.values());
-        }
-        return plans;
+        List<TrafficRun.Plan> twice = new ArrayList<>(plans.values());
+        twice.addAll(plans.values());
+        return twice;
     }
 
     void describe(Map<TrafficRun.Plan, List<TrafficRun.Result>> results, Report report) {
@@ -48,26 +43,23 @@ final class Absent {
             **Absent partners.** A board sends to a partner that is there every %.0f s on average, and every %.0f s to
             one that is not: to always the same, or to one of several. *Waits*: emulated time from the host's message to
             the report that the present partner has it. Boards have messages to four partners under way
-            (`JAVINO_PARTNERS`), before only one."""
+            (`JAVINO_PARTNERS`)."""
                 .formatted(PRESENT_SECONDS, ABSENT_SECONDS));
         Table table =
-                new Table("absent", "before: unicasts", "delivered", "median wait", "99 % wait at most", "longest",
-                        "now: unicasts", "delivered", "median wait", "99 % wait at most", "longest");
-        for (int absent : now.keySet()) {
-            List<Object> row = new ArrayList<>(List.of(absent));
-            for (Map<Integer, TrafficRun.Plan> firmware : List.of(before, now)) {
-                Traffic.Sent sent = present(results.get(firmware.get(absent)));
-                row.add(sent.sum().offered());
-                row.add(Table.percent(sent.sum().delivered(), sent.sum().offered()));
-                for (double share : List.of(0.5, MOST, 1.0)) {
-                    row.add(Table.text("%.2f s", sent.longestWait(share)));
-                }
-            }
-            table.row(row.toArray());
-        }
+                new Table("absent", "unicasts", "delivered", "median wait", "99 % wait at most", "longest");
+        plans.forEach((absent, plan) -> {
+            Traffic.Sent sent = present(results.get(plan));
+            table.row(absent, sent.sum().offered(), Table.percent(sent.sum().delivered(), sent.sum().offered()),
+                    wait(sent, 0.5), wait(sent, MOST), wait(sent, 1));
+        });
         report.table(table);
+        Traffic.Sent beside = present(results.get(plans.get(1)));
         report.aim(Table.text("1 absent: 99 %% of the messages to another wait at most %.0f s", AIM_SECONDS),
-                present(results.get(now.get(1))).longestWait(MOST) <= AIM_SECONDS);
+                beside.longestWait(MOST) <= AIM_SECONDS);
+    }
+
+    private static String wait(Traffic.Sent sent, double share) {
+        return Table.text("%.2f s", sent.longestWait(share));
     }
 
     private static Traffic.Sent present(List<TrafficRun.Result> seeds) {

@@ -6,30 +6,23 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.DoubleStream;
 
-/** Unicasts over one hop: at rising bit error rates, in bursts, in noise, and from a board that is not changed. */
+/** Unicasts over one hop: at rising bit error rates, in bursts, and in noise. */
 final class Delivery implements Campaign {
 
     private static final int SHORT = 16;
     private static final int LONG = 200;
     /** Of the campaign, each with all cases. */
     private static final int SEEDS = 3;
+    private static final List<Integer> LENGTHS = List.of(SHORT, LONG);
     private static final Field.Cell BOARDS = new Field.Cell("Station", 2);
-    private static final Field.Cell FROM_UNCHANGED =
-            new Field.Cell("Station", List.of(Before.BOARD, Map.of()));
 
     /**
      * One kind of air.
      *
      * @param radio   what the scenario says of it.
-     * @param boards  a pair of them.
-     * @param lengths of contents, in bytes.
      * @param seconds emulated, how long new messages begin.
      */
-    private record Case(String name, Map<String, Object> radio, Field.Cell boards, List<Integer> lengths, int seconds) {
-
-        Case(String name, Map<String, Object> radio, int seconds) {
-            this(name, radio, BOARDS, List.of(SHORT, LONG), seconds);
-        }
+    private record Case(String name, Map<String, Object> radio, int seconds) {
 
         Case(double rate, int seconds) {
             this(Table.text("%.0e", rate), Map.of("bitErrorRate", rate), seconds);
@@ -43,13 +36,10 @@ final class Delivery implements Campaign {
     private static final Case BURSTS =
             new Case("bursts, 1e-02", Map.of("bursts", Map.of("rate", 1e-2, "length", 30, "rateWithin", 0.25)), 80);
     private static final Case NOISE = new Case("noise", Map.of("noise", Map.of()), 30);
-    private static final Case UNCHANGED = new Case("unchanged sender, 1e-02", Map.of("bitErrorRate", 1e-2),
-            FROM_UNCHANGED, List.of(SHORT), 60);
     private static final List<Case> CAMPAIGN = List.of(CLEAN, new Case(1e-4, 30), AT_1E_3, new Case(3e-3, 60), AT_1E_2,
-            AT_3E_2, BURSTS, NOISE, UNCHANGED);
+            AT_3E_2, BURSTS, NOISE);
     private static final List<Case> TEST = List.of(new Case(1e-2, 10),
-            new Case("bursts, 1e-02", Map.of("bursts", Map.of("rate", 1e-2)), 5),
-            new Case("unchanged sender, 1e-02", Map.of("bitErrorRate", 1e-2), FROM_UNCHANGED, List.of(SHORT), 5));
+            new Case("bursts, 1e-02", Map.of("bursts", Map.of("rate", 1e-2)), 5));
 
     @Override
     public String name() {
@@ -64,13 +54,11 @@ final class Delivery implements Campaign {
             the other, with two always waiting. The first column tells the air, in the words of
             [emulator/README.md](../emulator/README.md#air): the probability with which each bit that a receiver gets
             is inverted; or errors in *bursts* of 30 bits, of which 0.25 are wrong, with this mean of all bits; or clean
-            air where receivers give *noise* as long as nobody sends. An *unchanged sender* runs the firmware of commit
-            %s, which the campaign builds from the repository's history (`git archive`); its receiver runs
-            today's. *Delivered* counts reports to the sender's host, *received* messages handed to the other host.
-            *Packets* and *air* count everything that both boards send for a message: attempts, pieces and
-            acknowledgements; a millisecond of air is two bits. Figures are those of %d seeds together, and *of a seed*
-            those of the worst and the best of them."""
-                .formatted(Before.COMMIT, seeds));
+            air where receivers give *noise* as long as nobody sends. *Delivered* counts reports to the sender's
+            host, *received* messages handed to the other host. *Packets* and *air* count everything that both boards
+            send for a message: attempts, pieces and acknowledgements; a millisecond of air is two bits. Figures are
+            those of %d seeds together, and *of a seed* those of the worst and the best of them."""
+                .formatted(seeds));
         Table table = new Table("air, content", "unicasts", "delivered", "of a seed", "received", "packets each",
                 "air per delivered byte", "of a seed");
         Rows rows = new Rows(settings.choose(CAMPAIGN, TEST), settings, seeds, report);
@@ -94,7 +82,6 @@ final class Delivery implements Campaign {
             rows.aim(report, each, SHORT, 0.99, Double.POSITIVE_INFINITY);
             rows.aim(report, each, LONG, 0.99, Double.POSITIVE_INFINITY);
         }
-        rows.aim(report, UNCHANGED, SHORT, 0.95, Double.POSITIVE_INFINITY);
     }
 
     /** All that was measured: for each case and length, what each seed gave. */
@@ -104,6 +91,11 @@ final class Delivery implements Campaign {
 
             PairRun.Result sum() {
                 return Rows.sum(seeds);
+            }
+
+            /** Of the shares that the seeds delivered. */
+            String spread() {
+                return Table.spread("%.2f", seeds.stream().mapToDouble(each -> 100 * each.delivered())) + " %";
             }
         }
 
@@ -116,8 +108,8 @@ final class Delivery implements Campaign {
             List<PairRun> runs = new ArrayList<>();
             for (Case each : cases) {
                 List<PairRun.Plan> plans = new ArrayList<>();
-                for (int length : each.lengths) {
-                    plans.addAll(Collections.nCopies(pairs(length), new PairRun.Plan(each.boards, length)));
+                for (int length : LENGTHS) {
+                    plans.addAll(Collections.nCopies(pairs(length), new PairRun.Plan(BOARDS, length)));
                 }
                 for (int seed = 0; seed < seeds; seed++) {
                     runs.add(new PairRun(each.radio, settings.seed() + seed, each.seconds, plans));
@@ -126,7 +118,7 @@ final class Delivery implements Campaign {
             List<List<PairRun.Result>> results = Runs.all(runs, report);
             for (int i = 0; i < cases.size(); i++) {
                 int first = 0;
-                for (int length : cases.get(i).lengths) {
+                for (int length : LENGTHS) {
                     int from = first;
                     first += pairs(length);
                     rows.add(new Row(cases.get(i), length, results.subList(i * seeds, (i + 1) * seeds).stream()
@@ -151,7 +143,7 @@ final class Delivery implements Campaign {
                 Ledger.Sum sum = all.sum();
                 table.row(row.of.name + ", " + row.length + " bytes", sum.offered(),
                         Table.percent(sum.delivered(), sum.offered()),
-                        Table.spread("%.2f", row.seeds.stream().mapToDouble(each -> 100 * each.delivered())) + " %",
+                        row.spread(),
                         Table.percent(sum.received(), sum.offered()),
                         Table.text("%.2f", (double) all.air().packets() / sum.offered()),
                         milliseconds(DoubleStream.of(all.milliseconds(row.length))),
@@ -164,10 +156,13 @@ final class Delivery implements Campaign {
             return some.length == 0 ? "-" : Table.spread("%.1f", DoubleStream.of(some)) + " ms";
         }
 
+        private Row find(Case of, int length) {
+            return rows.stream().filter(row -> row.of == of && row.length == length).findFirst().orElseThrow();
+        }
+
         /** @param milliseconds of air for each delivered byte, at most. */
         void aim(Report report, Case of, int length, double share, double milliseconds) {
-            PairRun.Result result = rows.stream().filter(row -> row.of == of && row.length == length).findFirst()
-                    .orElseThrow().sum();
+            PairRun.Result result = find(of, length).sum();
             String air =
                     Double.isFinite(milliseconds) ? Table.text(", with at most %.1f ms of air a byte", milliseconds)
                             : "";

@@ -47,10 +47,9 @@ final class Field implements AutoCloseable {
             this(sketch, Collections.nCopies(boards, Map.of()));
         }
 
-        /** Whether their trace is not replayed: they run an older firmware, or one without carrier sense, or relay. */
+        /** Whether their trace is not replayed: they run a firmware without carrier sense, or relay. */
         boolean isOther() {
-            return sketch.equals("DeafStation") || !relays.isEmpty()
-                    || boards.stream().anyMatch(board -> board.containsKey("firmware"));
+            return sketch.equals("DeafStation") || !relays.isEmpty();
         }
     }
 

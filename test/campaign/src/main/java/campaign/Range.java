@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** How far unicasts reach with the emulator's path loss, before and now. */
+/** How far unicasts reach with the emulator's path loss. */
 final class Range implements Campaign {
 
     private static final int LENGTH = 16;
@@ -52,31 +52,19 @@ final class Range implements Campaign {
         report.text("""
             Pairs of boards as in [delivery](#delivery), with the path loss `"outdoors"` of
             [emulator/README.md](../emulator/README.md#air): a bit error rate of 1e-3 at 100 m, rising steeply.
-            Shadowing is off: it would make each distance of a pair larger or smaller by the same factor, before and
-            now. *Before*
-            both boards run the firmware of commit %s, built from the repository's history; *now* both run today's.
+            Shadowing is off: it would make each distance of a pair larger or smaller by the same factor.
             Unicasts have %d bytes, %d seeds."""
-                .formatted(Before.COMMIT, LENGTH, seeds));
+                .formatted(LENGTH, seeds));
         List<PairRun> runs = new ArrayList<>();
-        for (Map<String, Object> firmware : List.of(Before.BOARD, Map.<String, Object>of())) {
-            for (int seed = 0; seed < seeds; seed++) {
-                runs.add(new PairRun(RADIO, settings.seed() + seed, settings.choose(SECONDS, 5),
-                        plans(distances, firmware)));
-            }
+        for (int seed = 0; seed < seeds; seed++) {
+            runs.add(new PairRun(RADIO, settings.seed() + seed, settings.choose(SECONDS, 5), plans(distances)));
         }
-        List<List<PairRun.Result>> results = Runs.all(runs, report);
-        describe(reach(distances, results.subList(0, seeds)), reach(distances, results.subList(seeds, 2 * seeds)),
-                seeds, report);
+        describe(reach(distances, Runs.all(runs, report)), seeds, report);
     }
 
-    private static List<PairRun.Plan> plans(List<Integer> distances, Map<String, Object> firmware) {
-        List<PairRun.Plan> plans = new ArrayList<>();
-        for (int metres : distances) {
-            Map<String, Object> far = new LinkedHashMap<>(firmware);
-            far.put("position", List.of(0, metres));
-            plans.add(new PairRun.Plan(new Field.Cell("Station", List.of(firmware, far)), LENGTH));
-        }
-        return plans;
+    private static List<PairRun.Plan> plans(List<Integer> distances) {
+        return distances.stream().map(metres -> new PairRun.Plan(new Field.Cell("Station",
+                List.of(Map.of(), Map.of("position", List.of(0, metres)))), LENGTH)).toList();
     }
 
     private static Reach reach(List<Integer> distances, List<List<PairRun.Result>> ofSeeds) {
@@ -88,24 +76,18 @@ final class Range implements Campaign {
         return new Reach(ofDistance);
     }
 
-    private static void describe(Reach before, Reach now, int seeds, Report report) {
-        Table table = new Table("distance", "before: unicasts", "delivered", "of a seed", "now: unicasts", "delivered",
-                "of a seed");
+    private static void describe(Reach reach, int seeds, Report report) {
+        Table table = new Table("distance", "unicasts", "delivered", "of a seed");
         PairRun.Result all = PairRun.Result.NONE;
-        for (int metres : before.ofDistance.keySet()) {
-            List<Object> row = new ArrayList<>(List.of(metres + " m"));
-            for (Reach reach : List.of(before, now)) {
-                Ledger.Sum sum = reach.sum(metres).sum();
-                row.addAll(List.of(sum.offered(), Table.percent(sum.delivered(), sum.offered()), Table.spread("%.1f",
-                        reach.ofDistance.get(metres).stream().mapToDouble(each -> 100 * each.delivered())) + " %"));
-                all = all.plus(reach.sum(metres));
-            }
-            table.row(row.toArray());
+        for (int metres : reach.ofDistance.keySet()) {
+            Ledger.Sum sum = reach.sum(metres).sum();
+            table.row(metres + " m", sum.offered(), Table.percent(sum.delivered(), sum.offered()), Table.spread("%.1f",
+                    reach.ofDistance.get(metres).stream().mapToDouble(each -> 100 * each.delivered())) + " %");
+            all = all.plus(reach.sum(metres));
         }
         report.table(table);
-        report.text(Table.text("99 %% of %d bytes are delivered up to %d m before (%s of a seed), up to %d m now (%s).",
-                LENGTH, before.metres(), ofSeeds(before, seeds), now.metres(), ofSeeds(now, seeds)));
-        report.aim("99 % delivered farther than before", now.metres() > before.metres());
+        report.text(Table.text("99 %% of %d bytes are delivered up to %d m (%s of a seed).", LENGTH, reach.metres(),
+                ofSeeds(reach, seeds)));
         all.sum().report(report);
         report.never("a unicast without an end", all.sum().open());
         report.never("a nonce with two messages", all.repeated());
