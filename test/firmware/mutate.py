@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Measures how well test:firmware's suites catch mistakes: plants one mistake at a time into the firmware, builds without
-sanitizers, runs the suites until one fails, and writes score and survivors into docs/reliability.md.
+sanitizers, runs the suites until one fails, and writes the score into docs/results.md and the survivors into build/results.
 
 usage: mutate.py [--mutants N|all] [--seed N]
        mutate.py --list   prints all mistakes, a JSON object a line, with some more kinds, and tries none
@@ -19,7 +19,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 WORK = os.path.join(HERE, 'build', 'mutants')
 TREE = os.path.join(WORK, 'tree')
 OUT = os.path.join(WORK, 'out')
-DOCUMENT = os.path.join(ROOT, 'docs', 'reliability.md')
+RESULTS = os.path.join(ROOT, 'test', 'harness', 'src', 'main', 'java', 'harness', 'Results.java')
 SECTION = 'mutants of the firmware'
 
 SOURCES = 'javino-firmware/src'
@@ -135,13 +135,15 @@ def survives(mutant, seconds):
 
 def write(total, seed, tried, survivors):
     caught = len(tried) - len(survivors)
+    scores = []
     rows = ['| folder | mutants | caught |', '| --- | --- | --- |']
     for folder in FOLDERS + [None]:
         of = [m for m in tried if folder in (m[0], None)]
         left = [m for m in survivors if folder in (m[0], None)]
         if of:
-            rows.append('| %s | %d | %d %% |' % (folder or 'all', len(of), 100 * (len(of) - len(left)) // len(of)))
-    text = ['`gradle :test:firmware:mutation -Pmutants=%s -Pseed=%d`' % (len(tried), seed), '',
+            scores.append(100 * (len(of) - len(left)) // len(of))
+            rows.append('| %s | %d | %d %% |' % (folder or 'all', len(of), scores[-1]))
+    text = ['- caught: **%d %% of %d** (of a folder: %d…%d %%)' % (scores[-1], len(tried), min(scores), max(scores)), '',
             'Of %d possible mistakes in %s (a negated condition, another operator, a constant plus one, a removed statement)'
             ' %d that compile without a warning were planted, one at a time, and test:firmware\'s suites run without sanitizers: %d caught.'
             % (total, ', '.join('`src/%s`' % folder for folder in FOLDERS), len(tried), caught), ''] + rows
@@ -150,11 +152,8 @@ def write(total, seed, tried, survivors):
         text += ['| %s:%d | %s | `%s` | %s |' % (m[1], m[2] + 1, m[3].replace('|', '\\|'), m[4].strip().replace('|', '\\|'),
                                               HARMLESS.get(m[4].strip(), ''))
                  for m in sorted(survivors)]
-    with open(DOCUMENT) as document:
-        parts = document.read().rstrip('\n').split('\n## ')
-    parts = [part.rstrip('\n') for part in parts if not part.startswith(SECTION + '\n')]
-    with open(DOCUMENT, 'w') as document:
-        document.write('\n\n## '.join(parts + [SECTION + '\n\n' + '\n'.join(text)]) + '\n')
+    run = '`gradle :test:firmware:mutation -Pmutants=%s -Pseed=%d`' % (len(tried), seed)
+    subprocess.run(['java', RESULTS, ROOT, SECTION, run], input='\n'.join(text), encoding='utf-8', check=True)
 
 
 def main():

@@ -54,6 +54,8 @@ final class Absent {
         });
         report.table(table);
         Traffic.Sent beside = present(results.get(plans.get(1)));
+        report.claim("1 absent partner, wait of messages to another", wait(beside, 0.5),
+                "99 %: " + wait(beside, MOST));
         report.aim(Table.text("1 absent: 99 %% of the messages to another wait at most %.0f s", AIM_SECONDS),
                 beside.longestWait(MOST) <= AIM_SECONDS);
     }

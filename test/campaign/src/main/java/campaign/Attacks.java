@@ -41,11 +41,17 @@ final class Attacks implements Campaign {
             stale notice for genuine.""");
         Table table = new Table("attack", "tries", "accepted", "genuine", "of these lost");
         lines.forEach(line -> table.row(line.name, line.tries, line.accepted, line.genuine, line.lost));
-        table.row("all", lines.stream().mapToLong(Line::tries).sum(), lines.stream().mapToLong(Line::accepted).sum(),
-                lines.stream().mapToLong(Line::genuine).sum(), lines.stream().mapToLong(Line::lost).sum());
+        long tries = lines.stream().mapToLong(Line::tries).sum();
+        long accepted = lines.stream().mapToLong(Line::accepted).sum();
+        long genuine = lines.stream().mapToLong(Line::genuine).sum();
+        long lost = lines.stream().mapToLong(Line::lost).sum();
+        table.row("all", tries, accepted, genuine, lost);
         report.table(table);
-        report.never("hostile and accepted", lines.stream().mapToLong(Line::accepted).sum());
-        report.never("genuine and refused", lines.stream().mapToLong(Line::lost).sum());
+        report.claim("hostile packets accepted, " + lines.size() + " attacks", accepted + " of " + tries,
+                "");
+        report.claim("genuine ones lost", lost + " of " + genuine, "");
+        report.never("hostile and accepted", accepted);
+        report.never("genuine and refused", lost);
     }
 
     private static List<Line> attack(Settings settings, Report report) throws IOException, InterruptedException {

@@ -1,5 +1,6 @@
 package campaign;
 
+import harness.Results;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,7 +11,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * Runs campaigns, prints their tables and writes docs/reliability.md. Exit status 1 if what must always hold did not.
+ * Runs campaigns, prints their tables and writes their sections of docs/results.md. Exit status 1 if what must always
+ * hold did not.
  */
 @Command(name = "campaign", mixinStandardHelpOptions = true, description = "Shows what the link holds, in figures.")
 public final class Campaigns implements Callable<Integer> {
@@ -60,7 +62,7 @@ public final class Campaigns implements Callable<Integer> {
         if (moves < 0) {
             return misused("--moves must be at least 1, not " + moves);
         }
-        return run(known);
+        return run();
     }
 
     private static int misused(String what) {
@@ -68,7 +70,7 @@ public final class Campaigns implements Callable<Integer> {
         return CommandLine.ExitCode.USAGE;
     }
 
-    private int run(List<String> known) throws Exception {
+    private int run() throws Exception {
         Path root = Path.of(System.getProperty("javino.root"));
         Settings settings = new Settings(seed, false, Duration.ofMinutes(minutes), moves, root);
         List<String> violations = new ArrayList<>();
@@ -83,9 +85,7 @@ public final class Campaigns implements Callable<Integer> {
                 // Also where the model refuses what the boards did: it says so only when they are switched off.
                 System.out.println("\n" + campaign.name() + "\n" + report.screen() + "\n");
             }
-            Document document = new Document(root.resolve("docs/reliability.md"), known);
-            document.put(campaign.name(), command(campaign), report);
-            document.write();
+            new Results(root).write(campaign.name(), "`" + command(campaign) + "`", report.claims(), report.markdown());
             violations.addAll(report.violations());
         }
         if (!violations.isEmpty()) {

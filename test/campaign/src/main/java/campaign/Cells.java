@@ -57,6 +57,9 @@ final class Cells implements Campaign {
         }
         report.table(table);
         report.table(costs);
+        report.claim(last.cells() + " cells, delivered to the next cell",
+                Table.of(last.far().sum().delivered(), last.far().sum().offered()), "");
+        report.claim("wait", wait(last.far()), "");
         extrapolate(last, boards, report);
         delay(settings, report);
         all.report(report);
@@ -83,6 +86,8 @@ final class Cells implements Campaign {
         double frames = run.frames() / run.cells();
         double onward = run.flood().onward();
         double arrived = run.flood().arrived();
+        report.claim("cells that would fill a core of the broker", Table.text("%.0f", Math.sqrt(1 / (frames * onward))),
+                Table.text("air full: %.0f", Math.sqrt(1 / (FULL * onward))));
         report.text("""
             **A country of cells, on paper.** After the run with %d cells a client published frames as fast as the
             broker took them; each gateway got %.0f a second. For each message that it sends on, the broker takes
@@ -119,6 +124,8 @@ final class Cells implements Campaign {
         double broker = median(delay.broker());
         report.table(new Table("median of", "a packet's end to the other board", "the broker's own time")
                 .row(delay.ways().size() + " packets", milli(median), milli(broker)));
+        report.claim("added by gateways and broker", milli(median),
+                "broker: " + milli(broker));
         report.aim(Table.text("gateways add at most %.0f ms beside the broker's own time", MOST_MILLIS),
                 1000 * (median - broker) <= MOST_MILLIS);
     }

@@ -52,7 +52,7 @@ final class Delivery implements Campaign {
         report.text("""
             The boards (`Station`) are in pairs, each out of the others' range. One board of a pair sends unicasts to
             the other, with two always waiting. The first column tells the air, in the words of
-            [emulator/README.md](../emulator/README.md#air): the probability with which each bit that a receiver gets
+            [emulator/README.md](../../emulator/README.md#air): the probability with which each bit that a receiver gets
             is inverted; or errors in *bursts* of 30 bits, of which 0.25 are wrong, with this mean of all bits; or clean
             air where receivers give *noise* as long as nobody sends. *Delivered* counts reports to the sender's
             host, *received* messages handed to the other host. *Packets* and *air* count everything that both boards
@@ -81,6 +81,10 @@ final class Delivery implements Campaign {
         for (Case each : List.of(AT_3E_2, BURSTS)) {
             rows.aim(report, each, SHORT, 0.99, Double.POSITIVE_INFINITY);
             rows.aim(report, each, LONG, 0.99, Double.POSITIVE_INFINITY);
+        }
+        rows.claim(report, AT_1E_2, SHORT);
+        for (Case each : List.of(AT_3E_2, BURSTS)) {
+            LENGTHS.forEach(length -> rows.claim(report, each, length));
         }
     }
 
@@ -158,6 +162,12 @@ final class Delivery implements Campaign {
 
         private Row find(Case of, int length) {
             return rows.stream().filter(row -> row.of == of && row.length == length).findFirst().orElseThrow();
+        }
+
+        void claim(Report report, Case of, int length) {
+            Row row = find(of, length);
+            report.claim(of.name + ", " + length + " bytes, delivered", Table.of(row.sum().sum().delivered(),
+                    row.sum().sum().offered()), row.spread());
         }
 
         /** @param milliseconds of air for each delivered byte, at most. */

@@ -42,7 +42,7 @@ final class Faults implements Campaign {
                 new Table("fault", "times", "answered, median", "answered, longest", "first, median", "first, longest",
                         "both, median", "both, longest", "answered within 2 s", "first within 2 s", "both within 2 s");
         for (Fault.Kind kind : Fault.Kind.values()) {
-            row(table, kind, all.stream().filter(each -> each.fault().kind() == kind).toList());
+            row(table, report, kind, all.stream().filter(each -> each.fault().kind() == kind).toList());
         }
         report.table(table);
         Account account = field.account();
@@ -61,7 +61,7 @@ final class Faults implements Campaign {
                 field.failedKills() + all.stream().filter(each -> !each.ended()).count());
     }
 
-    private static void row(Table table, Fault.Kind kind, List<Recovery> all) {
+    private static void row(Table table, Report report, Fault.Kind kind, List<Recovery> all) {
         List<Recovery> ended = all.stream().filter(Recovery::ended).toList();
         List<Double> answered = ended.stream().map(Recovery::answered).sorted().toList();
         List<Double> first = ended.stream().map(Recovery::first).sorted().toList();
@@ -70,6 +70,7 @@ final class Faults implements Campaign {
             table.row(kind.title(), 0, "-", "-", "-", "-", "-", "-", "-", "-", "-");
             return;
         }
+        report.claim(kind.title() + ": link again after", middle(answered), "at most " + last(answered));
         table.row(kind.title(), ended.size(), middle(answered), last(answered), middle(first), last(first),
                 middle(both), last(both),
                 within(answered), within(first), within(both));

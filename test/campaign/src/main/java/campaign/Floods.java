@@ -63,6 +63,9 @@ final class Floods {
     private final Table table =
             new Table("flood", "forged", "share of the air", "bytes", "unicasts", "delivered", "a second");
     private Ledger.Sum all = Ledger.Sum.ZERO;
+    private double leastShare = Double.POSITIVE_INFINITY;
+    private String least = "";
+    private String worst = "";
     private long stopped;
 
     void run(Settings settings, Report report) throws Exception {
@@ -79,6 +82,7 @@ final class Floods {
             run(cases.subList(i, Math.min(i + AT_ONCE, cases.size())), seconds, settings, report);
         }
         report.table(table);
+        report.claim("unicasts delivered under the worst flood, " + worst, least, "");
         all.report(report);
         report.never("a unicast without an end under a flood", all.open());
         report.never("a flood that stopped early", stopped);
@@ -129,9 +133,15 @@ final class Floods {
     private void note(Case each, Pair pair, Attacker attacker, AirUsage air, double seconds, Report report) {
         Ledger.Sum sum = pair.ledger().sum();
         AirUsage.Sum forged = air.of(List.of(attacker.post()));
-        table.row(each.kind.title, forged.packets(), Table.text("%.0f %%", 100 * forged.seconds() / seconds),
-                each.length, sum.offered(),
+        String taken = Table.text("%.0f %%", 100 * forged.seconds() / seconds);
+        table.row(each.kind.title, forged.packets(), taken, each.length, sum.offered(),
                 Table.percent(sum.delivered(), sum.offered()), Table.text("%.2f", sum.delivered() / seconds));
+        double share = (double) sum.delivered() / sum.offered();
+        if (share < leastShare) {
+            leastShare = share;
+            least = Table.of(sum.delivered(), sum.offered());
+            worst = each.kind.title + ", " + taken + " of the air";
+        }
         report.progress("flood of %s at %.0f %%: %d of %d unicasts delivered %s", each.kind.title, 100 * each.share,
                 sum.delivered(),
                 sum.offered(), attacker.failure());

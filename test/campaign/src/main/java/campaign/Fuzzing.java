@@ -71,6 +71,8 @@ final class Fuzzing implements Campaign {
             table.row(each.target.name(), each.seconds + " s", each.run.executed(), each.run.covered());
         }
         report.table(table);
+        report.claim("inputs tried, " + results.size() + " targets",
+                "" + results.stream().mapToLong(each -> each.run.executed()).sum(), "");
         report.never("an input that fails", results.stream().filter(each -> !each.run.failure().isEmpty()).count());
     }
 }

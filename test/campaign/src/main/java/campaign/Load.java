@@ -142,6 +142,7 @@ final class Load implements Campaign {
         describe(rows, seeds, seconds, report);
         if (!settings.small()) {
             aims(rows, report);
+            claims(rows, report);
         }
         absent.describe(results, report);
         List<TrafficRun.Result> all = results.values().stream().flatMap(List::stream).toList();
@@ -212,6 +213,17 @@ final class Load implements Campaign {
             aim(rows, report, Case.ring(40, load), "delivered", row -> Row.share(row.sum()), 0.98);
         }
         aim(rows, report, Case.ring(20, FULL), "of the air used", Row::meanUsed, 0.65);
+    }
+
+    private static void claims(List<Row> rows, Report report) {
+        for (Case each : List.of(Case.ring(40, FULL), Case.deaf(5, QUARTER), Case.hidden(QUARTER),
+                Case.hidden(HALF))) {
+            Row row = find(rows, each);
+            report.claim(each + ", delivered", Table.of(row.sum().delivered(), row.sum().offered()),
+                    spread(row.delivered()));
+        }
+        Row full = find(rows, Case.ring(20, FULL));
+        report.claim(full.of + ", air used", Table.text("%.1f %%", 100 * full.meanUsed()), spread(full.used()));
     }
 
     private static Row find(List<Row> rows, Case of) {

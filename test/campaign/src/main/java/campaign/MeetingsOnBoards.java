@@ -48,6 +48,8 @@ final class MeetingsOnBoards {
             once in 5 s, so 6 s pass before each message. Pairs are out of each other's range.
             """);
         report.table(table);
+        claim("first message in quiet air", quiet);
+        claim("first message, 1e-03", noisy);
         report.aim(Table.text("first message in quiet air: median at most %.1f s (%.2f s)", FIRST_SECONDS,
                 share(quiet, 0.5)), share(quiet, 0.5) <= FIRST_SECONDS);
         report.aim(Table.text("first message where one bit in 1000 is wrong: 95 %% in at most %.0f s (%.2f s)",
@@ -56,11 +58,16 @@ final class MeetingsOnBoards {
         faults();
         siege();
         double each = cpu / keys;
+        report.claim("CPU of a host for one agreement", Table.text("%.1f ms", each), "mean of " + keys);
         report.aim(
                 Table.text("a host's CPU for one agreement: at most %.0f ms (%.1f ms on average of %d)", MOST_CPU, each,
                         keys),
                 each <= MOST_CPU);
         report.never("on boards: a message that does not come", lost);
+    }
+
+    private void claim(String what, List<Double> waits) {
+        report.claim(what, seconds(share(waits, 0.5)), "at most " + seconds(share(waits, 1)));
     }
 
     /** What is done with each pair, side by side. */
@@ -184,6 +191,7 @@ final class MeetingsOnBoards {
                 }
                 return List.of();
             });
+            claim("first message, " + fault, took);
             table.row(fault, took.size(), seconds(share(took, 0.5)), seconds(share(took, 1)),
                     Collections.max(agreements));
             report.progress("%s: %s, agreements %s", fault, spread(took), agreements);

@@ -58,9 +58,12 @@ final class MovesInMemory {
             """);
         Map<String, Integer> kills = new TreeMap<>();
         all.forEach(tally -> tally.kills().forEach((where, count) -> kills.merge(where, count, Integer::sum)));
+        int killed = kills.values().stream().mapToInt(n -> n).sum();
+        report.claim("moves in memory, with " + killed + " kills", sum(all, Tally::begun) + " begun",
+                sum(all, Tally::arrived) + " arrived");
         report.table(new Table("moves", "begun", "arrived", "to who admitted nobody", "messages", "lost", "kills").row(
                 "all", sum(all, Tally::begun), sum(all, Tally::arrived), sum(all, Tally::refusing),
-                sum(all, Tally::messages), sum(all, Tally::lost), kills.values().stream().mapToInt(n -> n).sum()));
+                sum(all, Tally::messages), sum(all, Tally::lost), killed));
         Table table = new Table("killed", "times");
         kills.forEach(table::row);
         report.table(table);

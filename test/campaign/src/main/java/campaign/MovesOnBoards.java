@@ -92,6 +92,7 @@ final class MovesOnBoards {
             somebody else sends again what one of the pair has sent before. All of it in %.0f s of wall time. The trace
             is replayed in the model.
             """.formatted(pairs.size(), Double.toString(BIT_ERRORS), seconds));
+        report.claim("moves on boards, with faults", moves() + " begun", sum("] arrived ") + " arrived");
         report.table(new Table("moves", "begun", "arrived", "refused (clones)", "given up", "packets sent again")
                 .row("all", moves(), sum("] arrived "), sum("] stayed refused"),
                         sum("] stayed ") - sum("] stayed refused"),

@@ -50,8 +50,8 @@ final class Range implements Campaign {
         int seeds = settings.choose(SEEDS, 1);
         List<Integer> distances = settings.choose(CAMPAIGN, TEST);
         report.text("""
-            Pairs of boards as in [delivery](#delivery), with the path loss `"outdoors"` of
-            [emulator/README.md](../emulator/README.md#air): a bit error rate of 1e-3 at 100 m, rising steeply.
+            Pairs of boards as in [delivery](delivery.md), with the path loss `"outdoors"` of
+            [emulator/README.md](../../emulator/README.md#air): a bit error rate of 1e-3 at 100 m, rising steeply.
             Shadowing is off: it would make each distance of a pair larger or smaller by the same factor.
             Unicasts have %d bytes, %d seeds."""
                 .formatted(LENGTH, seeds));
@@ -86,8 +86,8 @@ final class Range implements Campaign {
             all = all.plus(reach.sum(metres));
         }
         report.table(table);
-        report.text(Table.text("99 %% of %d bytes are delivered up to %d m (%s of a seed).", LENGTH, reach.metres(),
-                ofSeeds(reach, seeds)));
+        report.claim(Table.text("%.0f %% of %d bytes delivered up to", 100 * AIM_SHARE, LENGTH), reach.metres() + " m",
+                ofSeeds(reach, seeds));
         all.sum().report(report);
         report.never("a unicast without an end", all.sum().open());
         report.never("a nonce with two messages", all.repeated());

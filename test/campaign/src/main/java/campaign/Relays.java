@@ -102,11 +102,16 @@ final class Relays implements Campaign {
             Traffic.Sent sent = sent(some);
             AirUsage.Sum air = some.stream().map(TrafficRun.Result::air).reduce(AirUsage.Sum.NONE, AirUsage.Sum::plus);
             double delivered = Math.max(1, sent.sum().delivered());
+            String median = Table.text("%.2f s", sent.longestWait(MEDIAN));
+            String shares = spread("%.0f", some,
+                    run -> 100.0 * run.sum().delivered() / Math.max(1, run.sum().offered())) + " %";
+            String medians = spread("%.1f", some, run -> sent(List.of(run)).longestWait(MEDIAN)) + " s";
+            if (each == cases.get(0) || each == cases.get(cases.size() - 1)) {
+                report.claim(each.name + ", delivered", Table.of(sent.sum().delivered(), sent.sum().offered()), shares);
+                report.claim("wait", median, medians);
+            }
             table.row(each.name, sent.sum().offered(), Table.percent(sent.sum().delivered(), sent.sum().offered()),
-                    spread("%.0f", some, run -> 100.0 * run.sum().delivered() / Math.max(1, run.sum().offered()))
-                            + " %",
-                    Table.text("%.2f s", sent.longestWait(MEDIAN)),
-                    spread("%.1f", some, run -> sent(List.of(run)).longestWait(MEDIAN)) + " s",
+                    shares, median, medians,
                     Table.text("%.1f s", sent.longestWait(MOST)), Table.text("%.1f", air.packets() / delivered),
                     Table.text("%.2f s", air.seconds() / delivered), each.simulated);
         }

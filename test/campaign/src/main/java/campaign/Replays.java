@@ -59,8 +59,11 @@ final class Replays {
             anew.""".formatted(scenes.size(), LENGTH));
         Ledger.Sum all =
                 scenes.stream().map(scene -> scene.pair.ledger().sum()).reduce(Ledger.Sum.ZERO, Ledger.Sum::plus);
-        report.table(new Table("replayed packets", "number", "unicasts in between", "delivered").row("all",
-                scenes.stream().mapToLong(scene -> scene.replayed).sum(), all.offered(), all.delivered()));
+        long replayed = scenes.stream().mapToLong(scene -> scene.replayed).sum();
+        report.table(new Table("replayed packets", "number", "unicasts in between", "delivered").row("all", replayed,
+                all.offered(), all.delivered()));
+        report.claim("unicasts delivered beside " + replayed + " replayed packets",
+                Table.of(all.delivered(), all.offered()), "");
         all.report(report);
         report.never("a replay that could not be carried out",
                 scenes.stream().filter(scene -> scene.failure != null).count());

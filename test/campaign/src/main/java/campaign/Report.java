@@ -4,15 +4,17 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What one campaign tells: its progress while it runs, then text, tables, aims and violations. */
+/** What one campaign tells: its progress while it runs, then claims, text, tables, aims and violations. */
 public final class Report {
 
     private final String name;
     private final PrintStream progress;
+    private final List<String> claims = new ArrayList<>();
     private final List<String> markdown = new ArrayList<>();
     private final List<String> screen = new ArrayList<>();
     private final List<String> aims = new ArrayList<>();
     private final List<String> violations = new ArrayList<>();
+    private int rules;
 
     /** @param progress where the lines of {@link #progress} go. */
     public Report(String name, PrintStream progress) {
@@ -25,12 +27,21 @@ public final class Report {
         progress.println("campaign: " + name + ": " + Table.text(format, values));
     }
 
-    /** Sentences: how it was done, what was seen, what the figures do not say. Markdown, for the document only. */
+    /**
+     * A line of docs/results.md.
+     *
+     * @param spread of seeds, runs or kinds; may be empty.
+     */
+    public void claim(String what, String figure, String spread) {
+        claims.add("- " + what + ": **" + figure + "**" + (spread.isEmpty() ? "" : " (" + spread + ")"));
+    }
+
+    /** Sentences: how it was done, what was seen, what the figures do not say. Markdown, for the full report only. */
     public void text(String sentences) {
         markdown.add(sentences.strip());
     }
 
-    /** A table, for document and screen. */
+    /** A table, for full report and screen. */
     public void table(Table table) {
         markdown.add(table.markdown());
         screen.add(table.text());
@@ -39,6 +50,9 @@ public final class Report {
     /** Something that was to be reached, as often as not for one machine only, and whether it was. */
     public void aim(String what, boolean reached) {
         aims.add("- " + what + ": " + (reached ? "reached" : "**not reached**"));
+        if (!reached) {
+            claims.add("- **not reached**: " + what);
+        }
         screen.add(what + ": " + (reached ? "reached" : "NOT REACHED"));
     }
 
@@ -49,6 +63,7 @@ public final class Report {
      * @param count how often it was seen; any fails the run.
      */
     public void never(String what, long count) {
+        rules++;
         aims.add("- never: " + what + ": " + count + (count == 0 ? "" : " (**violated**)"));
         screen.add("never: " + what + ": " + count);
         if (count != 0) {
@@ -66,7 +81,16 @@ public final class Report {
         return String.join("\n", screen);
     }
 
-    /** The section of the document, without its head. */
+    /** The claims, the aims that were not reached, and how many rules were broken; Markdown. */
+    public String claims() {
+        List<String> lines = new ArrayList<>(claims);
+        if (rules != 0) {
+            lines.add("- rules broken: **" + violations.size() + "** of " + rules);
+        }
+        return String.join("\n", lines);
+    }
+
+    /** The full report, without its head and claims. */
     public String markdown() {
         List<String> parts = new ArrayList<>(markdown);
         if (!aims.isEmpty()) {

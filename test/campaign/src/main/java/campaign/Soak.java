@@ -72,7 +72,9 @@ final class Soak implements Campaign {
                     Host.get(second.board().statistics()));
             side(report, "board 1 to 0, 100 bytes", longs.sum(), two, Host.get(second.board().statistics()),
                     Host.get(first.board().statistics()));
-            shorts.sum().plus(longs.sum()).report(report);
+            Ledger.Sum all = shorts.sum().plus(longs.sum());
+            report.claim("unicasts delivered", Table.of(all.delivered(), all.offered()), "");
+            all.report(report);
             report.never("a unicast without an end", ended ? 0 : shorts.sum().open() + longs.sum().open());
             report.never("a direction without a delivery for a minute of the boards' time", stuck());
             report.never("a nonce with two messages", air.nonces().repeated());
@@ -107,6 +109,8 @@ final class Soak implements Campaign {
         report.table(new Table("longest time without a delivery, emulated", "one way", "the other").row("",
                 Table.text("%.1f s", shortPace.longest()), Table.text("%.1f s", longPace.longest())));
         double hours = air.now() / 3600;
+        report.claim("longest time without a delivery",
+                Table.text("%.1f s", Math.max(shortPace.longest(), longPace.longest())), "");
         report.aim(Table.text("24 emulated hours (%.1f in this run)", hours), hours >= AIM_HOURS);
         Memory.Sample growth = memory.growth();
         report.never("growth of memory between the halves above 1 MiB",

@@ -65,6 +65,11 @@ public final class Table {
         return least.equals(most) ? least : least + "…" + most;
     }
 
+    /** A share in percent, and of how many. */
+    public static String of(long part, long whole) {
+        return percent(part, whole) + " of " + whole;
+    }
+
     /** A share in percent, with as many places as tell 99.9 from 99.99; "-" of nothing. */
     public static String percent(long part, long whole) {
         if (whole == 0) {

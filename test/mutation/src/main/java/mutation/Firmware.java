@@ -190,6 +190,8 @@ final class Firmware implements Part {
         report.table(table);
         survivors(judged, options.survivors(), report);
         long harmful = harmful(judged, options);
+        report.claim("refused, of those reached and harmful", Table.of(count(judged, Fate.REFUSED), harmful),
+                "");
         report.aim(Table.text("at least %.0f %% of those that are reached and do harm refused", 100 * GOAL),
                 count(judged, Fate.REFUSED) >= GOAL * harmful);
         report.never("survivors without a reason",

@@ -51,7 +51,12 @@ final class Models implements Part {
         }
         row(table, "all", all, options.survivors());
         Model eight = Model.ofThePaperAlone(options.root());
-        row(table, eight.name(), judge(eight, options, report), new Survivors(List.of("* because they say so little")));
+        List<Judged> ofEight = judge(eight, options, report);
+        row(table, eight.name(), ofEight, new Survivors(List.of("* because they say so little")));
+        Map<Model, List<Judged>> byModel = all.stream().collect(Collectors.groupingBy(Judged::model));
+        claim(byModel.size() + " models", all, "of a model: " + Table.spread("%.1f",
+                byModel.values().stream().mapToDouble(judged -> 100 * score(judged))) + " %", report);
+        claim(eight.name(), ofEight, "", report);
         report.text("""
             Each mutant is a model with one change: a part of a guard or an invariant negated or left out, another
             operator, a number greater or less by one, an assignment left out or changed, another channel or the other
@@ -100,6 +105,11 @@ final class Models implements Part {
         table.row(name, valid, same, valid - same, killed(judged),
                 noticedBy(judged, Behaviour.RANGE), noticedBy(judged, Model.FIRMWARE),
                 Table.percent(killed(judged), valid - same), unexplained(judged, known));
+    }
+
+    private static void claim(String name, List<Judged> judged, String spread, Report report) {
+        report.claim(name + ", noticed", Table.of(killed(judged), judged.stream()
+                .filter(each -> !each.is(Model.Fate.INVALID) && !each.is(Model.Fate.EQUIVALENT)).count()), spread);
     }
 
     private static long noticedBy(List<Judged> judged, String by) {

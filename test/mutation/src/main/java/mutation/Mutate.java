@@ -1,7 +1,7 @@
 package mutation;
 
-import campaign.Document;
 import campaign.Report;
+import harness.Results;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +13,7 @@ import picocli.CommandLine.Option;
 
 /**
  * Puts small mistakes into models, traces and the firmware, prints how many are noticed, and writes that into
- * docs/reliability.md. Exit status 1 if a mistake is not noticed that nobody has given a reason for.
+ * docs/results.md. Exit status 1 if a mistake is not noticed that nobody has given a reason for.
  */
 @Command(name = "mutate", mixinStandardHelpOptions = true,
         description = "Shows what the models' properties and the replay notice.")
@@ -68,10 +68,9 @@ public final class Mutate implements Callable<Integer> {
         Report report = new Report(part.name(), System.err);
         part.run(options, report);
         System.out.println("\n" + part.section() + "\n" + report.screen() + "\n");
-        Document document = new Document(options.root().resolve("docs/reliability.md"), List.of());
-        document.put(part.section(), "gradle mutate -Ponly=" + part.name()
-                + (mutants == null ? "" : " -Pmutants=" + mutants) + " -Pseed=" + seed, report);
-        document.write();
+        new Results(options.root()).write(part.section(), "`gradle mutate -Ponly=" + part.name()
+                + (mutants == null ? "" : " -Pmutants=" + mutants) + " -Pseed=" + seed + "`", report.claims(),
+                report.markdown());
         return report.violations();
     }
 

@@ -8,7 +8,7 @@ interface Part {
     /** One word, by which it can be asked for alone. */
     String name();
 
-    /** The head of its section in docs/reliability.md. */
+    /** The head of its section in docs/results.md. */
     String section();
 
     /**

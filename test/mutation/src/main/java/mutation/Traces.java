@@ -116,6 +116,8 @@ final class Traces implements Part {
         reasons(all, options.survivors(), report);
         long refused = all.stream().filter(Judged::refused).count();
         long unexplained = unexplained(all, options.survivors()).size();
+        report.claim("refused, of those not genuine", Table.of(refused, refused + unexplained), "");
+        report.claim("refused of all", Table.of(refused, all.size()), "");
         report.aim(Table.text("at least %.0f %% of those that are not genuine refused", 100 * GOAL),
                 refused >= GOAL * (refused + unexplained));
         report.never("survivors without a reason", unexplained);
