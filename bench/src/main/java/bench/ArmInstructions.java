@@ -125,7 +125,7 @@ final class ArmInstructions implements Subject {
             double changing = before.millionsPerSecond(with.now());
             return List.of(
                     Row.against("ARM instructions of an idle second with board, " + machine.title, "%.2f million", idle,
-                            reference, "plain agent").goal(machine.goal),
+                            reference, "plain agent").goal(machine.goal).claim(),
                     Row.of("ARM instructions of a changed percept, " + machine.title,
                             Row.text("%.2f million", (changing - idle) / STEPS_PER_SECOND)));
         }

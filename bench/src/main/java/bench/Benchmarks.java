@@ -2,7 +2,7 @@ package bench;
 
 import java.util.List;
 
-/** Measures all subjects, prints the table and writes docs/performance.md; or only measures and prints those named. */
+/** Measures all subjects, prints the table and writes it into docs/results.md; or only prints those named. */
 public final class Benchmarks {
 
     private static final List<Subject> SUBJECTS =
@@ -29,7 +29,7 @@ public final class Benchmarks {
         }
         System.out.println(report.text());
         if (wanted.isEmpty()) {
-            report.write(Machine.ROOT.resolve("docs/performance.md"));
+            report.write(Machine.ROOT);
         }
         // Agents and sessions run on threads that nothing else ends.
         System.exit(0);

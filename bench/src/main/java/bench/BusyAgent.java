@@ -77,7 +77,7 @@ public final class BusyAgent implements Subject {
                 Row.against("busy agent, no board, has waited once", CYCLES, best.get(Kind.BELIEVING), plain,
                         PLAIN_AGENT),
                 row("at once", best.get(Kind.AT_ONCE), plain), row("after 50 ms", best.get(Kind.LATE), plain),
-                row("never", best.get(Kind.SILENT), plain),
+                row("never", best.get(Kind.SILENT), plain).claim(),
                 row("at once, another percept at each reading", best.get(Kind.CHANGING), plain));
     }
 

@@ -55,7 +55,7 @@ final class IdleAgent implements Subject {
             plain.destroy();
             return List.of(
                     Row.against("idle agent with board, CPU", "%.3f %% of a core", ours, reference, "plain agent")
-                            .goal("≤ 1.5"),
+                            .goal("≤ 1.5").claim(),
                     Row.against("the same, wake-ups a second", "%.1f", wakeUps, plainWakeUps, "plain agent"),
                     Row.of("wake-ups a second for the board", Row.text("%.1f", wakeUps - plainWakeUps)).goal("≤ 5"));
         }

@@ -50,9 +50,11 @@ public final class ManyBoards implements Subject {
         double forMany = Double.parseDouble(many[0]) - Double.parseDouble(none[0]);
         String with = "100 idle boards in one program, Java " + none[2];
         return List.of(
-                Row.against(with + ", CPU", "%.2f %% of a core", forMany, BOARDS * forOne, "100 × one").goal("≤ 1"),
+                Row.against(with + ", CPU", "%.2f %% of a core", forMany, BOARDS * forOne, "100 × one")
+                        .goal("≤ 1").claim(),
                 Row.of(with + ", threads",
-                        Integer.toString(Integer.parseInt(many[1]) - Integer.parseInt(none[1]))).goal("≤ 20"));
+                        Integer.toString(Integer.parseInt(many[1]) - Integer.parseInt(none[1])))
+                        .goal("≤ 20").claim());
     }
 
     private static String[] run(String home, int boards) throws Exception {

@@ -102,12 +102,12 @@ final class Radio implements Subject {
             if (latency != 0) {
                 return List.of(unicast);
             }
-            return List.of(unicast.goal("≤ 1.04"),
+            return List.of(unicast.goal("≤ 1.04").claim(),
                     Row.cited("the same beside the public stack", "%.0f ms", took.median(), 877,
-                            "the paper's software"),
+                            "the paper's software").claim(),
                     Row.cited("payload on the air for 16 sealed bytes", "%.0f bytes", payload, 54,
                             "the paper's software").goal("≤ 40"),
-                    goodput.get(0), goodput.get(1));
+                    goodput.get(0), goodput.get(1).claim());
         }
     }
 

@@ -1,7 +1,7 @@
 package bench;
 
+import harness.Results;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** What was measured, as lines for a screen and as docs/performance.md. */
+/** What was measured, as lines for a screen, lines of docs/results.md, and a full report. */
 final class Report {
 
-    private static final Row HEAD = new Row("what", "ours", "reference", "ratio", "goal");
+    private static final Row HEAD = new Row("what", "ours", "reference", "ratio", "goal", false);
 
     private final Map<Subject, List<Row>> measured = new LinkedHashMap<>();
 
@@ -33,28 +33,27 @@ final class Report {
                 .collect(Collectors.joining("\n"));
     }
 
-    /** Writes the document. */
-    void write(Path file) throws IOException, InterruptedException {
-        StringBuilder text = new StringBuilder("""
-            # Performance
+    /** Writes its section of the page and the full report. */
+    void write(Path root) throws IOException, InterruptedException {
+        StringBuilder report = new StringBuilder("""
+            Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly. Figures of the PC are of one
+            run; on other computers only the ratio to the reference beside it holds. *Cited* references were measured
+            elsewhere and are not part of the run.
 
-            Written by `gradle bench`, which measures all of this anew in a quarter of an hour. Do not edit.
-
-            Cycles are those of an emulated Arduino Mega 2560 (16 MHz) and repeat exactly; firmware is compiled by
-            avr-gcc %s. Figures of the PC are of one run on %s; on other computers only the ratio to the reference
-            beside it holds. *Cited* references were measured elsewhere and are not part of the run.
-
-            """.formatted(Machine.compiler(), Machine.describe()));
-        text.append("| what | ours | reference | ratio | goal |\n| --- | ---: | ---: | ---: | --- |\n");
+            """);
+        report.append("| what | ours | reference | ratio | goal |\n| --- | ---: | ---: | ---: | --- |\n");
         for (Row row : rows().subList(1, rows().size())) {
-            text.append(Row.text("| %s | %s | %s | %s | %s |\n", row.what(), row.ours(), row.reference(), row.ratio(),
+            report.append(Row.text("| %s | %s | %s | %s | %s |\n", row.what(), row.ours(), row.reference(), row.ratio(),
                     row.goal()));
         }
-        text.append("\n## How it is measured\n");
+        report.append("\n## How it is measured\n");
         measured.keySet()
-                .forEach(subject -> text.append("\n**").append(subject.name()).append("** (`gradle bench -Ponly=")
+                .forEach(subject -> report.append("\n**").append(subject.name()).append("** (`gradle bench -Ponly=")
                         .append(subject.name()).append("`): ").append(subject.method().strip()).append('\n'));
-        Files.writeString(file, text);
+        new Results(root).write("bench",
+                Row.text("`gradle bench`: avr-gcc %s; one run on %s", Machine.compiler(), Machine.describe()),
+                rows().stream().filter(Row::isClaim).map(Row::claimed).collect(Collectors.joining("\n")),
+                report.toString().strip());
     }
 
     private List<Row> rows() {

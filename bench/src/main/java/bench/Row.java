@@ -10,12 +10,13 @@ import java.util.Locale;
  * @param reference what it is compared with, or empty.
  * @param ratio     ours to the reference, or empty.
  * @param goal      what we want to reach, or empty.
+ * @param isClaim   whether docs/results.md has it.
  */
-record Row(String what, String ours, String reference, String ratio, String goal) {
+record Row(String what, String ours, String reference, String ratio, String goal, boolean isClaim) {
 
     /** A figure that is compared with nothing. */
     static Row of(String what, String ours) {
-        return new Row(what, ours, "", "", "");
+        return new Row(what, ours, "", "", "", false);
     }
 
     /**
@@ -44,11 +45,22 @@ record Row(String what, String ours, String reference, String ratio, String goal
     }
 
     Row goal(String toReach) {
-        return new Row(what, ours, reference, ratio, toReach);
+        return new Row(what, ours, reference, ratio, toReach, isClaim);
+    }
+
+    /** The same, for docs/results.md too. */
+    Row claim() {
+        return new Row(what, ours, reference, ratio, goal, true);
+    }
+
+    /** As docs/results.md has it. */
+    String claimed() {
+        return "- " + what + ": **" + ours + "**" + (reference.isEmpty() ? "" : ", " + ratio + " × " + reference)
+                + (goal.isEmpty() ? "" : "; goal " + goal);
     }
 
     private Row and(String other, double quotient) {
-        return new Row(what, ours, other, ratioText(quotient), goal);
+        return new Row(what, ours, other, ratioText(quotient), goal, isClaim);
     }
 
     static String text(String format, Object... values) {

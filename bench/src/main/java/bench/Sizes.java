@@ -34,9 +34,9 @@ final class Sizes implements Subject {
         List<Row> rows = new ArrayList<>();
         Size vehicle = sizeOf(Machine.firmware("Vehicle"));
         rows.add(Row.cited("Vehicle, flash", "%.0f bytes", vehicle.flash, 21300, "the paper's police sketch")
-                .goal("smaller"));
+                .goal("smaller").claim());
         rows.add(Row.cited("Vehicle, static RAM", "%.0f bytes", vehicle.ram, 2908, "the paper's police sketch")
-                .goal("smaller"));
+                .goal("smaller").claim());
         for (String sketch : List.of("Station", "Blink")) {
             rows.add(row(sketch, sizeOf(Machine.firmware(sketch))));
             rows.add(row(sketch + " on an Uno", sizeOf(Machine.unoFirmware(sketch))));

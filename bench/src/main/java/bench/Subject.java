@@ -8,7 +8,7 @@ interface Subject {
     /** One word, by which it can be asked for alone. */
     String name();
 
-    /** Sentences for docs/performance.md: how it is measured, and what the figures do not say. */
+    /** Sentences for the full report: how it is measured, and what the figures do not say. */
     String method();
 
     /** Measures. */
