@@ -32,7 +32,7 @@ class RandomMeetingsTest {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void meetings_manyMore_allInOrderAgain() throws Exception {
         run(1000);
     }

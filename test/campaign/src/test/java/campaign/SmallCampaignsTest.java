@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * Each campaign with little of everything: what must always hold holds here, too. What has to be reached in figures
  * does not count. Progress is shown of those only that fail.
  */
-@Tag("verify")
+@Tag("soak")
 class SmallCampaignsTest {
 
     static List<Campaign> campaigns() {

@@ -28,7 +28,7 @@ class TargetsTest {
         return Target.ofJava();
     }
 
-    @Tag("verify")
+    @Tag("soak")
     @ParameterizedTest
     @MethodSource("decoders")
     void decoder_anyBytes_noFault(Target target, @TempDir Path folder) throws Exception {
@@ -40,7 +40,7 @@ class TargetsTest {
         assertTrue(run.covered() > 0, run + " has not seen the code");
     }
 
-    @Tag("verify")
+    @Tag("soak")
     @Test
     void faultyDecoder_isFound(@TempDir Path folder) throws Exception {
         Target target = new Target("faulty", Target.jazzer(FaultyTarget.class));

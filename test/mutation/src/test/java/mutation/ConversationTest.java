@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-@Tag("verify")
+@Tag("soak")
 class ConversationTest {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));

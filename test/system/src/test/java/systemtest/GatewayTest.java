@@ -117,7 +117,7 @@ class GatewayTest extends JoinedCells {
 
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    @Tag("verify")
+    @Tag("soak")
     void broker_thatIsAwayForAMinute_joinsTheCellsAgain(boolean persistent) throws Exception {
         exchange(0, 2);
         broker.stop();
@@ -157,7 +157,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void gateways_thatAreFlooded_haveEnoughMemory() throws Exception {
         exchange(0, 1);
         long before = east.residentBytes();
@@ -189,7 +189,7 @@ class GatewayTest extends JoinedCells {
     }
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void slowNetwork_delaysAndDoublesNothing() throws Exception {
         west.end();
         try (SlowNetwork network = SlowNetwork.open(broker.port(), 1000, 0.2, 18)) {

@@ -181,7 +181,7 @@ class MovesTest {
                 +movedIn(A, _) <- .print("came ", A, "!").
                 """, "nurse agentArchClass mobility.Mobile;");
         try {
-            both.get(Travels.HOME).await("came nurse1");
+            both.get(Travels.HOME).await("came nurse_1");
             both.get(Travels.AWAY).await("came nurse_1!");
         } finally {
             both.forEach(AgentProcess::close);

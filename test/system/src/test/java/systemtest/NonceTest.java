@@ -22,7 +22,7 @@ class NonceTest {
     private static final int MESSAGES_A_RUN = 100;
 
     @Test
-    @Tag("verify")
+    @Tag("soak")
     void nonces_neverRepeatOverReboots(@TempDir Path folder) throws Exception {
         Map<String, String> frames = new HashMap<>();
         for (int run = 0; run < RUNS; run++) {

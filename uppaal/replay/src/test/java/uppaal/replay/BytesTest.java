@@ -520,7 +520,7 @@ class BytesTest {
     @ParameterizedTest
     @CsvSource({"highway, '7 messages opened, 5 proofs'", "pieces, '3 messages opened, 4 proofs'",
             "partners, '10 messages opened, 6 proofs'", "relays, '3 messages opened, 3 proofs'"})
-    @Tag("verify")
+    @Tag("soak")
     void genuineTrace_withItsKeys_isAcceptedHoweverEarlyItEnds(String name, String checked) {
         Lines lines = Lines.of(name);
         assertEquals("model: trace accepted (" + lines.all.size() + " events, " + checked + ")",
@@ -535,7 +535,7 @@ class BytesTest {
     /** Each packet that a board sends, with one bit changed, wherever it is heard. */
     @ParameterizedTest
     @ValueSource(strings = {"highway", "pieces", "partners", "relays"})
-    @Tag("verify")
+    @Tag("soak")
     void genuineTrace_withAChangedBit_isRefusedThere(String name) {
         Random random = new Random(1);
         for (int line : Lines.of(name).where(each -> Lines.of(name).is(each, "rf-tx"))) {

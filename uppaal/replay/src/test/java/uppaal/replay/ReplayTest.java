@@ -61,7 +61,7 @@ class ReplayTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"highway", "pieces", "partners", "relays"})
-    @Tag("verify")
+    @Tag("soak")
     void replay_genuineTrace_isAcceptedHoweverEarlyItEnds(String name) {
         Lines lines = Lines.of(name);
         assertEquals("model: trace accepted (" + lines.all.size() + " events)", lines.replay().verdict());
