@@ -7,6 +7,7 @@ import com.hivemq.client.mqtt.mqtt5.Mqtt5Client;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
 import com.hivemq.client.mqtt.mqtt5.datatypes.Mqtt5UserProperties;
 import com.hivemq.client.mqtt.mqtt5.datatypes.Mqtt5UserProperty;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5SubAckException;
 import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
 import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
@@ -175,7 +176,8 @@ final class Broker implements AutoCloseable {
                         connectedAt = System.nanoTime();
                         listener.connected();
                         subscribed.complete(null);
-                    } else if (!subscribed.completeExceptionally(failure)) {
+                    } else if (!subscribed.completeExceptionally(failure) && failure instanceof Mqtt5SubAckException) {
+                        // That the connection was lost, the other listener tells.
                         listener.disconnected(BrokerException.of(config, failure));
                         client.disconnect();
                     }
