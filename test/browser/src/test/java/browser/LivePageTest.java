@@ -180,12 +180,10 @@ class LivePageTest {
             Select recorded = new Select(page.await("#recorded"));
             recorded.getOptions().stream().filter(option -> option.getText().contains("SUPP")
                     && option.getText().contains("sealed")).findFirst().orElseThrow().click();
-            click(page, "send-flipped");
-            page.awaitText("#stranger-result", "radioBadTag");
+            clickUntil(page, "send-flipped", "radioBadTag");
             page.screenshot("forged");
             page.await("replay", driver -> page.driver().findElement(By.id("replay")).isEnabled());
-            click(page, "replay");
-            page.awaitText("#stranger-result", "radioRepeats");
+            clickUntil(page, "replay", "radioRepeats");
             page.screenshot("replayed");
 
             assertFalse("7".equals(page.driver().getTitle()));
@@ -250,6 +248,18 @@ class LivePageTest {
 
     private static void click(Page page, String id) {
         page.await("#" + id).click();
+    }
+
+    /** The packet may meet another one on the air. */
+    private static void clickUntil(Page page, String id, String result) {
+        long[] next = {0};
+        page.await(result, driver -> {
+            if (System.currentTimeMillis() >= next[0] && driver.findElement(By.id(id)).isEnabled()) {
+                click(page, id);
+                next[0] = System.currentTimeMillis() + PATIENCE_MILLIS / 4;
+            }
+            return driver.findElement(By.id("stranger-result")).getText().contains(result);
+        });
     }
 
     private static void choose(Page page, String value) {
