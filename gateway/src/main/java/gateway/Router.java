@@ -34,7 +34,7 @@ final class Router {
     private final GatewayCounters counters;
     private final FrameHistory frameHistory = new FrameHistory();
     private final Conversations conversations = new Conversations();
-    private final DeviceLocations places;
+    private final DeviceLocations locations;
     private final Budget all;
     private final Budget searches;
 
@@ -60,7 +60,7 @@ final class Router {
         this.broadcasts = broadcasts;
         this.effects = effects;
         this.counters = counters;
-        places = new DeviceLocations(cell);
+        locations = new DeviceLocations(cell);
         all = new Budget(AT_ONCE_MILLIS, SHARE_PERCENT, now);
         searches = new Budget(SEARCH_AT_ONCE_MILLIS, SEARCH_PERCENT, now);
     }
@@ -109,7 +109,7 @@ final class Router {
         int nth = sighting.arrived(gateway, now);
         conversations.learn(frame, false, now);
         if (sighting.isNew()) {
-            places.heard(frame.origin(), from, now);
+            locations.heard(frame.origin(), from, now);
         }
         Optional<GatewayCounter> refusal =
                 active ? refusal(frame, sighting, nth, until, now) : Optional.of(GatewayCounter.STANDBY);
@@ -124,19 +124,19 @@ final class Router {
     /** The broker has kept that a device was heard in a cell. */
     void kept(String where, Address device, long when) {
         if (device.kind() == Address.Kind.DEVICE) {
-            places.told(device, where, when);
+            locations.told(device, where, when);
         }
     }
 
     /** The broker is there, again: it may have lost what it kept. */
     void connected() {
-        places.tellAgain();
+        locations.tellAgain();
     }
 
     private void settle(Address device, long now) {
-        if (places.heard(device, cell, now)) {
+        if (locations.heard(device, cell, now)) {
             effects.keep(device);
-            places.surplus().ifPresent(effects::forget);
+            locations.surplus().ifPresent(effects::forget);
         }
     }
 
@@ -175,8 +175,8 @@ final class Router {
 
     private boolean isHere(Address destination, long now) {
         return switch (destination.kind()) {
-            case DEVICE -> places.of(destination, now).filter(cell::equals).isPresent();
-            case MULTICAST -> places.hasMemberHere(destination, now);
+            case DEVICE -> locations.of(destination, now).filter(cell::equals).isPresent();
+            case MULTICAST -> locations.hasMemberHere(destination, now);
             case BROADCAST -> broadcasts;
             case SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
         };
@@ -185,8 +185,8 @@ final class Router {
     /** Whether all cells are to try: where nobody has heard whom it is for, or who does not answer where it was. */
     private boolean isSearched(Address destination, Address sender, int nth, long now) {
         return switch (destination.kind()) {
-            case DEVICE -> nth % SEARCH_EVERY == 0 || nth <= 2 && places.of(destination, now).isEmpty();
-            case MULTICAST -> nth <= 2 && !places.hasMemberBeside(sender, destination, now);
+            case DEVICE -> nth % SEARCH_EVERY == 0 || nth <= 2 && locations.of(destination, now).isEmpty();
+            case MULTICAST -> nth <= 2 && !locations.hasMemberBeside(sender, destination, now);
             case BROADCAST, SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
         };
     }
