@@ -37,6 +37,12 @@ class GateTest {
     private static final String GROUP = "//SU";
     private static final String ME = "CAFE";
 
+    /** Finds out about a door for partners only. */
+    private static final String DOOR = """
+            +?door(X)[peer(certified,S)] <- diffuser.note(stranger,S); .fail.
+            +?door(X) <- diffuser.note(partner); X = 1.
+            """;
+
     /** Notes whatever it does; asks for goals of broadcasts by the plans named opened. */
     private static final String PROGRAM = """
             festival(never).
@@ -249,17 +255,12 @@ class GateTest {
 
     @Test
     void pass_questionsAndUntellOfAStranger_arePlansToRefuse() {
-        String program = PROGRAM + """
-                +?door(X)[peer(certified,S)] <- diffuser.note(stranger,S); .fail.
-                +?door(X) <- diffuser.note(partner); X = 1.
+        String program = PROGRAM + DOOR + """
                 +!kqml_received(S,untell,q(X),_)[peer(certified,S)] <- diffuser.note(kept,X).
                 """;
         FakeBoard board = withAStranger();
         RunningAgent agent = RunningAgent.listening(program, board);
-        board.receive(ME, "ROMB", "askOne#AbC;door(X)");
-        agent.notes("stranger ROMB");
-        board.receive(ME, "SUPO", "askOne#AbD;door(X)");
-        agent.notes("partner");
+        assertRefusesTheStrangersQuestion(agent, board);
         board.receive(ME, "ROMB", "tell;q(1)");
         board.receive(ME, "ROMB", "untell;q(1)");
         agent.notes("kept 1");
@@ -269,14 +270,15 @@ class GateTest {
     /** What it believes when it is asked, it may believe no longer when it looks. */
     @Test
     void pass_questionAboutABeliefThatGoes_isForPlansToRefuseToo() {
-        String program = PROGRAM + """
+        String program = PROGRAM + DOOR + """
                 door(1).
                 +!kqml_received(S,askOne,Content,M) <- -door(1); ?Content; .send(S,tell,Content,M).
-                +?door(X)[peer(certified,S)] <- diffuser.note(stranger,S); .fail.
-                +?door(X) <- diffuser.note(partner); X = 1.
                 """;
         FakeBoard board = withAStranger();
-        RunningAgent agent = RunningAgent.listening(program, board);
+        assertRefusesTheStrangersQuestion(RunningAgent.listening(program, board), board);
+    }
+
+    private static void assertRefusesTheStrangersQuestion(RunningAgent agent, FakeBoard board) {
         board.receive(ME, "ROMB", "askOne#AbC;door(X)");
         agent.notes("stranger ROMB");
         board.receive(ME, "SUPO", "askOne#AbD;door(X)");
