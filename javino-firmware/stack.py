@@ -66,7 +66,7 @@ def frame_and_calls(name, body):
 def deepest(name, parts, known):
     """@return the most bytes that a function and what it calls put on the stack, and the functions that do."""
     if name == 'a radio':
-        radio = [each for each in parts if re.match(r'_ZNK?6javino8AskRadio', each)]
+        radio = [each for each in parts if re.match(r'_ZNK?9javinolib8AskRadio', each)]
         return max((deepest(each, parts, known) for each in radio), default=(0, []))
     if name not in known:
         known[name] = (0, [])  # no function calls itself

@@ -82,7 +82,7 @@
 #endif
 
 /// Whether a host can make the board a relay, 0 or 1 (SPEC 7.5): 24 bytes of RAM, as a relay's memory is the place of one of
-/// JAVINO_REASSEMBLIES. With 0 the command W is UNKNOWN_COMMAND; a sketch's own javino::Relay does not depend on it.
+/// JAVINO_REASSEMBLIES. With 0 the command W is UNKNOWN_COMMAND; a sketch's own javinolib::Relay does not depend on it.
 #ifndef JAVINO_RELAY
 #define JAVINO_RELAY (JAVINO_REASSEMBLIES > 0 && JAVINO_BY_CHIP(1, 0))
 #endif
@@ -161,7 +161,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 namespace config {
 
 static const uint8_t KEYS = JAVINO_KEYS;
@@ -232,6 +232,6 @@ static_assert(JAVINO_EPOCH_SLOTS >= 4 && JAVINO_EPOCH_SLOTS <= 64 && JAVINO_EPOC
               "JAVINO_EPOCH_SLOTS must be 4…64, and even");
 
 }  // namespace config
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

@@ -5,11 +5,11 @@
 const uint8_t FAST_PIN = 40;
 const uint8_t PERCEPTS = 40;
 
-javino::Javino board(Serial, "meter 1.0");
+javinolib::Javino board(Serial, "meter 1.0");
 
 int reading = 0;
 
-void perceive(javino::Percepts &percepts) {
+void perceive(javinolib::Percepts &percepts) {
   reading = reading % 999 + 1;
   for (uint8_t i = 0; i < PERCEPTS; i++) percepts.add(F("m"), i * 1000L + reading);
 }

@@ -16,7 +16,7 @@ uint16_t bitRate() {
   return stored == 0xFFFF ? 2000 : stored;
 }
 
-javino::AskRadio radio(11, 12, bitRate());
+javinolib::AskRadio radio(11, 12, bitRate());
 uint8_t payload[LENGTH];
 uint32_t state = 1;
 uint16_t received = 0;

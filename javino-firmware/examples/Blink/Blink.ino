@@ -7,19 +7,21 @@
 
 #include <Javino.h>
 
-javino::Javino board(Serial, "blink 1.0");
+javinolib::Javino board(Serial, "blink 1.0");
 
-bool ledOn(const javino::Arguments &) {
+bool ledOn(const javinolib::Arguments &) {
   digitalWrite(LED_BUILTIN, HIGH);
   return true;
 }
 
-bool ledOff(const javino::Arguments &) {
+bool ledOff(const javinolib::Arguments &) {
   digitalWrite(LED_BUILTIN, LOW);
   return true;
 }
 
-void perceive(javino::Percepts &percepts) { percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)")); }
+void perceive(javinolib::Percepts &percepts) {
+  percepts.literal(digitalRead(LED_BUILTIN) ? F("led(on)") : F("led(off)"));
+}
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

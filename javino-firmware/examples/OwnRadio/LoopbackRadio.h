@@ -5,7 +5,7 @@
 
 /// An example of a driver for another radio than the ASK pair. Its air is the board's memory: two joined drivers receive
 /// each other's packets. These are like those of a small module: 32 bytes, 8 of them a millisecond.
-class LoopbackRadio : public javino::Radio {
+class LoopbackRadio : public javinolib::Radio {
  public:
   static const uint8_t LONGEST = 32;
 
@@ -39,7 +39,7 @@ class LoopbackRadio : public javino::Radio {
   }
 
   void release() override { receivedLength_ = 0; }
-  void counters(javino::RadioCounters &into) const override { into = counters_; }
+  void counters(javinolib::RadioCounters &into) const override { into = counters_; }
   bool idle() const override { return length_ == 0 && receivedLength_ == 0; }
 
  private:
@@ -67,5 +67,5 @@ class LoopbackRadio : public javino::Radio {
   uint32_t sentAt_ = 0;
   uint8_t received_[LONGEST];
   uint8_t receivedLength_ = 0;  // 0 where nothing waits
-  javino::RadioCounters counters_ = {0, 0, 0, 0, 0};
+  javinolib::RadioCounters counters_ = {0, 0, 0, 0, 0};
 };

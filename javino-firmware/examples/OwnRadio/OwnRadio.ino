@@ -8,8 +8,8 @@
 const uint16_t INTERVAL_MILLIS = 1000;
 
 LoopbackRadio radios[2];
-javino::Broadcaster alfa(radios[0]);
-javino::Broadcaster beta(radios[1]);
+javinolib::Broadcaster alfa(radios[0]);
+javinolib::Broadcaster beta(radios[1]);
 uint32_t greetedAt = 0;
 
 void print(const char *from, const char *text) {

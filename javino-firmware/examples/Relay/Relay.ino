@@ -11,8 +11,8 @@
 const uint16_t NUMBER = 1;
 const uint16_t LIT_MILLIS = 100;
 
-javino::AskRadio radio;
-javino::Relay relay(radio);
+javinolib::AskRadio radio;
+javinolib::Relay relay(radio);
 
 uint32_t shown = 0;
 uint32_t shownAt = 0;

@@ -6,7 +6,7 @@
 
 #include <Javino.h>
 
-javino::Javino board(Serial, "station 1.0");
+javinolib::Javino board(Serial, "station 1.0");
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

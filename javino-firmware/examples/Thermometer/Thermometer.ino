@@ -22,7 +22,7 @@ const uint8_t READINGS = 16;
 
 const uint16_t SAMPLE_MILLIS = 1000;
 
-javino::Javino board(Serial, "thermometer 1.0");
+javinolib::Javino board(Serial, "thermometer 1.0");
 
 int celsius() {
   long sum = 0;
@@ -31,7 +31,7 @@ int celsius() {
   return (millivolts + MILLIVOLTS_A_DEGREE / 2) / MILLIVOLTS_A_DEGREE - ZERO_CELSIUS;
 }
 
-void perceive(javino::Percepts &percepts) { percepts.add(F("temperature"), celsius()); }
+void perceive(javinolib::Percepts &percepts) { percepts.add(F("temperature"), celsius()); }
 
 void setup() {
   board.onPercepts(perceive);

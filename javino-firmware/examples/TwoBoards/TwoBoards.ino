@@ -9,10 +9,10 @@
 #include <Javino.h>
 
 const uint8_t ADDRESS_PIN = 2;
-const uint8_t MAX_TEXT = javino::Broadcaster::MAX_TEXT;
+const uint8_t MAX_TEXT = javinolib::Broadcaster::MAX_TEXT;
 
-javino::AskRadio radio;
-javino::Broadcaster broadcaster(radio);
+javinolib::AskRadio radio;
+javinolib::Broadcaster broadcaster(radio);
 
 char line[MAX_TEXT + 1];
 uint8_t length = 0;  // MAX_TEXT + 1 if more came

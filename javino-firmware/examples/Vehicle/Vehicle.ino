@@ -32,7 +32,7 @@ const uint8_t HEADLIGHTS_PIN = 30;
 const uint8_t PROXIMITY_DEAD_BAND = 2;  // cm
 const uint8_t LIGHT_DEAD_BAND = 4;
 
-javino::Javino board(Serial, "vehicle 1.0");
+javinolib::Javino board(Serial, "vehicle 1.0");
 Sonar sonar(22);
 Siren siren(31, 32);
 
@@ -50,51 +50,51 @@ void drive(bool forward) {
 // The alert and the siren share the buzzer.
 void updateBuzzer() { digitalWrite(BUZZER_PIN, alerting || siren.on()); }
 
-bool startDriving(const javino::Arguments &) {
+bool startDriving(const javinolib::Arguments &) {
   drive(true);
   return true;
 }
 
-bool stopDriving(const javino::Arguments &) {
+bool stopDriving(const javinolib::Arguments &) {
   drive(false);
   return true;
 }
 
-bool accidentAlert(const javino::Arguments &) {
+bool accidentAlert(const javinolib::Arguments &) {
   alerting = true;
   updateBuzzer();
   return true;
 }
 
-bool alertOff(const javino::Arguments &) {
+bool alertOff(const javinolib::Arguments &) {
   alerting = false;
   updateBuzzer();
   return true;
 }
 
-bool sirenOn(const javino::Arguments &) {
+bool sirenOn(const javinolib::Arguments &) {
   siren.start();
   updateBuzzer();
   return true;
 }
 
-bool sirenOff(const javino::Arguments &) {
+bool sirenOff(const javinolib::Arguments &) {
   siren.stop();
   updateBuzzer();
   return true;
 }
 
-bool headlightsOn(const javino::Arguments &) {
+bool headlightsOn(const javinolib::Arguments &) {
   digitalWrite(HEADLIGHTS_PIN, HIGH);
   return true;
 }
 
-bool headlightsOff(const javino::Arguments &) {
+bool headlightsOff(const javinolib::Arguments &) {
   digitalWrite(HEADLIGHTS_PIN, LOW);
   return true;
 }
 
-void perceive(javino::Percepts &percepts) {
+void perceive(javinolib::Percepts &percepts) {
   if (sonar.inRange()) percepts.add(F("proximity"), sonar.centimetres(), PROXIMITY_DEAD_BAND);
   percepts.add(F("light"), analogRead(LIGHT_PIN), LIGHT_DEAD_BAND);
   if (moving) percepts.add(F("moving"));

@@ -14,7 +14,7 @@
 #define JAVINO_RETAINED
 #endif
 
-namespace javino {
+namespace javinolib {
 
 bool SerialPort::canRead() const { return serial_.available() > 0; }
 
@@ -49,4 +49,4 @@ bool retained::isClear() {
 
 uint32_t clock::millis() { return ::millis(); }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace javino {
+namespace javinolib {
 
 /// Sleep and interrupts of the CPU; bound when linking, to CpuAvr.cpp on a board and to a mock in the host tests.
 namespace cpu {
@@ -16,4 +16,4 @@ void releaseInterrupts();
 void releaseInterruptsAndIdle();
 
 }  // namespace cpu
-}  // namespace javino
+}  // namespace javinolib

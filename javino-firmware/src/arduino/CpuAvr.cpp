@@ -5,7 +5,7 @@
 
 #include "Cpu.h"
 
-namespace javino {
+namespace javinolib {
 namespace cpu {
 
 void holdInterrupts() { cli(); }
@@ -22,6 +22,6 @@ void releaseInterruptsAndIdle() {
 }
 
 }  // namespace cpu
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "Cpu.h"
 
-namespace javino {
+namespace javinolib {
 
 Javino::Javino(HostSerial &serial, const char *firmwareName, Radio &radio)
     : serial_(serial), board_(SerialPort(serial), radio, firmwareName) {}
@@ -25,4 +25,4 @@ void Javino::run() {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "../board/Board.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The type of `Serial`: a UART, or USB on chips that have it (ATmega32U4).
 typedef decltype(Serial) HostSerial;
@@ -45,4 +45,4 @@ class Javino {
   Board board_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -1,6 +1,6 @@
 #include "Actions.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -67,4 +67,4 @@ Action Actions::find(const char *name, uint16_t length) const {
   return nullptr;
 }
 
-}  // namespace javino
+}  // namespace javinolib

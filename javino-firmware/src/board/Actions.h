@@ -10,7 +10,7 @@
 #include "../support/Status.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A sketch's function for an action.
 /// @return false where it refuses the action or its arguments; the agent's plan then fails.
@@ -43,4 +43,4 @@ class Actions {
   Entry entries_[config::ACTIONS == 0 ? 1 : config::ACTIONS];
 };
 
-}  // namespace javino
+}  // namespace javinolib

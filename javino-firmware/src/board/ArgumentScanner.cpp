@@ -1,6 +1,6 @@
 #include "ArgumentScanner.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t ArgumentScanner::MAX_DEPTH;
 
@@ -36,4 +36,4 @@ void ArgumentScanner::close(char bracket) {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

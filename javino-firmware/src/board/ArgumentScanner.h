@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// Follows quotes and brackets through the text of a term, one character at a time, to tell which commas divide
 /// arguments.
@@ -29,4 +29,4 @@ class ArgumentScanner {
   bool broken_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "ArgumentScanner.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -102,4 +102,4 @@ bool Arguments::find(uint8_t index, Span &into) const {
   return into.length != 0;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// The action that an agent asks for, `name` or `name(arguments)`, as a view on the request's bytes (SPEC 4.3, act).
 /// Arguments are the texts between the commas outside of quotes and brackets, without the blanks around them.
@@ -46,4 +46,4 @@ class Arguments {
   uint8_t count_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -1,6 +1,6 @@
 #include "Board.h"
 
-namespace javino {
+namespace javinolib {
 
 Board::Board(SerialPort port, Radio &radio, const char *firmwareName)
     : delivery_(radio, state_),
@@ -26,4 +26,4 @@ void Board::run() {
 
 bool Board::isIdle() const { return delivery_.isIdle() && session_.isIdle(); }
 
-}  // namespace javino
+}  // namespace javinolib

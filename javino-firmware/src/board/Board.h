@@ -10,7 +10,7 @@
 #include "SerialPort.h"
 #include "SerialSession.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A whole board without its hardware: what the protocol asks of it, behind the seams serial port, EEPROM, radio, clock
 /// and retained RAM. The class Javino puts it on an Arduino.
@@ -42,4 +42,4 @@ class Board {
   SerialSession session_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

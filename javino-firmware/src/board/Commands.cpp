@@ -5,7 +5,7 @@
 #include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -191,4 +191,4 @@ Status Commands::statistics(uint16_t length, Reply &reply) {
   return Status::OK;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -12,7 +12,7 @@
 #include "Reply.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Performs the requests of SPEC 4.3: finds the command, checks its body, and hands it to the part that does it.
 class Commands {
@@ -59,4 +59,4 @@ class Commands {
   bool greeted_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

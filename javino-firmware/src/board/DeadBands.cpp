@@ -2,7 +2,7 @@
 
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -37,4 +37,4 @@ long DeadBands::settle(const FlashText *name, long number, unsigned long deadBan
   return number;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../support/Flash.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The values last told of percepts that have a dead band or a least interval of their own. A percept is known by the place
 /// of its name in flash; among percepts of one name in a reading, by their order.
@@ -31,4 +31,4 @@ class DeadBands {
   Entry entries_[config::DEAD_BANDS] JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "../support/BigEndian.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -145,4 +145,4 @@ void KeyCommands::addCheckValue(uint8_t slot, Reply &reply) const {
   reply.add(check, sizeof check);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -10,7 +10,7 @@
 #include "Reply.h"
 #include "../support/Status.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The commands that manage keys (SPEC 4.3: E, K, N, U, F, D, V, L). None of them gives away more of a key than its check value.
 /// What the replay memory knows of a key goes after the key itself: else a loss of power between the two would open the
@@ -57,4 +57,4 @@ class KeyCommands {
   NonceSource &nonces_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -1,6 +1,6 @@
 #include "Percepts.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -81,4 +81,4 @@ void Percepts::close(Record &record) {
   if (!record.close()) leftOut_++;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -7,7 +7,7 @@
 #include "DeadBands.h"
 #include "Reply.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Collects the board's percepts while a sketch's percept callback runs. Each percept is an AgentSpeak literal. All
 /// together fit one reply (some 500 bytes, each percept with 3 more). Percepts that do not fit are left out and
@@ -64,4 +64,4 @@ class Percepts {
   uint16_t leftOut_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -179,4 +179,4 @@ bool Poll::addReading(uint32_t now, Reply &reply) {
   return true;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -12,7 +12,7 @@
 #include "Reply.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A sketch's function that says what the board perceives now.
 typedef void (*PerceptSource)(Percepts &percepts);
@@ -86,4 +86,4 @@ class Poll {
   DeadBands deadBands_;  // last: AVR reaches only the first 64 bytes of an object in one instruction
 };
 
-}  // namespace javino
+}  // namespace javinolib

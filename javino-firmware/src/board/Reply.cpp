@@ -4,7 +4,7 @@
 
 #include "../framing/Frame.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Reply::STATUS_AT;
 const uint16_t Reply::BODY_END;
@@ -81,4 +81,4 @@ bool Record::close() {
   return true;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -8,7 +8,7 @@
 #include "../support/Status.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The reply to a request, from the first byte of its body to the packet, in one buffer (SPEC 4.1, 4.2).
 /// It stays until the next begin(), so that a repeated request can be answered from it.
@@ -72,4 +72,4 @@ class Record {
   const uint8_t *const end_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 /// A serial port of the Arduino core: a UART, or the USB of chips that have their own.
 class Stream;
 
-namespace javino {
+namespace javinolib {
 
 /// The bytes between host and board; no function waits. The seam for the port; bound when linking, to
 /// ArduinoSeams.cpp on a board and to a line in memory in the host tests, since virtual functions would take 276
@@ -30,4 +30,4 @@ class SerialPort {
   Stream &serial_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

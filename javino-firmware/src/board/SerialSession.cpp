@@ -1,6 +1,6 @@
 #include "SerialSession.h"
 
-namespace javino {
+namespace javinolib {
 
 SerialSession::SerialSession(SerialPort port, Commands &commands, Poll &poll, Counters &counters)
     : port_(port), commands_(commands), poll_(poll), counters_(counters) {}
@@ -73,4 +73,4 @@ void SerialSession::write() {
   while (!encoder_.done() && port_.canWrite()) port_.write(encoder_.next());
 }
 
-}  // namespace javino
+}  // namespace javinolib

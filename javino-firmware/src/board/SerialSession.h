@@ -12,7 +12,7 @@
 #include "SerialPort.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The board's end of the serial line: one reply to each request, repeats answered from memory (SPEC 4.1, 4.2).
 ///
@@ -50,4 +50,4 @@ class SerialSession {
   Reply reply_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

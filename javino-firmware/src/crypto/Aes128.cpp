@@ -2,11 +2,11 @@
 
 #include "../support/Wipe.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Aes128::BLOCK_LENGTH;
 const uint8_t Aes128::KEY_LENGTH;
 
 Aes128::~Aes128() { wipe(roundKeys_, sizeof roundKeys_); }
 
-}  // namespace javino
+}  // namespace javinolib

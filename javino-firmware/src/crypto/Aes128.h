@@ -5,7 +5,7 @@
 #include "../support/Inlining.h"
 #include "Aes128Core.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The AES-128 block cipher, forward direction only (FIPS 197); CFB and CMAC need no other.
 ///
@@ -52,4 +52,4 @@ class Aes128 {
   mutable uint8_t roundKeys_[JAVINO_ROUND_KEYS_LENGTH];
 };
 
-}  // namespace javino
+}  // namespace javinolib

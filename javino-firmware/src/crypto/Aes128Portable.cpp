@@ -9,8 +9,8 @@
 
 namespace {
 
-using javino::flashByte;
-using javino::wipe;
+using javinolib::flashByte;
+using javinolib::wipe;
 
 const uint8_t BLOCK_LENGTH = 16;
 const uint8_t ROUNDS = 10;

@@ -2,7 +2,7 @@
 
 #include "../support/Wipe.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -38,4 +38,4 @@ void Cfb128::applyToRest(uint8_t *bytes, uint16_t length) const {
   wipe(keyStream, sizeof keyStream);
 }
 
-}  // namespace javino
+}  // namespace javinolib

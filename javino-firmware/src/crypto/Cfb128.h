@@ -5,7 +5,7 @@
 #include "../support/Inlining.h"
 #include "Aes128.h"
 
-namespace javino {
+namespace javinolib {
 
 /// AES-128 in CFB mode with segments of 128 bits (NIST SP 800-38A section 6.3), for one message of any length: the last
 /// block may be short.
@@ -31,4 +31,4 @@ class Cfb128 {
   const uint8_t *const iv_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

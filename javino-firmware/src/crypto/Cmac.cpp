@@ -4,7 +4,7 @@
 
 #include "../support/Wipe.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -87,4 +87,4 @@ bool equalInConstantTime(const uint8_t *some, const uint8_t *other, uint8_t leng
   return difference == 0;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../support/Inlining.h"
 #include "Aes128.h"
 
-namespace javino {
+namespace javinolib {
 
 /// AES-CMAC (NIST SP 800-38B section 6) under one key, whose subkey is computed once.
 class Cmac {
@@ -33,4 +33,4 @@ void cmac(const Aes128 &cipher, const uint8_t *message, uint16_t length, uint8_t
 /// Compares in a time that depends on the length only.
 bool equalInConstantTime(const uint8_t *some, const uint8_t *other, uint8_t length);
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../support/Wipe.h"
 #include "Cmac.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t DerivedKeys::CHECK_LENGTH;
 
@@ -53,4 +53,4 @@ bool DerivedKeys::equals(const DerivedKeys &other) const {
          equalInConstantTime(authentication, other.authentication, sizeof authentication);
 }
 
-}  // namespace javino
+}  // namespace javinolib

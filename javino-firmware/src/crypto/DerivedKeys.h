@@ -6,7 +6,7 @@
 
 #include "Aes128.h"
 
-namespace javino {
+namespace javinolib {
 
 /// What the board keeps of a shared key, and wipes when done with it (SPEC 5.2). The key itself is not kept: nothing
 /// needs it again, and to derive these anew for each packet would cost six blocks of AES and three key expansions.
@@ -30,4 +30,4 @@ struct DerivedKeys {
   bool equals(const DerivedKeys &other) const;
 };
 
-}  // namespace javino
+}  // namespace javinolib

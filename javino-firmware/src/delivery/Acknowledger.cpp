@@ -5,7 +5,7 @@
 #include "../framing/Frame.h"
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Acknowledger::CAPACITY;
 
@@ -101,4 +101,4 @@ void Acknowledger::writeBody(const Entry &entry, uint8_t *body) const {
   body[NONCE_LENGTH + 1] = static_cast<uint8_t>(told);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -12,7 +12,7 @@
 #include "MediumAccess.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Sends acknowledgements (SPEC 7.3). They go before all else that the board has to send, even while it waits for one
 /// itself: two boards that send to each other would otherwise wait for each other.
@@ -92,4 +92,4 @@ class Acknowledger {
   Entry entries_[CAPACITY];      // the first is the oldest
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 bool Admission::isForUs(const Frame &frame) {
   const Address &to = frame.destination;
@@ -133,4 +133,4 @@ void Admission::answerPiece(const Frame &frame, const uint8_t *nonce, uint8_t ha
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -10,7 +10,7 @@
 #include "BroadcastMemory.h"
 #include "Inbox.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Decides about whole frames, however they came: drops and counts what is not for this board or not genuine, opens the
 /// rest, puts it into the inbox, and answers repeats (SPEC 1, 5, 7).
@@ -66,4 +66,4 @@ class Admission {
   BroadcastMemory broadcasts_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

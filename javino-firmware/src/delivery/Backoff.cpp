@@ -2,7 +2,7 @@
 
 #include "MediumAccess.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t LONG_QUIET = 15;
 static const uint8_t FIRST_SLOTS = 6;
@@ -51,4 +51,4 @@ bool Backoff::isOver(uint8_t quietSlots) {
   return left_ == 0;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../support/Random.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// How long a sender waits before it begins, counted in quiet slots (SPEC 7.4).
 ///
@@ -38,4 +38,4 @@ class Backoff {
   uint8_t counted_ JAVINO_ZEROED;  // quiet slots of the present quiet that were counted, or lay before
 };
 
-}  // namespace javino
+}  // namespace javinolib

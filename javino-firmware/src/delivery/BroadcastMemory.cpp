@@ -2,7 +2,7 @@
 
 #include "../support/Crc16.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t BroadcastMemory::CAPACITY;
 
@@ -32,4 +32,4 @@ BroadcastMemory::Entry &BroadcastMemory::placeFor(const Address &origin) {
   return place;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../framing/Address.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Knows a broadcast that its sender repeats, as nothing in it tells (SPEC 7.2): byte for byte the last one of its origin,
 /// begun within 400 ms of that one's end. Remembers the last few origins; bytes by their CRC.
@@ -36,4 +36,4 @@ class BroadcastMemory {
   uint8_t oldest_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

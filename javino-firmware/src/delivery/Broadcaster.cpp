@@ -6,7 +6,7 @@
 #include "../support/Counters.h"
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 bool Broadcaster::begin(const char *address) {
   if (strlen(address) != Address::TEXT_LENGTH ||
@@ -65,4 +65,4 @@ bool Broadcaster::isNew(const Frame &frame, const uint8_t *packet, uint8_t lengt
   return !heard_.isRepeat(frame.origin, packet, length, now - medium_.airtimeMillis(length), now);
 }
 
-}  // namespace javino
+}  // namespace javinolib

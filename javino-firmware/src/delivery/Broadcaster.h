@@ -13,7 +13,7 @@
 #include "MediumAccess.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A board without an agent: it sends and receives short plain broadcasts, in the form that all boards understand
 /// (SPEC 2, 6), and waits for quiet air as they do (SPEC 7.4). It needs neither a host nor the EEPROM.
@@ -68,4 +68,4 @@ class Broadcaster {
   uint32_t ignored_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t ByteQueue::MAX_RECORDS;
 const uint8_t ByteQueue::HEAD_LENGTH;
@@ -32,4 +32,4 @@ ByteQueue::Record ByteQueue::recordAt(uint16_t at) const {
   return record;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Records of any length in the order in which they came, in one block of bytes that its owner lends. Each takes two
 /// bytes more than its length.
@@ -56,4 +56,4 @@ class ByteQueue {
   uint8_t count_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../support/Clock.h"
 #include "Pieces.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t MAX_ATTEMPTS = 8;
 static const uint8_t PATIENCE_MILLIS = 150;
@@ -455,4 +455,4 @@ bool Courier::cannotHaveHadIt(uint16_t uptime) const {
   return uptime * 100ul > onItsWay + onItsWay / 16 + 1000;
 }
 
-}  // namespace javino
+}  // namespace javinolib

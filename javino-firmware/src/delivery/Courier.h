@@ -14,7 +14,7 @@
 #include "Outbox.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Sends the messages of the outbox: seals and cuts each, waits for the air, sends, waits for the acknowledgement of a
 /// unicast and tries again, until its outcome is known (SPEC 7).
@@ -133,4 +133,4 @@ class Courier {
   Outbox outbox_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include "../storage/EepromLayout.h"
 
-namespace javino {
+namespace javinolib {
 
 static EepromRecord relaying() { return EepromRecord(RELAYING_AT, RELAYING_LENGTH); }
 
@@ -49,4 +49,4 @@ void Delivery::keysChanged() {
   courier_.keysChanged();
 }
 
-}  // namespace javino
+}  // namespace javinolib

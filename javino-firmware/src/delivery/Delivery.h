@@ -15,7 +15,7 @@
 #include "Pieces.h"
 #include "Receiver.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Everything between the air and the host's requests: what is to be sent and what was received (SPEC 7).
 ///
@@ -91,4 +91,4 @@ class Delivery {
   Receiver receiver_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

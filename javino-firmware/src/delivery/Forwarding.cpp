@@ -5,7 +5,7 @@
 #include "../support/Clock.h"
 #include "../support/Crc16.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Doubts::NONE;
 const uint8_t Doubts::FIRST;
@@ -314,4 +314,4 @@ void Forwarding::sent(Entry &entry) {
   wait(entry, COPY, REPEAT_SLOTS, static_cast<uint8_t>(REPEAT_WAIT + spread(true)));
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -12,7 +12,7 @@
 #include "../support/Zeroed.h"
 #include "MediumAccess.h"
 
-namespace javino {
+namespace javinolib {
 
 /// How far a relay's copies are needed between two addresses, whichever of them sends (SPEC 7.5): 0 where they have brought
 /// a message on, 3 where they have not. The pairs that were longest unchanged are forgotten. Zeros are no pairs.
@@ -154,4 +154,4 @@ typedef Forwarding BoardsForwarding;
 typedef NoForwarding BoardsForwarding;
 #endif
 
-}  // namespace javino
+}  // namespace javinolib

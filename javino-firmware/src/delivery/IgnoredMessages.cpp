@@ -1,6 +1,6 @@
 #include "IgnoredMessages.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t IgnoredMessages::CAPACITY;
 const uint8_t IgnoredMessages::FREE;
@@ -44,4 +44,4 @@ IgnoredMessages::Entry *IgnoredMessages::find(const Address &origin, uint8_t id)
   return nullptr;
 }
 
-}  // namespace javino
+}  // namespace javinolib

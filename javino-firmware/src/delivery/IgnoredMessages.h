@@ -6,7 +6,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Messages in pieces of which no piece is of use: they are for others, or here already. Each is ignored until none of
 /// its pieces has come for 5 s; when more come than there is room for, the oldest goes.
@@ -38,4 +38,4 @@ class IgnoredMessages {
   uint8_t oldest_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Inbox::DESTINATION_AT;
 const uint8_t Inbox::ORIGIN_AT;
@@ -68,4 +68,4 @@ Inbox::Message Inbox::read(const ByteQueue::Record &record) {
   return message;
 }
 
-}  // namespace javino
+}  // namespace javinolib

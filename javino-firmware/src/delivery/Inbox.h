@@ -12,7 +12,7 @@
 #include "NoKeys.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Received messages in the order in which they came, each with a number, until the host says that it has taken them
 /// over (SPEC 4.3, poll). Then a sealed one's nonce is remembered, and a unicast acknowledged (SPEC 7.2).
@@ -90,4 +90,4 @@ class Inbox {
   uint8_t block_[config::RECEIVE_BYTES];
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../storage/KeyStore.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// One bit for each place of a key, about parity: without JAVINO_PARITY each is false.
 class KeyFlags {
@@ -26,4 +26,4 @@ class KeyFlags {
   uint8_t bytes_[config::PARITY ? (KeyStore::PLACES + 7) / 8 : 1] JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

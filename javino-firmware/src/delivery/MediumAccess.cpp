@@ -2,7 +2,7 @@
 
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 bool MediumAccess::begin() {
   slotMillis_ = radio_.slotMillis();
@@ -49,4 +49,4 @@ bool MediumAccess::sendCopy(const uint8_t *payload, uint8_t length, uint8_t hops
   return sent;
 }
 
-}  // namespace javino
+}  // namespace javinolib

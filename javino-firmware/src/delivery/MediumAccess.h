@@ -7,7 +7,7 @@
 #include "Pieces.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Medium access (SPEC 7.4): whether the air is busy, and for how many slots it has been quiet.
 class MediumAccess {
@@ -89,4 +89,4 @@ class MediumAccess {
   uint16_t lookedAt_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #if JAVINO_SESSION_KEYS
 
-namespace javino {
+namespace javinolib {
 
 void NoKeys::add(const Frame &frame) {
   for (uint8_t i = 0; i < count(); i++) {
@@ -14,6 +14,6 @@ void NoKeys::add(const Frame &frame) {
   kept.origin = frame.origin;
 }
 
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

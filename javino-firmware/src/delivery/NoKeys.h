@@ -7,7 +7,7 @@
 #include "../support/Inlining.h"
 #include "Untold.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A sealed frame for which there was no key.
 struct KeylessFrame {
@@ -40,4 +40,4 @@ class NoKeys {
 
 #endif
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "../secure/Envelope.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Outcomes::MAX_UNREPORTED;
 
@@ -54,4 +54,4 @@ void Outbox::close(uint8_t number, Outcome outcome) {
   records_.remove(find(number).bytes);
 }
 
-}  // namespace javino
+}  // namespace javinolib

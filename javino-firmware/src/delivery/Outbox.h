@@ -8,7 +8,7 @@
 #include "ByteQueue.h"
 #include "Outcomes.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Messages that wait for the air or are under way, in the order of their numbers, as frames: those that are to be sealed
 /// with room for nonce and tag. Each stays until it has ended.
@@ -58,4 +58,4 @@ class Outbox {
   uint8_t block_[config::TRANSMIT_BYTES];
 };
 
-}  // namespace javino
+}  // namespace javinolib

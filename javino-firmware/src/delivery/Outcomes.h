@@ -5,7 +5,7 @@
 #include "../framing/Limits.h"
 #include "Untold.h"
 
-namespace javino {
+namespace javinolib {
 
 /// How a transmission ended (SPEC 4.3, record T).
 enum class Outcome : uint8_t {
@@ -36,4 +36,4 @@ class Outcomes : public Untold<TransmissionEnd, 2 + 5 * 32 <= MAX_MESSAGE_LENGTH
   }
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -7,7 +7,7 @@
 #include "../support/BigEndian.h"
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 void Overheard::listen(bool on) {
   listens_ = on;
@@ -56,6 +56,6 @@ uint8_t *Overheard::append(How how, uint8_t length) {
   return record + HEAD_LENGTH;
 }
 
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

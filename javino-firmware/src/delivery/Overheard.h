@@ -9,7 +9,7 @@
 #include "ByteQueue.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 #if JAVINO_OVERHEARD_BYTES
 
@@ -82,4 +82,4 @@ class Overheard {
 
 #endif
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 #include "../support/Clock.h"
 #include "Pieces.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t INDEX_MASK = MAX_PIECES - 1;
 static const uint8_t INDEXES = MAX_PIECES + pieces::WANTS_ANSWER;
@@ -113,4 +113,4 @@ void PieceReceiver::run() {
   ignored_.expire(now);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -8,7 +8,7 @@
 #include "IgnoredMessages.h"
 #include "Reassembly.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Puts pieces together, answers those that want an answer, and hands whole frames on (SPEC 7.1, 7.3).
 class PieceReceiver {
@@ -70,4 +70,4 @@ struct PiecesTaken<false> {
   typedef NoPieceReceiver Type;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-namespace javino {
+namespace javinolib {
 namespace pieces {
 
 uint8_t count(uint16_t frameLength, uint8_t longest) {
@@ -34,4 +34,4 @@ uint8_t cut(const uint8_t *frame, uint16_t frameLength, uint8_t id, uint8_t inde
 }
 
 }  // namespace pieces
-}  // namespace javino
+}  // namespace javinolib

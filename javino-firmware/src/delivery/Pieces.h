@@ -6,7 +6,7 @@
 #include "../radio/Radio.h"
 #include "../support/Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Bytes of a frame that a piece holds where packets carry the most, as the ASK radio's do (SPEC 7.1).
 static const uint8_t PIECE_LENGTH = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
@@ -50,4 +50,4 @@ inline uint8_t idOf(const Address &piece) { return static_cast<uint8_t>(piece.me
 inline uint8_t indexOf(const Address &piece) { return piece.member() & 0x3F; }
 
 }  // namespace pieces
-}  // namespace javino
+}  // namespace javinolib

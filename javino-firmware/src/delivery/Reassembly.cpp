@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-namespace javino {
+namespace javinolib {
 
 static const uint16_t EXPIRY_MILLIS = 5000;
 static const uint8_t MOST_REFUSALS = 4;
@@ -151,4 +151,4 @@ PartialFrame &Reassembly::lastCleared() {
   return last;
 }
 
-}  // namespace javino
+}  // namespace javinolib

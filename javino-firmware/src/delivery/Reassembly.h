@@ -9,7 +9,7 @@
 #include "Pieces.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A message of which pieces have come, in any order (SPEC 7.1).
 ///
@@ -127,4 +127,4 @@ class Reassembly {
   PartialFrame frames_[config::REASSEMBLIES];
 };
 
-}  // namespace javino
+}  // namespace javinolib

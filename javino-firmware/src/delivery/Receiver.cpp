@@ -3,7 +3,7 @@
 #include "../radio/Mender.h"
 #include "../support/Clock.h"
 
-namespace javino {
+namespace javinolib {
 
 void Receiver::run() {
   const Mender *const mender = medium_.mender();
@@ -108,4 +108,4 @@ void Receiver::accept(const Frame &frame, uint8_t *packet, uint8_t length) {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -12,7 +12,7 @@
 #include "PieceReceiver.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Takes packets from the radio and hands each to the part that it is for (SPEC 1, 4.5). While the host has the radio
 /// blocked only acknowledgements of our own messages are looked at.
@@ -58,4 +58,4 @@ class Receiver {
   BoardsForwarding forwarding_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include "../radio/Mender.h"
 
-namespace javino {
+namespace javinolib {
 
 bool Relay::begin(uint16_t number) {
   random_.seed(number, 0);
@@ -23,4 +23,4 @@ void Relay::run() {
   forwarding_.run();
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -9,7 +9,7 @@
 #include "Forwarding.h"
 #include "MediumAccess.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A board that only relays (SPEC 7.5): messages between devices that do not hear each other reach each other through it. It
 /// needs neither a host nor keys nor the EEPROM.
@@ -43,4 +43,4 @@ class Relay {
   Forwarding forwarding_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// News for the host in the order in which they came, until it has had them (SPEC 4.3).
 template <typename News, uint8_t capacity>
@@ -47,4 +47,4 @@ class Untold {
   News news_[capacity];
 };
 
-}  // namespace javino
+}  // namespace javinolib

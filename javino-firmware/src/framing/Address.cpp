@@ -1,6 +1,6 @@
 #include "Address.h"
 
-namespace javino {
+namespace javinolib {
 
 uint8_t base64Value(uint8_t digit) {
   if (digit >= 'A' && digit <= 'Z') return static_cast<uint8_t>(digit - 'A');
@@ -77,4 +77,4 @@ Address::Class Address::classOf() const {
 
 bool Address::operator==(const Address &other) const { return group_ == other.group_ && member_ == other.member_; }
 
-}  // namespace javino
+}  // namespace javinolib

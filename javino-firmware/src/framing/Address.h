@@ -4,7 +4,7 @@
 
 #include "../support/Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// What base64Value() gives for a byte outside the alphabet.
 static const uint8_t NOT_A_DIGIT = 0xFF;
@@ -90,4 +90,4 @@ class Address {
   uint16_t member_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include "Address.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t ORIGIN_AT = 4;
 static const uint8_t SIZE_AT = 8;
@@ -36,4 +36,4 @@ void Frame::writeHeader(uint8_t *into, const Address &destination, const Address
   into[SIZE_AT + 1] = base64Digit(bits & 0x3F);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../support/Inlining.h"
 #include "Limits.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Why bytes are no frame, in the order in which it is checked (SPEC 2).
 enum class FrameError : uint8_t {
@@ -37,4 +37,4 @@ struct Frame {
   static void writeHeader(uint8_t *into, const Address &destination, const Address &origin, uint16_t messageLength);
 };
 
-}  // namespace javino
+}  // namespace javinolib

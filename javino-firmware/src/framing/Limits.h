@@ -4,7 +4,7 @@
 
 #include "../Config.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The protocol's constants, named as in SPEC.md. Where Config.h sets a shorter longest message, what depends on it is
 /// shorter too.
@@ -31,4 +31,4 @@ static const uint8_t SEAL_LENGTH = NONCE_LENGTH + TAG_LENGTH;
 static_assert(MAX_MESSAGE_LENGTH != 511 || (MAX_CONTENT_LENGTH == 494 && MAX_PACKET_LENGTH == 524), "SPEC's table");
 static_assert(MIN_PACKET_LENGTH == 13, "SPEC's table");
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include "../support/Crc16.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t FULL_BLOCK = 0xFF;  // the code of a block that no zero follows
 
@@ -55,4 +55,4 @@ PacketEvent PacketDecoder::check() const {
   return expected.value() == crc() ? PacketEvent::PACKET : PacketEvent::BAD_CRC;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "Limits.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// What a byte from the serial line brought about (SPEC 4.1).
 enum class PacketEvent : uint8_t {
@@ -47,4 +47,4 @@ class PacketDecoder {
   uint8_t bytes_[MAX_PACKET_LENGTH];  // last: AVR reaches only the first 64 bytes of an object in one instruction
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -1,6 +1,6 @@
 #include "PacketEncoder.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t MAX_RUN = 254;
 
@@ -57,4 +57,4 @@ void PacketEncoder::addCrc() {
   closed_ = true;
 }
 
-}  // namespace javino
+}  // namespace javinolib

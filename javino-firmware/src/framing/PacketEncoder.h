@@ -5,7 +5,7 @@
 #include "../support/Crc16.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Gives a packet of the serial line, COBS of some bytes and their CRC, one byte at a time and with the closing 0x00
 /// (SPEC 4.1). So it can go out as the line takes it: no second buffer is needed, and the CRC is computed while the first
@@ -37,4 +37,4 @@ class PacketEncoder {
   State state_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

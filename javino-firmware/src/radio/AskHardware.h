@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 class AskRadio;
 
@@ -48,4 +48,4 @@ class InterruptLock {
 };
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib

@@ -10,7 +10,7 @@
 
 namespace {
 
-javino::AskRadio *modem;
+javinolib::AskRadio *modem;
 
 volatile uint8_t *txRegister;
 uint8_t txBit;
@@ -21,7 +21,7 @@ uint8_t rxEdgeFlag;            // in PCICR and PCIFR
 
 }  // namespace
 
-ISR(PCINT0_vect) { modem->onEdge(javino::askhardware::now(), *rxRegister & rxBit); }
+ISR(PCINT0_vect) { modem->onEdge(javinolib::askhardware::now(), *rxRegister & rxBit); }
 
 #if defined(PCINT1_vect)
 ISR(PCINT1_vect, ISR_ALIASOF(PCINT0_vect));
@@ -31,7 +31,7 @@ ISR(PCINT1_vect, ISR_ALIASOF(PCINT0_vect));
 ISR(PCINT2_vect, ISR_ALIASOF(PCINT0_vect));
 #endif
 
-namespace javino {
+namespace javinolib {
 namespace askhardware {
 
 void beginTimer();  // AskHardwareAvrTimer.h
@@ -85,6 +85,6 @@ InterruptLock::~InterruptLock() {
 }
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

@@ -23,7 +23,7 @@
 #error "JAVINO_RADIO_TIMER: this chip has no such timer; 0 and 1 always will do, on a Leonardo 3, on a Mega 3, 4 and 5"
 #endif
 
-namespace javino {
+namespace javinolib {
 namespace askhardware {
 
 /// Starts the timer.
@@ -33,7 +33,7 @@ void beginTimer();
 void onAlarm();
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib
 
 #if JAVINO_RADIO_TIMER == 0
 
@@ -48,10 +48,10 @@ volatile uint16_t alarmAt;  // the interrupt comes in each round, one from befor
 }  // namespace
 
 ISR(TIMER0_COMPB_vect) {
-  if (static_cast<int16_t>(javino::askhardware::now() - alarmAt) >= 0) javino::askhardware::onAlarm();
+  if (static_cast<int16_t>(javinolib::askhardware::now() - alarmAt) >= 0) javinolib::askhardware::onAlarm();
 }
 
-namespace javino {
+namespace javinolib {
 namespace askhardware {
 
 uint32_t ticksPerSecond() { return F_CPU / PRESCALER; }
@@ -72,7 +72,7 @@ void beginTimer() {
 }
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib
 
 #else
 
@@ -82,9 +82,9 @@ void beginTimer() {
 #define JAVINO_NUMBERED(before, number, after) JAVINO_PASTE(before, number, after)
 #define JAVINO_TIMER(before, after) JAVINO_NUMBERED(before, JAVINO_RADIO_TIMER, after)
 
-ISR(JAVINO_TIMER(TIMER, _COMPB_vect)) { javino::askhardware::onAlarm(); }
+ISR(JAVINO_TIMER(TIMER, _COMPB_vect)) { javinolib::askhardware::onAlarm(); }
 
-namespace javino {
+namespace javinolib {
 namespace askhardware {
 
 static const uint8_t PRESCALER = 8;
@@ -112,6 +112,6 @@ void beginTimer() {
 }
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

@@ -3,7 +3,7 @@
 #include "AskHardware.h"
 #include "../support/Counters.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -194,4 +194,4 @@ void AskRadio::finishSending() {
   startReceiving();
 }
 
-}  // namespace javino
+}  // namespace javinolib

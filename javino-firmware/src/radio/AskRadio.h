@@ -10,7 +10,7 @@
 #include "RadioEncoder.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The modem for cheap 433 MHz on-off-keying pairs (SPEC 6): one interrupt a bit while sending, one an edge while
 /// receiving, none while the air is quiet.
@@ -94,4 +94,4 @@ class AskRadio : public Radio {
   Mender mender_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

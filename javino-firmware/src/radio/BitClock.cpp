@@ -1,6 +1,6 @@
 #include "BitClock.h"
 
-namespace javino {
+namespace javinolib {
 
 BitClock::BitClock(uint16_t bitTicks) : bitTicks_(bitTicks), settleTicks_(bitTicks / 4), maxSteerTicks_(bitTicks / 8) {}
 
@@ -42,4 +42,4 @@ void BitClock::steer() {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

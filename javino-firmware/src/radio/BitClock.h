@@ -5,7 +5,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Finds the bits in a line that is known by its changes of level: a phase-locked loop with integrate-and-dump.
 ///
@@ -41,4 +41,4 @@ class BitClock {
   bool steadyLevel_ JAVINO_ZEROED;  // the last level that was no glitch
 };
 
-}  // namespace javino
+}  // namespace javinolib

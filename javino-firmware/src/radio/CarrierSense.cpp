@@ -3,7 +3,7 @@
 #include "LineCode.h"
 #include "Radio.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -124,4 +124,4 @@ void CarrierSense::reset() {
   pulses_ = 0;
 }
 
-}  // namespace javino
+}  // namespace javinolib

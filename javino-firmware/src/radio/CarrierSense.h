@@ -5,7 +5,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Tells whether another board's carrier is on the air (SPEC 6, 7.4).
 ///
@@ -76,4 +76,4 @@ class CarrierSense {
   uint16_t bitsLeft_ JAVINO_ZEROED;  // for which a carrier is expected
 };
 
-}  // namespace javino
+}  // namespace javinolib

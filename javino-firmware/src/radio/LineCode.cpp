@@ -2,7 +2,7 @@
 
 #include "../support/Flash.h"
 
-namespace javino {
+namespace javinolib {
 namespace linecode {
 
 namespace {
@@ -95,4 +95,4 @@ uint8_t preambleSymbol(uint8_t index) {
 }
 
 }  // namespace linecode
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../Config.h"
 #include "Radio.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The numbers of VirtualWire's line code (SPEC 6): each nibble travels as a symbol of six bits, three of them ones.
 namespace linecode {
@@ -86,4 +86,4 @@ uint8_t parityLength(uint8_t count);
 uint8_t preambleSymbol(uint8_t index);
 
 }  // namespace linecode
-}  // namespace javino
+}  // namespace javinolib

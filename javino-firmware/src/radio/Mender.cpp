@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -430,4 +430,4 @@ Mender::Progress Mender::work(RadioPacket &packet) {
 
 #endif
 
-}  // namespace javino
+}  // namespace javinolib

@@ -11,7 +11,7 @@
 #endif
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Makes packets whole that came with wrong bits:
 ///
@@ -134,4 +134,4 @@ class Mender {
   bool mended_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

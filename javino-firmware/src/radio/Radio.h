@@ -4,7 +4,7 @@
 
 #include "../Config.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The most bytes of payload in one radio packet (SPEC 6). The buffers have room for so many, so the driver of a module
 /// that can carry more gives this number.
@@ -100,4 +100,4 @@ class Radio {
   ~Radio() = default;  // radios are never deleted through this class: there is no heap
 };
 
-}  // namespace javino
+}  // namespace javinolib

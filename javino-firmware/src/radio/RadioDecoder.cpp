@@ -3,7 +3,7 @@
 #include "../support/Counters.h"
 #include "LineCode.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -217,4 +217,4 @@ void RadioDecoder::giveUp() {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -8,7 +8,7 @@
 #include "RadioQueue.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Finds radio packets (SPEC 6) in a stream of bits and queues them as they came, right or wrong.
 ///
@@ -82,4 +82,4 @@ class RadioDecoder {
   RadioQueue queue_;  // last: AVR reaches only the first 64 bytes of an object in one instruction
 };
 
-}  // namespace javino
+}  // namespace javinolib

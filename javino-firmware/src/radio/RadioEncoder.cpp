@@ -8,7 +8,7 @@
 #include "../support/Crc16.h"
 #include "RadioPacket.h"
 
-namespace javino {
+namespace javinolib {
 
 bool RadioEncoder::start(const uint8_t *payload, uint8_t length, Trailer trailer, uint8_t *packet, uint8_t hops) {
   if (length == 0 || length > MAX_RADIO_PAYLOAD) return false;
@@ -72,4 +72,4 @@ uint8_t RadioEncoder::symbolAt(uint8_t index) const {
   return linecode::symbolOf(nibble);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "Radio.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Turns a payload into the bits of a radio packet (SPEC 6), one bit at a time: training, start, count, payload, CRC, and
 /// perhaps a trailer.
@@ -43,4 +43,4 @@ class RadioEncoder {
   uint8_t bitsLeft_ JAVINO_ZEROED;     // how many of them; 0 only when all is sent
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include "../support/Crc16.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t RadioPacket::NO_COUNT;
 const uint16_t RadioPacket::CRC_OF_INTACT;
@@ -79,4 +79,4 @@ uint16_t RadioPacket::wrongBits(uint8_t first, const uint8_t *bytes, uint8_t len
   return wrong;
 }
 
-}  // namespace javino
+}  // namespace javinolib

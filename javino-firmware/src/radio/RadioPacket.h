@@ -7,7 +7,7 @@
 #include "Radio.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// A packet as it came from the air (SPEC 6), or one that is being sent.
 ///
@@ -74,4 +74,4 @@ struct RadioPacket {
   uint16_t byte(uint8_t index) const;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -1,6 +1,6 @@
 #include "RadioQueue.h"
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -31,4 +31,4 @@ void RadioQueue::release() {
   read_ = following(read_);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "RadioPacket.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Packets on their way from the interrupt, the only writer, to the loop, the only reader.
 ///
@@ -45,4 +45,4 @@ class RadioQueue {
   Slot slots_[CAPACITY];
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "../support/Flash.h"
 
-namespace javino {
+namespace javinolib {
 namespace reedsolomon {
 
 namespace {
@@ -218,4 +218,4 @@ void Decoder::correct() {
 }
 
 }  // namespace reedsolomon
-}  // namespace javino
+}  // namespace javinolib

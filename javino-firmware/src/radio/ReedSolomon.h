@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// Parity that mends a packet (SPEC 6.1): the Reed-Solomon code (255, 239) of FX.25, shortened. A codeword is up to 239 bytes
 /// and behind them their parity.
@@ -59,4 +59,4 @@ class Decoder {
 };
 
 }  // namespace reedsolomon
-}  // namespace javino
+}  // namespace javinolib

@@ -9,7 +9,7 @@
 #include "NonceSource.h"
 #include "ReplayMemory.h"
 
-namespace javino {
+namespace javinolib {
 
 /// What many parts of a board need: who it is, its keys and nonces, random numbers and counters.
 ///
@@ -29,4 +29,4 @@ struct BoardState {
   Counters counters;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../crypto/Cfb128.h"
 #include "../crypto/Cmac.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Envelope::MIN_FRAME_LENGTH;
 const uint8_t Envelope::NONCE_AT;
@@ -57,4 +57,4 @@ void Envelope::apply(uint8_t *frame, uint16_t length, bool decrypting) const {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

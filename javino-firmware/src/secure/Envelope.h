@@ -6,7 +6,7 @@
 #include "../framing/Frame.h"
 #include "../support/Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The secure envelope of unicast and multicast frames (SPEC 5): encrypted, then authenticated. Works on whole frames
 /// as they are on the air, `header(10) N(6) C(n) T(8)`.
@@ -46,4 +46,4 @@ class Envelope {
   const DerivedKeys &keys_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

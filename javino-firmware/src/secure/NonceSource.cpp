@@ -2,7 +2,7 @@
 
 #include "../support/BigEndian.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint32_t NonceSource::LAST_COUNTER;
 const uint8_t NonceSource::MOST_ABOVE;
@@ -35,4 +35,4 @@ bool NonceSource::raiseAbove(const uint8_t *floor, const uint8_t *nonce) {
   return true;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -8,7 +8,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Gives each nonce once: boot epoch and a counter of sealed frames (SPEC 5.1), as long as the memory beside the stack holds
 /// (Retained.h): what ran over that may have changed the counter too.
@@ -47,4 +47,4 @@ class NonceSource {
   uint32_t counter_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

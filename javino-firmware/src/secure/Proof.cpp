@@ -5,7 +5,7 @@
 #include "../crypto/Cmac.h"
 #include "../framing/Limits.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t Proof::MAX_BODY_LENGTH;
 const uint8_t Proof::LENGTH;
@@ -35,4 +35,4 @@ bool Proof::isRight(const Claim &claim, const uint8_t *proof) const {
   return equalInConstantTime(expected, proof, LENGTH);
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../crypto/DerivedKeys.h"
 #include "../support/Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Makes and checks the proofs of acknowledgements under one key (SPEC 7.3).
 class Proof {
@@ -52,4 +52,4 @@ class Proof {
   const DerivedKeys &keys_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../storage/EepromLayout.h"
 #include "../support/BigEndian.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t ReplayMemory::NO_PLACE;
 
@@ -290,4 +290,4 @@ bool ReplayMemory::isCovered(const TakenNonce &entry, const uint8_t *nonce) cons
   return readFloor(entry, record) && memcmp(nonce, record + NONCE_AT, NONCE_LENGTH) <= 0;
 }
 
-}  // namespace javino
+}  // namespace javinolib

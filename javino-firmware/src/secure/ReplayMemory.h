@@ -10,7 +10,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Remembers for each key and origin the highest nonce that the host has taken (SPEC 5.1), over reboots too. It never
 /// forgets an origin to make room for another, since whoever can replay could make it forget.
@@ -126,4 +126,4 @@ class ReplayMemory {
   uint8_t nextPlace_ JAVINO_ZEROED;  // of the ring, where to look for a free one
 };
 
-}  // namespace javino
+}  // namespace javinolib

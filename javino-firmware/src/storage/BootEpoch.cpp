@@ -3,7 +3,7 @@
 #include "../support/BigEndian.h"
 #include "EepromLayout.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint32_t BootEpoch::NONE_LEFT;
 
@@ -66,4 +66,4 @@ void BootEpoch::store(uint8_t highest, uint32_t epoch) {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "../support/Status.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The first half of each nonce (SPEC 5.1): raised by one in each boot and stored before anything is sent, so that no
 /// epoch is ever used in two boots. A host can raise it further.
@@ -50,4 +50,4 @@ class BootEpoch {
   Status status_ JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

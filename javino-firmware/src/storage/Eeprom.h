@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// Bytes that survive a loss of power. The seam for the EEPROM; bound when linking, to ArduinoSeams.cpp on a board and
 /// to a simulated one in the host tests, torn writes and all. A chip has one EEPROM, so there is no object to pass.
@@ -15,4 +15,4 @@ uint8_t read(uint16_t at);
 void write(uint16_t at, uint8_t value);
 
 }  // namespace eeprom
-}  // namespace javino
+}  // namespace javinolib

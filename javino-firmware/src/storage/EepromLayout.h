@@ -12,7 +12,7 @@
 #include <avr/io.h>
 #endif
 
-namespace javino {
+namespace javinolib {
 
 /// Where things are in EEPROM, in this order: RF id, ring of boot epochs, keys, ring of nonces' floors, whether the board
 /// relays, the other half of the ring of boot epochs.
@@ -60,4 +60,4 @@ static const uint16_t EEPROM_END = OTHER_EPOCHS_AT + EPOCHS_LENGTH;
 static_assert(EEPROM_END <= E2END + 1, "The keys, epochs and floors of Config.h do not fit the EEPROM of this chip");
 #endif
 
-}  // namespace javino
+}  // namespace javinolib

@@ -3,7 +3,7 @@
 #include "../support/Inlining.h"
 #include "Eeprom.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t EepromRecord::CHECK_LENGTH;
 
@@ -99,4 +99,4 @@ Crc16 EepromRecord::crcOf(const uint8_t *data) const {
   return crc;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -5,7 +5,7 @@
 #include "../support/Crc16.h"
 #include "../support/Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Some bytes in EEPROM with a check behind them, which are either there whole or not there.
 ///
@@ -57,4 +57,4 @@ class EepromRecord {
   uint8_t length_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

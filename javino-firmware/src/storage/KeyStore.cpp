@@ -6,7 +6,7 @@
 #include "Eeprom.h"
 #include "EepromLayout.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t KeyStore::SLOTS;
 const uint8_t KeyStore::NO_SLOT;
@@ -227,4 +227,4 @@ uint8_t KeyStore::count() const {
   return count;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -9,7 +9,7 @@
 #include "../support/Inlining.h"
 #include "SessionKeys.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The keys that the board shares with devices and groups, in EEPROM (SPEC 4.3, 5.2): for each address the current one,
 /// which seals, and while it is being renewed another one, which opens only: the next key, or the previous one. A device
@@ -123,4 +123,4 @@ class KeyStore {
   SessionKeys sessions_;
 };
 
-}  // namespace javino
+}  // namespace javinolib

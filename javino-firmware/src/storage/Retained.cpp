@@ -4,7 +4,7 @@
 
 #include "../support/Crc16.h"
 
-namespace javino {
+namespace javinolib {
 namespace retained {
 
 static const uint16_t CANARY = 0xCA9A;
@@ -28,4 +28,4 @@ void beginEpoch(uint32_t epoch) {
 }
 
 }  // namespace retained
-}  // namespace javino
+}  // namespace javinolib

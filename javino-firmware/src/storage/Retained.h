@@ -7,7 +7,7 @@
 #include "../framing/Limits.h"
 #include "../support/Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// What ReplayMemory knows of one origin under one key.
 struct TakenNonce {
@@ -49,4 +49,4 @@ JAVINO_NOINLINE void seal();
 JAVINO_NOINLINE void beginEpoch(uint32_t epoch);
 
 }  // namespace retained
-}  // namespace javino
+}  // namespace javinolib

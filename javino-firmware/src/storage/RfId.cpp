@@ -2,7 +2,7 @@
 
 #include "EepromLayout.h"
 
-namespace javino {
+namespace javinolib {
 
 static const uint8_t GENERATION_AT = Address::STORED_LENGTH;
 
@@ -40,4 +40,4 @@ bool RfId::set(const Address &address) {
   return recordAt(to).write(stored) && read(to) && recordAt(from).erase(0);
 }
 
-}  // namespace javino
+}  // namespace javinolib

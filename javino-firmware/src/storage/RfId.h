@@ -6,7 +6,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The board's own address, which EEPROM keeps (SPEC 4.3, set RF id).
 ///
@@ -36,4 +36,4 @@ class RfId {
   uint8_t generation_ JAVINO_ZEROED;  // raised by one (mod 256) with each address
 };
 
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 
 #include "../support/Wipe.h"
 
-namespace javino {
+namespace javinolib {
 
 const uint8_t SessionKeys::PLACES;
 
@@ -36,6 +36,6 @@ void SessionKeys::use(uint8_t place) {
   ages_[place] = 0;
 }
 
-}  // namespace javino
+}  // namespace javinolib
 
 #endif

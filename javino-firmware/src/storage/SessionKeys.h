@@ -7,7 +7,7 @@
 #include "../support/Inlining.h"
 #include "../support/Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 #if JAVINO_SESSION_KEYS
 
@@ -75,4 +75,4 @@ class SessionKeys {
 
 #endif
 
-}  // namespace javino
+}  // namespace javinolib

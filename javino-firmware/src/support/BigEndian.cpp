@@ -1,6 +1,6 @@
 #include "BigEndian.h"
 
-namespace javino {
+namespace javinolib {
 
 void writeUint24(uint8_t *into, uint32_t value) {
   into[0] = static_cast<uint8_t>(value >> 16);
@@ -17,4 +17,4 @@ uint32_t readUint24(const uint8_t *from) {
   return static_cast<uint32_t>(from[0]) << 16 | static_cast<uint16_t>(from[1] << 8) | from[2];
 }
 
-}  // namespace javino
+}  // namespace javinolib

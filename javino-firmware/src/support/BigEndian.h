@@ -4,7 +4,7 @@
 
 #include "Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Numbers of several bytes as the protocol has them, most significant byte first (SPEC, conventions).
 
@@ -12,4 +12,4 @@ JAVINO_NOINLINE void writeUint24(uint8_t *into, uint32_t value);
 void writeUint32(uint8_t *into, uint32_t value);
 JAVINO_NOINLINE uint32_t readUint24(const uint8_t *from);
 
-}  // namespace javino
+}  // namespace javinolib

@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// The time since the boot. The seam for the core's timer; bound when linking, to ArduinoSeams.cpp on a board and to a
 /// clock that the test sets in the host tests.
@@ -12,4 +12,4 @@ namespace clock {
 uint32_t millis();
 
 }  // namespace clock
-}  // namespace javino
+}  // namespace javinolib

@@ -6,7 +6,7 @@
 #include "Inlining.h"
 #include "Zeroed.h"
 
-namespace javino {
+namespace javinolib {
 
 /// The counters' numbers (SPEC 4.5).
 enum class Counter : uint8_t {
@@ -98,4 +98,4 @@ class Counters {
   Value values_[config::STATISTICS ? COUNT - RADIOS : 1] JAVINO_ZEROED;
 };
 
-}  // namespace javino
+}  // namespace javinolib

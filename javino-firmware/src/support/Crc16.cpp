@@ -4,7 +4,7 @@
 #include <util/crc16.h>
 #endif
 
-namespace javino {
+namespace javinolib {
 
 namespace {
 
@@ -34,4 +34,4 @@ uint16_t Crc16::changeOf(uint8_t bits, uint8_t following) {
   return change;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// CRC-16/X-25 (SPEC 4.1): the check of serial and radio packets alike.
 class Crc16 {
@@ -24,4 +24,4 @@ class Crc16 {
   uint16_t value_;  // the complement of the remainder
 };
 
-}  // namespace javino
+}  // namespace javinolib

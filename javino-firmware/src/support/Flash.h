@@ -13,7 +13,7 @@
 /// Arduino's type of F("…") texts, declared here so that the pure parts need no Arduino header.
 class __FlashStringHelper;
 
-namespace javino {
+namespace javinolib {
 
 typedef __FlashStringHelper FlashText;
 
@@ -40,4 +40,4 @@ inline char flashChar(const FlashText *text, uint16_t index) {
   return static_cast<char>(flashByte(reinterpret_cast<const uint8_t *>(text) + index));
 }
 
-}  // namespace javino
+}  // namespace javinolib

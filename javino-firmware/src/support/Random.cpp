@@ -3,7 +3,7 @@
 #include "Crc16.h"
 #include "BigEndian.h"
 
-namespace javino {
+namespace javinolib {
 
 void Random::seed(uint32_t id, uint32_t epoch) {
   uint8_t bytes[3 + 3];
@@ -21,4 +21,4 @@ uint16_t Random::next(uint16_t mask) {
   return state_ & mask;
 }
 
-}  // namespace javino
+}  // namespace javinolib

@@ -4,7 +4,7 @@
 
 #include "Inlining.h"
 
-namespace javino {
+namespace javinolib {
 
 /// Random numbers for back-off, not for secrets: xorshift of 16 bits, whose period is 65535. Each board's begin from its
 /// RF id and boot epoch (SPEC 7.4), so that two boards that met once do not meet again and again.
@@ -24,4 +24,4 @@ class Random {
   uint16_t state_;  // never 0
 };
 
-}  // namespace javino
+}  // namespace javinolib

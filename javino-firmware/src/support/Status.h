@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-namespace javino {
+namespace javinolib {
 
 /// The first byte of each reply (SPEC 4.4).
 enum class Status : uint8_t {
@@ -27,4 +27,4 @@ enum class Status : uint8_t {
   MEMORY_DAMAGED = 18  ///< something, as a rule the stack, ran over the memory of nonces: leave it more RAM, and reset
 };
 
-}  // namespace javino
+}  // namespace javinolib

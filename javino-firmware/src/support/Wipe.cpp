@@ -1,6 +1,6 @@
 #include "Wipe.h"
 
-namespace javino {
+namespace javinolib {
 
 // Eight bytes a turn: 3 cycles a byte instead of 10 on AVR, for the round keys of each envelope.
 void wipe(void *secret, size_t length) {
@@ -18,4 +18,4 @@ void wipe(void *secret, size_t length) {
   }
 }
 
-}  // namespace javino
+}  // namespace javinolib

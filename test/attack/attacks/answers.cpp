@@ -6,7 +6,7 @@
 
 #include "support/Victim.h"
 
-using javino::Proof;
+using javinolib::Proof;
 
 namespace {
 
@@ -42,7 +42,7 @@ class Errand {
     victim_.board.transmit("ROMA", "SUPO", "tell;errand");
     packet_ = victim_.board.sendNext();
     const auto at = packet_.begin() + NONCE_AT;
-    nonce_ = Bytes(at, at + javino::NONCE_LENGTH);
+    nonce_ = Bytes(at, at + javinolib::NONCE_LENGTH);
   }
 
   std::vector<uint8_t> outcomes() {
@@ -70,12 +70,12 @@ Bytes answer(const Bytes &nonce, const std::string &origin, const Bytes &message
 
 Bytes proof(const Bytes &key, Proof::Type type, const Bytes &nonce, const std::string &sender,
             const std::string &acknowledger, const Bytes &body) {
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
   keys.derive(key.data());
-  Proof::Claim claim = {type, nonce.data(), javino::Address(), javino::Address(), body.data(), false};
-  javino::Address::parse(bytesOf(sender).data(), claim.sender);
-  javino::Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
-  Bytes made(javino::PROOF_LENGTH);
+  Proof::Claim claim = {type, nonce.data(), javinolib::Address(), javinolib::Address(), body.data(), false};
+  javinolib::Address::parse(bytesOf(sender).data(), claim.sender);
+  javinolib::Address::parse(bytesOf(acknowledger).data(), claim.acknowledger);
+  Bytes made(javinolib::PROOF_LENGTH);
   Proof(keys).make(claim, made.data());
   return made;
 }
@@ -184,7 +184,7 @@ Tally raiseByMulticast(uint32_t seed, uint64_t tries) {
   return victim.endure(tries, [&] {
     victim.board.transmit("//SU", "SUPO", "tell;group");
     const Bytes packet = victim.board.sendNext();
-    const Bytes nonce(packet.begin() + NONCE_AT, packet.begin() + NONCE_AT + javino::NONCE_LENGTH);
+    const Bytes nonce(packet.begin() + NONCE_AT, packet.begin() + NONCE_AT + javinolib::NONCE_LENGTH);
     // A member who holds the key raises and raises.
     for (unsigned by = 1; by < 200; by++) {
       const Bytes body = raised(nonce, by) + Bytes{0xFF, 0xFF};
@@ -198,7 +198,7 @@ Tally raiseByMulticast(uint32_t seed, uint64_t tries) {
     victim.tally.genuine++;
     victim.board.transmit("//SU", "SUPO", "tell;next");
     const Bytes next = victim.board.sendNext();
-    const Bytes after(next.begin() + NONCE_AT, next.begin() + NONCE_AT + javino::NONCE_LENGTH);
+    const Bytes after(next.begin() + NONCE_AT, next.begin() + NONCE_AT + javinolib::NONCE_LENGTH);
     victim.tally.accepted += after > raised(nonce, 32);
     victim.tally.lost += after <= nonce;
     victim.board.sendNext();

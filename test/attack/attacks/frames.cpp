@@ -88,7 +88,7 @@ Tally changeLengths(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   return victim.endure(tries, [&] {
     const Bytes frame = anyFrame(victim);
-    for (size_t length = 0; length <= javino::MAX_RADIO_PAYLOAD; length++) {
+    for (size_t length = 0; length <= javinolib::MAX_RADIO_PAYLOAD; length++) {
       if (length == frame.size() || length == 0) continue;
       Bytes other = frame;
       other.resize(length, victim.random.byte());

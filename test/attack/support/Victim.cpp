@@ -39,7 +39,7 @@ void Victim::suffer(const Bytes &packet, double wrongBits) {
     if (random.number(1 << 16) < wrongBits * (1 << 16)) wrong.insert(bit);
   }
   tally.tries++;
-  board.radio.arrive(packet, wrong, random.number(4) == 0 ? javino::Trailer::PARITY : javino::Trailer::NONE);
+  board.radio.arrive(packet, wrong, random.number(4) == 0 ? javinolib::Trailer::PARITY : javinolib::Trailer::NONE);
   board.board->run();
   if (board.radio.sending()) board.finishSending();
 }
@@ -60,10 +60,10 @@ Bytes Victim::genuine(size_t contentLength, bool toGroup) {
 
 void Victim::allow(const Bytes &frame) {
   Bytes copy = frame;
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
   keys.derive((frame[0] == '/' ? groupKey() : pairKey()).data());
-  const uint16_t length = javino::Envelope(keys).open(copy.data(), static_cast<uint16_t>(copy.size()));
-  const auto start = copy.begin() + javino::Envelope::CONTENT_AT;
+  const uint16_t length = javinolib::Envelope(keys).open(copy.data(), static_cast<uint16_t>(copy.size()));
+  const auto start = copy.begin() + javinolib::Envelope::CONTENT_AT;
   allowed_.insert(std::string(start, start + length));
 }
 
@@ -81,7 +81,7 @@ void Victim::deliver(const Bytes &frame) {
   take();
   allow(frame);
   const size_t before = allowed_.size();
-  if (frame.size() <= javino::MAX_RADIO_PAYLOAD) {
+  if (frame.size() <= javinolib::MAX_RADIO_PAYLOAD) {
     hear(frame);
   } else {
     for (const Bytes &packet : piecesOf(frame, random.number(64))) hear(packet);

@@ -10,7 +10,7 @@
 
 Line line;
 
-namespace javino {
+namespace javinolib {
 
 static TakenNonces nonces;
 
@@ -30,4 +30,4 @@ TakenNonces &retained::takenNonces() { return nonces; }
 bool retained::isClear() { return true; }
 uint32_t clock::millis() { return 0; }
 
-}  // namespace javino
+}  // namespace javinolib

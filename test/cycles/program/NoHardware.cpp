@@ -2,7 +2,7 @@
 
 #include "radio/AskHardware.h"
 
-namespace javino {
+namespace javinolib {
 namespace askhardware {
 
 uint32_t ticksPerSecond() { return 2000000; }
@@ -16,4 +16,4 @@ InterruptLock::InterruptLock() : before_(0) {}
 InterruptLock::~InterruptLock() {}
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib

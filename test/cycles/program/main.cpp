@@ -18,7 +18,7 @@ extern "C" void measured_javino_aes128_encrypt(uint8_t *roundKeys, const uint8_t
 
 namespace {
 
-using namespace javino;
+using namespace javinolib;
 
 Mailbox mailbox;
 

@@ -4,13 +4,13 @@
 
 #include "support/Bytes.h"
 
-using javino::Actions;
-using javino::Status;
+using javinolib::Actions;
+using javinolib::Status;
 
 namespace {
 
-bool succeed(const javino::Arguments &) { return true; }
-bool refuse(const javino::Arguments &) { return false; }
+bool succeed(const javinolib::Arguments &) { return true; }
+bool refuse(const javinolib::Arguments &) { return false; }
 
 Status perform(const Actions &actions, const std::string &action) {
   const Bytes bytes = bytesOf(action);
@@ -51,7 +51,7 @@ TEST(Actions, refuses_names_that_are_taken_or_missing) {
 TEST(Actions, refuses_more_than_Config_says) {
   Actions actions;
   std::vector<std::string> names;
-  for (int i = 0; i <= javino::config::ACTIONS; i++) names.push_back("action" + std::to_string(i));
-  for (int i = 0; i < javino::config::ACTIONS; i++) EXPECT_TRUE(actions.add(F(names[i].c_str()), succeed));
+  for (int i = 0; i <= javinolib::config::ACTIONS; i++) names.push_back("action" + std::to_string(i));
+  for (int i = 0; i < javinolib::config::ACTIONS; i++) EXPECT_TRUE(actions.add(F(names[i].c_str()), succeed));
   EXPECT_FALSE(actions.add(F(names.back().c_str()), succeed));
 }

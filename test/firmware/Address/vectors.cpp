@@ -3,7 +3,7 @@
 
 #include "support/Vectors.h"
 
-using javino::Address;
+using javinolib::Address;
 
 namespace {
 
@@ -20,8 +20,8 @@ std::string nameOf(Address::Class addressClass) {
 }
 
 uint16_t half(const std::string &digits) {
-  return static_cast<uint16_t>(javino::base64Value(static_cast<uint8_t>(digits.at(0))) * 64 +
-                               javino::base64Value(static_cast<uint8_t>(digits.at(1))));
+  return static_cast<uint16_t>(javinolib::base64Value(static_cast<uint8_t>(digits.at(0))) * 64 +
+                               javinolib::base64Value(static_cast<uint8_t>(digits.at(1))));
 }
 
 }  // namespace
@@ -76,10 +76,10 @@ TEST(Address, every_byte_outside_the_alphabet_is_no_digit) {
   const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   for (int byte = 0; byte < 256; byte++) {
     const size_t value = alphabet.find(static_cast<char>(byte));
-    const uint8_t expected = value == std::string::npos ? javino::NOT_A_DIGIT : static_cast<uint8_t>(value);
-    EXPECT_EQ(expected, javino::base64Value(static_cast<uint8_t>(byte))) << byte;
+    const uint8_t expected = value == std::string::npos ? javinolib::NOT_A_DIGIT : static_cast<uint8_t>(value);
+    EXPECT_EQ(expected, javinolib::base64Value(static_cast<uint8_t>(byte))) << byte;
     if (value == std::string::npos) continue;
-    EXPECT_EQ(byte, javino::base64Digit(expected));
+    EXPECT_EQ(byte, javinolib::base64Digit(expected));
   }
 }
 

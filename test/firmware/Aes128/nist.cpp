@@ -3,7 +3,7 @@
 
 #include "support/Vectors.h"
 
-using javino::Aes128;
+using javinolib::Aes128;
 
 TEST(Aes128, encrypts_all_vectors_of_FIPS_197_and_SP_800_38A) {
   for (const Vector &vector : vectors("nist.json", "aes")) {

@@ -5,7 +5,7 @@
 
 #include "support/Bytes.h"
 
-using javino::Arguments;
+using javinolib::Arguments;
 
 namespace {
 

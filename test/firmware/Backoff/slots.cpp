@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-using javino::Backoff;
-using javino::MediumAccess;
-using javino::Random;
+using javinolib::Backoff;
+using javinolib::MediumAccess;
+using javinolib::Random;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Status;
+using javinolib::Status;
 
 TEST(Board, performs_nothing_but_hello_after_each_boot) {
   TestBoard board;
@@ -55,8 +55,8 @@ TEST(Board, tells_the_names_of_its_actions_from_any_offset_on) {
   TestBoard board;
   board.start();
   EXPECT_EQ(Bytes(1, 0), board.request('C', fromHex("0000")).body);
-  board.board->action(F("lampOn"), [](const javino::Arguments &) { return true; });
-  board.board->action(F("go"), [](const javino::Arguments &) { return true; });
+  board.board->action(F("lampOn"), [](const javinolib::Arguments &) { return true; });
+  board.board->action(F("go"), [](const javinolib::Arguments &) { return true; });
   const Bytes names = bytesOf(std::string("lampOn\0go\0", 10));
   for (uint8_t offset = 0; offset <= names.size() + 1; offset++) {
     const Bytes rest(names.begin() + std::min<size_t>(offset, names.size()), names.end());
@@ -69,11 +69,11 @@ TEST(Board, tells_the_names_of_its_actions_from_any_offset_on) {
 TEST(Board, tells_names_that_fit_no_reply_in_parts) {
   TestBoard board;
   board.start();
-  const std::string longName(javino::MAX_MESSAGE_LENGTH + 40, 'n');
+  const std::string longName(javinolib::MAX_MESSAGE_LENGTH + 40, 'n');
   std::vector<std::string> names = {"first", longName, "last"};
   Bytes all;
   for (const std::string &name : names) {
-    EXPECT_TRUE(board.board->action(F(name.c_str()), [](const javino::Arguments &) { return true; }));
+    EXPECT_TRUE(board.board->action(F(name.c_str()), [](const javinolib::Arguments &) { return true; }));
     all = all + bytesOf(name) + Bytes(1, 0);
   }
   Bytes told;
@@ -81,7 +81,7 @@ TEST(Board, tells_names_that_fit_no_reply_in_parts) {
     const uint16_t offset = static_cast<uint16_t>(told.size());
     const BoardReply reply = board.request('C', {static_cast<uint8_t>(offset >> 8), static_cast<uint8_t>(offset)});
     EXPECT_EQ(3, reply.body.at(0));
-    EXPECT_LE(reply.body.size(), javino::MAX_MESSAGE_LENGTH - 1u);
+    EXPECT_LE(reply.body.size(), javinolib::MAX_MESSAGE_LENGTH - 1u);
     told = told + Bytes(reply.body.begin() + 1, reply.body.end());
   }
   EXPECT_EQ(all, told);
@@ -92,7 +92,7 @@ TEST(Board, performs_hello_anew_even_where_it_is_byte_by_byte_the_last_one) {
   const Bytes hello = reference::packet(1, reference::frame("++++", "++++", {'H', 1}));
   board.sendRaw(hello);
   board.sendRaw(hello);
-  EXPECT_EQ(0u, board.counter(javino::Counter::SERIAL_REPEATS));
+  EXPECT_EQ(0u, board.counter(javinolib::Counter::SERIAL_REPEATS));
 }
 
 TEST(Board, begins_although_the_radio_does_not_and_says_so) {
@@ -102,6 +102,6 @@ TEST(Board, begins_although_the_radio_does_not_and_says_so) {
   FakePort port;
   FakeRadio radio;
   radio.works = false;
-  javino::Board board(javino::SerialPort(port), radio, "x");
+  javinolib::Board board(javinolib::SerialPort(port), radio, "x");
   EXPECT_FALSE(board.begin());
 }

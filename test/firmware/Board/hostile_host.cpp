@@ -9,7 +9,7 @@ namespace {
 
 // All secrets that the board has or had.
 std::vector<Bytes> secrets() {
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
   keys.derive(KEY.data());
   return {KEY, Bytes(keys.encryption, keys.encryption + 16), Bytes(keys.authentication, keys.authentication + 16)};
 }
@@ -19,7 +19,7 @@ std::vector<Bytes> secrets() {
 TEST(Board, keys_are_in_no_byte_that_it_ever_writes_whatever_the_host_asks) {
   TestBoard board;
   board.start("SUPP");
-  board.board->onPercepts([](javino::Percepts &percepts) { percepts.add(F("dark")); });
+  board.board->onPercepts([](javinolib::Percepts &percepts) { percepts.add(F("dark")); });
   board.setKey("SUHO", KEY);
   RandomBytes random(15);
   for (int i = 0; i < 5000; i++) {

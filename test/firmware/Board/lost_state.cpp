@@ -7,8 +7,8 @@
 #include "support/ReplayRig.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 
 namespace {
 
@@ -24,9 +24,9 @@ class LostState : public testing::Test {
 
   // A sketch takes the places of the epochs for its own.
   void loseEpochs() {
-    for (uint16_t i = 0; i < javino::EPOCHS_LENGTH; i++) {
-      board.eeprom.corrupt(static_cast<uint16_t>(javino::EPOCHS_AT + i), 0x33);
-      board.eeprom.corrupt(static_cast<uint16_t>(javino::OTHER_EPOCHS_AT + i), 0x33);
+    for (uint16_t i = 0; i < javinolib::EPOCHS_LENGTH; i++) {
+      board.eeprom.corrupt(static_cast<uint16_t>(javinolib::EPOCHS_AT + i), 0x33);
+      board.eeprom.corrupt(static_cast<uint16_t>(javinolib::OTHER_EPOCHS_AT + i), 0x33);
     }
     board.powerUp();
     board.hello();
@@ -56,7 +56,7 @@ class LostState : public testing::Test {
   void sendAnew(const std::string &content) {
     ASSERT_EQ(Status::OK, board.transmit("//SU", "SUHO", content).status);
     const Bytes packet = board.sendNext();
-    const Bytes nonce(packet.begin() + javino::HEADER_LENGTH, packet.begin() + SEALED_HEAD);
+    const Bytes nonce(packet.begin() + javinolib::HEADER_LENGTH, packet.begin() + SEALED_HEAD);
     EXPECT_TRUE(sent.emplace(nonce, packet).second) << toHex(nonce) << " came again";
     board.passSending(2000);
   }
@@ -94,7 +94,7 @@ TEST_F(LostState, of_epochs_takes_no_recording_though_floors_are_lost_with_them)
   const Bytes fromGroup = sealed(KEY, "//SU", "SUPO", nonce(5, 4), "tell;group");
   ASSERT_TRUE(takes(fromPair));
   ASSERT_TRUE(takes(fromGroup));
-  for (uint16_t at = javino::FLOORS_AT; at < javino::RELAYING_AT; at++) board.eeprom.corrupt(at, 0x33);
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::RELAYING_AT; at++) board.eeprom.corrupt(at, 0x33);
   loseEpochs();
   raise(1000);
   for (int boots = 0; boots < 2; boots++) {

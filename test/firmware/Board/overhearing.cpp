@@ -5,8 +5,8 @@
 #include "support/Keys.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 
 namespace {
 
@@ -64,7 +64,7 @@ TEST_F(BoardOverhearing, tells_each_packet_whoever_it_is_for_with_the_time_at_wh
   std::vector<uint32_t> times;
   for (const Bytes &payload : all) {
     board.pass(100);
-    times.push_back(javino::clock::millis());
+    times.push_back(javinolib::clock::millis());
     board.receive(payload);
   }
   const std::vector<Packet> told = overheard();
@@ -136,7 +136,7 @@ TEST_F(BoardOverhearing, tells_again_after_a_hello) {
 }
 
 TEST_F(BoardOverhearing, counts_what_does_not_fit) {
-  const size_t fit = javino::config::OVERHEARD_BYTES / (RECORD + LONGEST);
+  const size_t fit = javinolib::config::OVERHEARD_BYTES / (RECORD + LONGEST);
   const Bytes packet = plain("////", "ROMA", std::string(LONGEST - 10, 'x'));
   for (size_t i = 0; i < fit + 2; i++) board.receive(packet);
   EXPECT_EQ(2u, board.counter(Counter::RADIO_OVERHEARD_DROPPED));

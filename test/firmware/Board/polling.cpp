@@ -4,7 +4,7 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Status;
+using javinolib::Status;
 
 namespace {
 
@@ -18,7 +18,7 @@ const uint8_t REPLY_COMING = 8;
 int level;
 int readings;
 
-void readLevel(javino::Percepts &percepts) {
+void readLevel(javinolib::Percepts &percepts) {
   readings++;
   percepts.add(F("level"), level);
 }
@@ -159,7 +159,7 @@ TEST_F(BoardPolling, a_byte_ends_a_hold_whenever_it_comes) {
 }
 
 TEST_F(BoardPolling, a_request_after_the_byte_that_ends_a_hold_is_performed_at_once) {
-  board.board->action(F("raise"), [](const javino::Arguments &) {
+  board.board->action(F("raise"), [](const javinolib::Arguments &) {
     level++;
     return true;
   });
@@ -206,7 +206,7 @@ TEST_F(BoardPolling, tells_each_change_of_a_single_byte_and_no_reading_twice) {
   static std::string text;
   for (size_t length = 1; length < 12; length++) {
     text.assign(length, 'a');
-    board.board->onPercepts([](javino::Percepts &percepts) { percepts.literal(text.c_str()); });
+    board.board->onPercepts([](javinolib::Percepts &percepts) { percepts.literal(text.c_str()); });
     board.poll(true);
     for (size_t at = 0; at < length; at++) {
       text[at] = 'b';
@@ -223,7 +223,7 @@ TEST_F(BoardPolling, tells_each_change_of_a_single_byte_and_no_reading_twice) {
 
 TEST_F(BoardPolling, tells_that_nothing_is_perceived_any_more) {
   tellOne();
-  board.board->onPercepts([](javino::Percepts &) {});
+  board.board->onPercepts([](javinolib::Percepts &) {});
   board.hold(PERCEPTS, 100);
   EXPECT_LE(untilReply(), 20u);
   const PollReply reply = board.takeReply();
@@ -402,13 +402,13 @@ TEST_F(BoardPolling, a_repeat_of_a_poll_that_is_held_ends_the_hold_and_is_answer
   const std::vector<Bytes> replies = board.sendRaw(Bytes{0} + poll);
   ASSERT_EQ(2u, replies.size());
   EXPECT_EQ(replies[0], replies[1]);
-  EXPECT_EQ(1u, board.counter(javino::Counter::SERIAL_REPEATS));
+  EXPECT_EQ(1u, board.counter(javinolib::Counter::SERIAL_REPEATS));
 }
 
 TEST_F(BoardPolling, damage_ends_a_hold_and_is_not_answered) {
   board.hold(NO_PERCEPTS, 60000);
   EXPECT_EQ(1u, board.sendRaw({5, 5, 0}).size());
-  EXPECT_EQ(1u, board.counter(javino::Counter::SERIAL_DAMAGED));
+  EXPECT_EQ(1u, board.counter(javinolib::Counter::SERIAL_DAMAGED));
 }
 
 TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
@@ -422,21 +422,21 @@ TEST_F(BoardPolling, a_repeated_poll_brings_the_same_again) {
 TEST_F(BoardPolling, statistics_tell_all_counters_in_order) {
   board.radio.counts = {0x01020304, 6, 7, 17, 28};
   const Bytes body = board.request('S').body;
-  ASSERT_EQ(javino::Counters::COUNT * 5u, body.size());
-  for (size_t i = 0; i < javino::Counters::COUNT; i++) EXPECT_EQ(i + 1, body[i * 5]);
-  EXPECT_EQ(0x01020304u, board.counter(javino::Counter::RADIO_RECEIVED));
-  EXPECT_EQ(6u, board.counter(javino::Counter::RADIO_DAMAGED));
-  EXPECT_EQ(7u, board.counter(javino::Counter::RADIO_MISSED));
-  EXPECT_EQ(17u, board.counter(javino::Counter::RADIO_SENT));
-  EXPECT_EQ(28u, board.counter(javino::Counter::RADIO_MENDED));
+  ASSERT_EQ(javinolib::Counters::COUNT * 5u, body.size());
+  for (size_t i = 0; i < javinolib::Counters::COUNT; i++) EXPECT_EQ(i + 1, body[i * 5]);
+  EXPECT_EQ(0x01020304u, board.counter(javinolib::Counter::RADIO_RECEIVED));
+  EXPECT_EQ(6u, board.counter(javinolib::Counter::RADIO_DAMAGED));
+  EXPECT_EQ(7u, board.counter(javinolib::Counter::RADIO_MISSED));
+  EXPECT_EQ(17u, board.counter(javinolib::Counter::RADIO_SENT));
+  EXPECT_EQ(28u, board.counter(javinolib::Counter::RADIO_MENDED));
   board.reboot();
   board.hello();
-  EXPECT_EQ(2u, board.counter(javino::Counter::SERIAL_REQUESTS)) << "all start at 0 at each boot";
+  EXPECT_EQ(2u, board.counter(javinolib::Counter::SERIAL_REQUESTS)) << "all start at 0 at each boot";
 }
 
 TEST(Counters, stop_at_their_greatest_value) {
-  javino::Counters counters;
-  counters.set(javino::Counter::SERIAL_REPEATS, 0xFFFFFFFE);
-  for (int i = 0; i < 3; i++) counters.count(javino::Counter::SERIAL_REPEATS);
-  EXPECT_EQ(0xFFFFFFFFu, counters.value(javino::Counter::SERIAL_REPEATS));
+  javinolib::Counters counters;
+  counters.set(javinolib::Counter::SERIAL_REPEATS, 0xFFFFFFFE);
+  for (int i = 0; i < 3; i++) counters.count(javinolib::Counter::SERIAL_REPEATS);
+  EXPECT_EQ(0xFFFFFFFFu, counters.value(javinolib::Counter::SERIAL_REPEATS));
 }

@@ -3,7 +3,7 @@
 #include "support/Keys.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
+using javinolib::Counter;
 
 namespace {
 
@@ -145,7 +145,7 @@ TEST_F(BoardReceiving, knows_the_nonces_of_each_origin_in_a_group) {
 }
 
 TEST_F(BoardReceiving, drops_sealed_frames_of_origins_that_it_cannot_remember) {
-  for (int i = 0; i < javino::config::REPLAY_ENTRIES - 1; i++) {  // one place is kept for SUPP
+  for (int i = 0; i < javinolib::config::REPLAY_ENTRIES - 1; i++) {  // one place is kept for SUPP
     board.receive(sealed(KEY, "//SU", "AAA" + std::string(1, static_cast<char>('A' + i)), nonce(1, 0), "tell;x"));
     board.pollTaking(static_cast<uint8_t>(i));
   }
@@ -169,7 +169,7 @@ TEST_F(BoardReceiving, setting_the_same_key_again_forgets_no_nonce) {
 }
 
 TEST_F(BoardReceiving, keeps_messages_until_they_are_taken_and_counts_what_finds_no_room) {
-  const int room = javino::config::RECEIVE_BYTES / (2 + 15 + 60);
+  const int room = javinolib::config::RECEIVE_BYTES / (2 + 15 + 60);
   for (int i = 0; i < room + 2; i++) board.receive(plain("////", "ROMA", std::string(60, static_cast<char>('a' + i))));
   EXPECT_EQ(2u, board.counter(Counter::RADIO_QUEUE_FULL));
   EXPECT_EQ(0, board.messages().front().number);
@@ -182,7 +182,7 @@ TEST_F(BoardReceiving, keeps_messages_until_they_are_taken_and_counts_what_finds
 }
 
 TEST_F(BoardReceiving, a_sealed_message_that_found_no_room_is_good_once_there_is_room) {
-  const int room = javino::config::RECEIVE_BYTES / (2 + 15 + 60);
+  const int room = javinolib::config::RECEIVE_BYTES / (2 + 15 + 60);
   for (int i = 0; i < room; i++) board.receive(plain("////", "ROMA", std::string(60, static_cast<char>('a' + i))));
   const Bytes frame = sealed(KEY, "SUHO", "SUPP", nonce(5, 5), std::string(53, 'y'));
   board.receive(frame);

@@ -3,7 +3,7 @@
 #include "support/Keys.h"
 #include "support/TestBoard.h"
 
-using javino::Status;
+using javinolib::Status;
 
 namespace {
 

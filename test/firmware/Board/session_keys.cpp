@@ -5,12 +5,12 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 
 namespace {
 
-const uint8_t PLACES = javino::config::SESSION_KEYS;
+const uint8_t PLACES = javinolib::config::SESSION_KEYS;
 
 Bytes nonce(uint8_t counter) { return {0, 0, 1, 0, 0, counter}; }
 
@@ -159,7 +159,7 @@ TEST_F(BoardSessionKeys, give_way_to_keys_in_eeprom_and_never_take_their_place) 
 
 // What is refused must not cost the session key.
 TEST_F(BoardSessionKeys, stay_where_the_key_store_is_full) {
-  for (int i = 0; i < javino::config::KEYS; i++) {
+  for (int i = 0; i < javinolib::config::KEYS; i++) {
     ASSERT_EQ(Status::OK, board.setKey(std::string("ROA") + static_cast<char>('A' + i), KEY).status);
   }
   ASSERT_EQ(Status::OK, set("SUPP", OTHER_KEY));
@@ -170,7 +170,7 @@ TEST_F(BoardSessionKeys, stay_where_the_key_store_is_full) {
 // Each pair's nonce has its place, and so has each session's.
 TEST_F(BoardSessionKeys, have_places_of_their_own_in_the_replay_memory) {
   ASSERT_EQ(Status::OK, board.setKey("//SU", KEY).status);
-  for (uint8_t i = 0; i < javino::config::REPLAY_ENTRIES; i++) {
+  for (uint8_t i = 0; i < javinolib::config::REPLAY_ENTRIES; i++) {
     board.receive(sealed(KEY, "//SU", std::string("ROA") + static_cast<char>('A' + i), nonce(1), "tell;x"));
     const std::vector<PolledMessage> messages = board.messages();
     ASSERT_EQ(1u, messages.size());
@@ -330,7 +330,7 @@ TEST_F(BoardSessionKeys, without_one_a_flood_crowds_out_nothing) {
   board.sendNext();
   for (uint32_t origin = 0; origin < 1000; origin++) {
     Bytes text(4);
-    javino::Address(0x100000 + origin).write(text.data());
+    javinolib::Address(0x100000 + origin).write(text.data());
     board.receive(sealed(OTHER_KEY, "SUHO", textOf(text), nonce(1), "tell;x"));
   }
   board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));

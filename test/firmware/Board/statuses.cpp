@@ -7,7 +7,7 @@
 #include "support/TestBoard.h"
 #include "support/Vectors.h"
 
-using javino::Status;
+using javinolib::Status;
 
 namespace {
 
@@ -49,8 +49,8 @@ TEST_F(BoardStatus, refuses_all_bad_requests_of_the_vectors) {
 }
 
 TEST_F(BoardStatus, understands_all_requests_of_the_vectors) {
-  board.board->action(F("stop"), [](const javino::Arguments &) { return true; });
-  board.board->action(F("goTo"), [](const javino::Arguments &) { return true; });
+  board.board->action(F("stop"), [](const javinolib::Arguments &) { return true; });
+  board.board->action(F("goTo"), [](const javinolib::Arguments &) { return true; });
   for (const Vector &vector : vectors("commands.json", "requests")) {
     SCOPED_TRACE(vector.toString());
     if (vector.text("name") == "transmit") continue;
@@ -88,14 +88,14 @@ TEST_F(BoardStatus, answers_BAD_ARGUMENT_to_bodies_that_a_command_does_not_take)
 }
 
 TEST_F(BoardStatus, answers_UNKNOWN_ACTION_and_ACTION_FAILED) {
-  board.board->action(F("refuse"), [](const javino::Arguments &) { return false; });
+  board.board->action(F("refuse"), [](const javinolib::Arguments &) { return false; });
   EXPECT_EQ(Status::UNKNOWN_ACTION, board.request(bytesOf("Afly")).status);
   EXPECT_EQ(Status::ACTION_FAILED, board.request(bytesOf("Arefuse")).status);
 }
 
 TEST_F(BoardStatus, hands_arguments_to_the_action) {
   static long speed;
-  board.board->action(F("speed"), [](const javino::Arguments &arguments) { return arguments.integer(0, speed); });
+  board.board->action(F("speed"), [](const javinolib::Arguments &arguments) { return arguments.integer(0, speed); });
   EXPECT_EQ(Status::OK, board.request(bytesOf("Aspeed(-12)")).status);
   EXPECT_EQ(-12, speed);
 }
@@ -138,7 +138,7 @@ TEST_F(BoardStatus, answers_TOO_LONG_beyond_494_bytes) {
 TEST_F(BoardStatus, answers_QUEUE_FULL_to_what_finds_no_room_and_takes_it_later) {
   int accepted = 0;
   while (board.transmit("////", "ROMA", std::string(90, 'x')).status == Status::OK) accepted++;
-  EXPECT_EQ(javino::config::TRANSMIT_BYTES / (3 + 10 + 90), accepted);
+  EXPECT_EQ(javinolib::config::TRANSMIT_BYTES / (3 + 10 + 90), accepted);
   EXPECT_EQ(Status::QUEUE_FULL, board.transmit("////", "ROMA", std::string(90, 'x')).status);
   EXPECT_EQ(Status::OK, board.transmit("////", "ROMA", "tell;help").status) << "a shorter one still fits";
   board.sendNext();
@@ -147,7 +147,7 @@ TEST_F(BoardStatus, answers_QUEUE_FULL_to_what_finds_no_room_and_takes_it_later)
 }
 
 TEST_F(BoardStatus, answers_STORE_FULL) {
-  for (int i = 0; i < javino::config::KEYS; i++) {
+  for (int i = 0; i < javinolib::config::KEYS; i++) {
     EXPECT_EQ(KEY_CHECK, board.setKey("AA" + std::string(1, static_cast<char>('A' + i)) + "A", KEY).body);
   }
   EXPECT_EQ(Status::STORE_FULL, board.setKey("SUPO", KEY).status);
@@ -164,9 +164,9 @@ TEST_F(BoardStatus, answers_STORE_FAILED) {
 
 TEST_F(BoardStatus, seals_nothing_where_the_boot_epoch_could_not_be_stored) {
   board.setKey("SUPO", KEY);
-  for (uint16_t i = 0; i < javino::EPOCHS_LENGTH; i++) {
-    board.eeprom.wearOut(static_cast<uint16_t>(javino::EPOCHS_AT + i));
-    board.eeprom.wearOut(static_cast<uint16_t>(javino::OTHER_EPOCHS_AT + i));
+  for (uint16_t i = 0; i < javinolib::EPOCHS_LENGTH; i++) {
+    board.eeprom.wearOut(static_cast<uint16_t>(javinolib::EPOCHS_AT + i));
+    board.eeprom.wearOut(static_cast<uint16_t>(javinolib::OTHER_EPOCHS_AT + i));
   }
   EXPECT_FALSE(board.reboot());
   board.hello();
@@ -176,7 +176,7 @@ TEST_F(BoardStatus, seals_nothing_where_the_boot_epoch_could_not_be_stored) {
 
 TEST_F(BoardStatus, answers_NONCE_EXHAUSTED) {
   board.setKey("SUPO", KEY);
-  javino::EepromRecord(javino::EPOCHS_AT, 3).write(fromHex("fffffe").data());
+  javinolib::EepromRecord(javinolib::EPOCHS_AT, 3).write(fromHex("fffffe").data());
   board.reboot();
   board.hello();
   EXPECT_EQ(Status::NONCE_EXHAUSTED, board.transmit("SUPO", "ROMA", "tell;help").status);

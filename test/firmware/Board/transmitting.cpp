@@ -6,8 +6,8 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 
 namespace {
 
@@ -87,7 +87,7 @@ TEST_F(BoardTransmitting, a_host_that_never_polls_loses_no_outcome) {
     accepted++;
     board.sendNext();
   }
-  EXPECT_EQ(javino::Outcomes::MAX_UNREPORTED, accepted);
+  EXPECT_EQ(javinolib::Outcomes::MAX_UNREPORTED, accepted);
   EXPECT_EQ(accepted, board.poll().texts('T').size());
   EXPECT_EQ(Status::QUEUE_FULL, board.transmit("////", "SUPP", "tell;x").status) << "that reply may be lost";
   board.poll();

@@ -7,19 +7,19 @@
 #include "support/SimulatedEeprom.h"
 #include "support/SimulatedRam.h"
 
-using javino::BootEpoch;
+using javinolib::BootEpoch;
 
 namespace {
 
 // As a sketch does that takes these bytes for its own.
 void writeOver(SimulatedEeprom &eeprom, uint16_t at, uint8_t value) {
-  for (uint16_t i = 0; i < javino::EPOCHS_LENGTH; i++) eeprom.corrupt(static_cast<uint16_t>(at + i), value);
+  for (uint16_t i = 0; i < javinolib::EPOCHS_LENGTH; i++) eeprom.corrupt(static_cast<uint16_t>(at + i), value);
 }
 
 uint32_t boot(bool hasKeys) {
   BootEpoch epoch;
   epoch.begin(hasKeys);
-  EXPECT_EQ(epoch.value() == 0 ? javino::Status::EPOCH_LOST : javino::Status::OK, epoch.status());
+  EXPECT_EQ(epoch.value() == 0 ? javinolib::Status::EPOCH_LOST : javinolib::Status::OK, epoch.status());
   return epoch.value();
 }
 
@@ -35,7 +35,7 @@ TEST(LostBootEpoch, begins_at_one_only_where_no_key_is_stored) {
 }
 
 TEST(LostBootEpoch, is_not_lost_while_one_end_of_the_EEPROM_is_left) {
-  for (uint16_t end : {javino::EPOCHS_AT, javino::OTHER_EPOCHS_AT}) {
+  for (uint16_t end : {javinolib::EPOCHS_AT, javinolib::OTHER_EPOCHS_AT}) {
     for (uint8_t value : {0x00, 0x5A, 0xFF}) {
       SimulatedEeprom eeprom;
       uint32_t last = boot(false);
@@ -57,9 +57,9 @@ TEST(LostBootEpoch, never_comes_again_whatever_parts_of_both_ends_are_written_ov
     uint32_t last = boot(false);
     for (uint32_t boots = random.number(40); boots > 0; boots--) last = boot(true);
     const uint8_t value = std::array<uint8_t, 3>{0x00, 0x5A, 0xFF}[random.number(3)];
-    for (uint16_t end : {javino::EPOCHS_AT, javino::OTHER_EPOCHS_AT}) {
-      const uint16_t from = static_cast<uint16_t>(random.number(javino::EPOCHS_LENGTH));
-      for (uint16_t at = from; at < javino::EPOCHS_LENGTH && random.number(20) != 0; at++)
+    for (uint16_t end : {javinolib::EPOCHS_AT, javinolib::OTHER_EPOCHS_AT}) {
+      const uint16_t from = static_cast<uint16_t>(random.number(javinolib::EPOCHS_LENGTH));
+      for (uint16_t at = from; at < javinolib::EPOCHS_LENGTH && random.number(20) != 0; at++)
         eeprom.corrupt(static_cast<uint16_t>(end + at), value);
     }
     BootEpoch epoch;
@@ -100,12 +100,12 @@ TEST(LostBootEpoch, seals_nothing_until_it_is_raised) {
   SimulatedRam ram;
   BootEpoch epoch;
   epoch.begin(true);
-  javino::retained::beginEpoch(epoch.value());
-  javino::NonceSource nonces(epoch);
-  EXPECT_EQ(javino::Status::EPOCH_LOST, nonces.status());
+  javinolib::retained::beginEpoch(epoch.value());
+  javinolib::NonceSource nonces(epoch);
+  EXPECT_EQ(javinolib::Status::EPOCH_LOST, nonces.status());
   nonces.raiseEpoch(0);
-  EXPECT_EQ(javino::Status::EPOCH_LOST, nonces.status());
+  EXPECT_EQ(javinolib::Status::EPOCH_LOST, nonces.status());
   nonces.raiseEpoch(470012);
-  EXPECT_EQ(javino::Status::OK, nonces.status());
+  EXPECT_EQ(javinolib::Status::OK, nonces.status());
   EXPECT_EQ(470013u, boot(true));
 }

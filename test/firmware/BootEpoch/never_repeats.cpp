@@ -4,11 +4,11 @@
 
 #include "support/SimulatedEeprom.h"
 
-using javino::BootEpoch;
+using javinolib::BootEpoch;
 
 namespace {
 
-const uint16_t PLACE = javino::EPOCH_RECORD_LENGTH;
+const uint16_t PLACE = javinolib::EPOCH_RECORD_LENGTH;
 const int STORE_WRITES = 18;  // the most that storing takes, twice: seal (3 bytes, erased and written) and three bytes
 
 // Boots once; returns the epoch that may be used from now on, or 0 where the power was cut before.
@@ -20,7 +20,7 @@ uint32_t boot(SimulatedEeprom &eeprom) {
     eeprom.restorePower();
     return 0;
   }
-  return epoch.status() == javino::Status::OK ? epoch.value() : 0;
+  return epoch.status() == javinolib::Status::OK ? epoch.value() : 0;
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ TEST(BootEpoch, a_place_that_decays_never_makes_it_repeat) {
   SimulatedEeprom eeprom;
   uint32_t last = 0;
   for (int i = 0; i < 2000; i++) {
-    const uint16_t copy = random.number(2) == 0 ? javino::EPOCHS_AT : javino::OTHER_EPOCHS_AT;
-    const uint16_t at = static_cast<uint16_t>(copy + random.number(javino::EPOCHS_LENGTH));
+    const uint16_t copy = random.number(2) == 0 ? javinolib::EPOCHS_AT : javinolib::OTHER_EPOCHS_AT;
+    const uint16_t at = static_cast<uint16_t>(copy + random.number(javinolib::EPOCHS_LENGTH));
     if (random.number(3) == 0) eeprom.corrupt(at, static_cast<uint8_t>(eeprom.read(at) ^ 1 << random.number(8)));
     const uint32_t epoch = boot(eeprom);
     ASSERT_GT(epoch, last);
@@ -63,7 +63,7 @@ TEST(BootEpoch, a_place_that_decays_never_makes_it_repeat) {
 TEST(BootEpoch, a_worn_place_is_passed_over) {
   SimulatedEeprom eeprom;
   uint32_t last = boot(eeprom);
-  for (uint16_t i = 0; i < PLACE; i++) eeprom.wearOut(static_cast<uint16_t>(javino::EPOCHS_AT + 3 * PLACE + i));
+  for (uint16_t i = 0; i < PLACE; i++) eeprom.wearOut(static_cast<uint16_t>(javinolib::EPOCHS_AT + 3 * PLACE + i));
   for (int i = 0; i < 100; i++) {
     const uint32_t epoch = boot(eeprom);
     ASSERT_GT(epoch, last);
@@ -74,11 +74,11 @@ TEST(BootEpoch, a_worn_place_is_passed_over) {
 TEST(BootEpoch, is_not_stored_where_one_copy_only_was_kept) {
   SimulatedEeprom eeprom;
   boot(eeprom);
-  for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) {
-    const bool inThirdPlace = at >= javino::EPOCHS_AT + PLACE && at < javino::EPOCHS_AT + 2 * PLACE;
+  for (uint16_t at = javinolib::EPOCHS_AT; at < javinolib::KEYS_AT; at++) {
+    const bool inThirdPlace = at >= javinolib::EPOCHS_AT + PLACE && at < javinolib::EPOCHS_AT + 2 * PLACE;
     if (!inThirdPlace) eeprom.wearOut(at);
   }
-  for (uint16_t at = javino::OTHER_EPOCHS_AT; at < javino::EEPROM_END; at++) eeprom.wearOut(at);
+  for (uint16_t at = javinolib::OTHER_EPOCHS_AT; at < javinolib::EEPROM_END; at++) eeprom.wearOut(at);
   EXPECT_EQ(0u, boot(eeprom));
 }
 
@@ -87,13 +87,13 @@ TEST(BootEpoch, an_eeprom_that_keeps_nothing_is_told) {
   for (uint16_t at = 0; at < 4096; at++) eeprom.wearOut(at);
   BootEpoch epoch;
   epoch.begin(false);
-  EXPECT_EQ(javino::Status::STORE_FAILED, epoch.status());
+  EXPECT_EQ(javinolib::Status::STORE_FAILED, epoch.status());
 }
 
 TEST(BootEpoch, wear_is_spread_over_the_ring) {
   SimulatedEeprom eeprom;
   for (int i = 0; i < 1600; i++) boot(eeprom);
-  for (uint16_t at = javino::EPOCHS_AT; at < javino::KEYS_AT; at++) EXPECT_LE(eeprom.writesOf(at), 410) << at;
+  for (uint16_t at = javinolib::EPOCHS_AT; at < javinolib::KEYS_AT; at++) EXPECT_LE(eeprom.writesOf(at), 410) << at;
 }
 
 TEST(BootEpoch, raised_at_any_moment_with_and_without_power_never_repeats) {

@@ -3,7 +3,7 @@
 
 #include "support/SimulatedEeprom.h"
 
-using javino::BootEpoch;
+using javinolib::BootEpoch;
 
 TEST(WeakEpochs, never_repeat) {
   for (uint32_t seed = 1; seed <= 100; seed++) {
@@ -16,7 +16,7 @@ TEST(WeakEpochs, never_repeat) {
       BootEpoch epoch;
       try {
         epoch.begin(false);
-        ASSERT_EQ(javino::Status::OK, epoch.status());
+        ASSERT_EQ(javinolib::Status::OK, epoch.status());
         ASSERT_GT(epoch.value(), last) << seed << " " << i;
         last = epoch.value();
       } catch (const PowerCut &) {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-using javino::Address;
-using javino::BroadcastMemory;
+using javinolib::Address;
+using javinolib::BroadcastMemory;
 
 namespace {
 

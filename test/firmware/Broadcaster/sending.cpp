@@ -6,7 +6,7 @@
 #include "support/FakeClock.h"
 #include "support/FakeRadio.h"
 
-using javino::Broadcaster;
+using javinolib::Broadcaster;
 
 namespace {
 

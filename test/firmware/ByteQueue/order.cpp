@@ -7,7 +7,7 @@
 
 #include "support/Bytes.h"
 
-using javino::ByteQueue;
+using javinolib::ByteQueue;
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include "support/Vectors.h"
 
-using javino::Aes128;
-using javino::Cfb128;
+using javinolib::Aes128;
+using javinolib::Cfb128;
 
 namespace {
 

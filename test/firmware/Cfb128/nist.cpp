@@ -3,8 +3,8 @@
 
 #include "support/Vectors.h"
 
-using javino::Aes128;
-using javino::Cfb128;
+using javinolib::Aes128;
+using javinolib::Cfb128;
 
 TEST(Cfb128, encrypts_all_vectors_of_SP_800_38A) {
   for (const Vector &vector : vectors("nist.json", "cfb128")) {

@@ -4,7 +4,7 @@
 #include "support/Reference.h"
 
 static uint16_t crcOf(const Bytes &bytes) {
-  javino::Crc16 crc;
+  javinolib::Crc16 crc;
   crc.add(bytes.data(), bytes.size());
   return crc.value();
 }

@@ -10,8 +10,8 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Trailer;
+using javinolib::Counter;
+using javinolib::Trailer;
 
 namespace {
 
@@ -130,7 +130,8 @@ TEST(ProofWithWrongBits, is_guessed_with_less_than_two_to_the_minus_43_9) {
       for (int left = 0; left <= most; left++) {
         double chance = 0;
         for (uint8_t nibble = 0; nibble < 16; nibble++) {
-          const int wrong = javino::linecode::onesOf(static_cast<uint8_t>(javino::linecode::symbolOf(nibble) ^ sent));
+          const int wrong =
+              javinolib::linecode::onesOf(static_cast<uint8_t>(javinolib::linecode::symbolOf(nibble) ^ sent));
           if (wrong <= left) chance += chances[static_cast<size_t>(left - wrong)] / 16;
         }
         best[static_cast<size_t>(left)] = std::max(best[static_cast<size_t>(left)], chance);

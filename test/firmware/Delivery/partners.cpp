@@ -8,8 +8,8 @@
 #include "support/Pieces.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 using testing::ElementsAre;
 
 namespace {

@@ -8,7 +8,7 @@
 #include "support/TestBoard.h"
 #include "support/Vectors.h"
 
-using javino::Counter;
+using javinolib::Counter;
 
 namespace {
 
@@ -56,7 +56,7 @@ TEST(Pieces, that_are_invalid_in_the_vectors_are_dropped_and_counted) {
   board.setKey("ROMA", KEY);
   for (const Vector &vector : vectors("pieces.json", "invalid")) {
     const Bytes piece = vector.bytes("piece");
-    if (piece.size() > javino::MAX_RADIO_PAYLOAD) continue;
+    if (piece.size() > javinolib::MAX_RADIO_PAYLOAD) continue;
     const uint32_t before = board.counter(Counter::RADIO_PIECES_DROPPED) + board.counter(Counter::RADIO_BAD_FRAMES);
     board.receive(piece);
     EXPECT_EQ(before + 1, board.counter(Counter::RADIO_PIECES_DROPPED) + board.counter(Counter::RADIO_BAD_FRAMES))

@@ -5,7 +5,7 @@
 #include "support/Air.h"
 #include "support/Keys.h"
 
-using javino::Status;
+using javinolib::Status;
 
 namespace {
 

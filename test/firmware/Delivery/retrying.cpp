@@ -4,7 +4,7 @@
 #include "support/Pieces.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
+using javinolib::Counter;
 
 namespace {
 

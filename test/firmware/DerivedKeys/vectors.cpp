@@ -6,7 +6,7 @@
 TEST(DerivedKeys, derives_all_vectors) {
   for (const Vector &vector : vectors("keys.json", "derivations")) {
     SCOPED_TRACE(vector.toString());
-    javino::DerivedKeys keys;
+    javinolib::DerivedKeys keys;
     keys.derive(vector.bytes("key").data());
     EXPECT_EQ(vector.text("kenc"), toHex(Bytes(keys.encryption, keys.encryption + sizeof keys.encryption)));
     EXPECT_EQ(vector.text("kmac"), toHex(Bytes(keys.authentication, keys.authentication + sizeof keys.authentication)));
@@ -15,9 +15,9 @@ TEST(DerivedKeys, derives_all_vectors) {
 }
 
 TEST(DerivedKeys, are_equal_for_equal_keys_only) {
-  javino::DerivedKeys some;
-  javino::DerivedKeys same;
-  javino::DerivedKeys other;
+  javinolib::DerivedKeys some;
+  javinolib::DerivedKeys same;
+  javinolib::DerivedKeys other;
   some.derive(Bytes(16, 1).data());
   same.derive(Bytes(16, 1).data());
   other.derive(Bytes(16, 2).data());

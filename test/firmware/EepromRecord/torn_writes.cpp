@@ -3,7 +3,7 @@
 
 #include "support/SimulatedEeprom.h"
 
-using javino::EepromRecord;
+using javinolib::EepromRecord;
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "support/SimulatedEeprom.h"
 
-using javino::EepromRecord;
+using javinolib::EepromRecord;
 
 namespace {
 

@@ -4,12 +4,12 @@
 #include "support/Keys.h"
 #include "support/TestBoard.h"
 
-using javino::Envelope;
+using javinolib::Envelope;
 
 namespace {
 
 bool isAuthentic(const Bytes &frame) {
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
   keys.derive(KEY.data());
   return Envelope(keys).isAuthentic(frame.data(), static_cast<uint16_t>(frame.size()));
 }

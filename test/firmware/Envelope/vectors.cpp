@@ -4,12 +4,12 @@
 #include "support/TestBoard.h"
 #include "support/Vectors.h"
 
-using javino::Envelope;
+using javinolib::Envelope;
 
 namespace {
 
-javino::DerivedKeys keysOf(const Vector &vector) {
-  javino::DerivedKeys keys;
+javinolib::DerivedKeys keysOf(const Vector &vector) {
+  javinolib::DerivedKeys keys;
   keys.derive(vector.bytes("key").data());
   return keys;
 }
@@ -27,7 +27,7 @@ TEST(Envelope, seals_all_valid_vectors) {
 TEST(Envelope, opens_all_valid_vectors) {
   for (const Vector &vector : vectors("envelopes.json", "valid")) {
     SCOPED_TRACE(vector.toString());
-    const javino::DerivedKeys keys = keysOf(vector);
+    const javinolib::DerivedKeys keys = keysOf(vector);
     const Envelope envelope(keys);
     Bytes frame = vector.bytes("frame");
     const uint16_t length = static_cast<uint16_t>(frame.size());
@@ -42,7 +42,7 @@ TEST(Envelope, opens_all_valid_vectors) {
 TEST(Envelope, refuses_all_invalid_vectors) {
   for (const Vector &vector : vectors("envelopes.json", "invalid")) {
     SCOPED_TRACE(vector.toString());
-    const javino::DerivedKeys keys = keysOf(vector);
+    const javinolib::DerivedKeys keys = keysOf(vector);
     const Bytes frame = vector.bytes("frame");
     EXPECT_FALSE(Envelope(keys).isAuthentic(frame.data(), static_cast<uint16_t>(frame.size())));
   }

@@ -4,8 +4,8 @@
 #include "support/Bytes.h"
 #include "support/Reference.h"
 
-using javino::Frame;
-using javino::FrameError;
+using javinolib::Frame;
+using javinolib::FrameError;
 
 // The bytes are copied to a heap block of just their size, so that the sanitizer sees any byte read beyond them.
 TEST(Frame, random_bytes_are_refused_or_are_what_they_say) {

@@ -4,9 +4,9 @@
 #include "FrameErrors.h"
 #include "support/Vectors.h"
 
-using javino::Address;
-using javino::Frame;
-using javino::FrameError;
+using javinolib::Address;
+using javinolib::Frame;
+using javinolib::FrameError;
 
 namespace {
 
@@ -34,7 +34,7 @@ TEST(Frame, writes_the_header_of_all_valid_vectors) {
   for (const Vector &vector : vectors("frames.json", "valid")) {
     SCOPED_TRACE(vector.toString());
     const Bytes message = vector.bytes("message");
-    Bytes header(javino::HEADER_LENGTH);
+    Bytes header(javinolib::HEADER_LENGTH);
     Frame::writeHeader(header.data(), addressOf(vector.text("destination")), addressOf(vector.text("origin")),
                        static_cast<uint16_t>(message.size()));
     EXPECT_EQ(vector.text("frame"), toHex(header + message));

@@ -36,7 +36,7 @@ CpuMock *CpuMock::current = nullptr;
 
 }  // namespace
 
-namespace javino {
+namespace javinolib {
 namespace cpu {
 
 void holdInterrupts() { CpuMock::current->holdInterrupts(); }
@@ -44,7 +44,7 @@ void releaseInterrupts() { CpuMock::current->releaseInterrupts(); }
 void releaseInterruptsAndIdle() { CpuMock::current->releaseInterruptsAndIdle(); }
 
 }  // namespace cpu
-}  // namespace javino
+}  // namespace javinolib
 
 namespace {
 
@@ -79,7 +79,7 @@ class JavinoTest : public testing::Test {
   std::deque<uint8_t> in;
   Bytes out;
   FakeRadio radio;
-  javino::Javino board;
+  javinolib::Javino board;
 };
 
 }  // namespace

@@ -6,17 +6,17 @@
 #include "support/Keys.h"
 #include "support/ReplayRig.h"
 
-using javino::KeyCommands;
-using javino::ReplayMemory;
-using javino::Reply;
-using javino::Status;
+using javinolib::KeyCommands;
+using javinolib::ReplayMemory;
+using javinolib::Reply;
+using javinolib::Status;
 
 namespace {
 
-const uint16_t BODY_AT = 1 + javino::HEADER_LENGTH + 1;
+const uint16_t BODY_AT = 1 + javinolib::HEADER_LENGTH + 1;
 
 std::string checkOf(const Bytes &key) {
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
   keys.derive(key.data());
   return std::string(keys.check, keys.check + sizeof keys.check);
 }
@@ -54,12 +54,12 @@ class KeyCommandsTest : public testing::Test {
   }
 
   ReplayRig rig;
-  javino::BootEpoch epoch;
-  javino::NonceSource nonces;
+  javinolib::BootEpoch epoch;
+  javinolib::NonceSource nonces;
   KeyCommands commands;
   FakeRadio radio;
-  javino::BoardState state;
-  const javino::Delivery idle{radio, state};  // nothing is under way
+  javinolib::BoardState state;
+  const javinolib::Delivery idle{radio, state};  // nothing is under way
   Reply reply;
 };
 
@@ -72,9 +72,9 @@ TEST_F(KeyCommandsTest, refuse_one_more_pair_for_which_the_replay_memory_has_no_
   const Bytes group = bytesOf("//SU");
   ASSERT_EQ(Status::OK, set(group + KEY));
   ASSERT_EQ(Status::OK, set(TO_SUPO + KEY));
-  const uint8_t slot = rig.keys.current(javino::Address(0xFFF494));
-  ASSERT_NE(javino::KeyStore::NO_SLOT, slot);
-  for (uint32_t origin = 1000; origin < 1200; origin++) rig.take(slot, javino::Address(origin), nonce(1, 1));
+  const uint8_t slot = rig.keys.current(javinolib::Address(0xFFF494));
+  ASSERT_NE(javinolib::KeyStore::NO_SLOT, slot);
+  for (uint32_t origin = 1000; origin < 1200; origin++) rig.take(slot, javinolib::Address(origin), nonce(1, 1));
   EXPECT_EQ(Status::STORE_FULL, set(bytesOf("ROMA") + KEY));
   EXPECT_EQ(Status::STORE_FULL, renew(TO_SUPO + OTHER_KEY)) << "both keys of a pair need a place";
   EXPECT_EQ(Status::OK, set(TO_SUPO + OTHER_KEY)) << "in the place of the old one";
@@ -130,7 +130,7 @@ TEST_F(KeyCommandsTest, raise_the_epoch_and_never_lower_it) {
   EXPECT_EQ(0x102u, nonces.epoch());
   EXPECT_EQ(Status::OK, raise({0xFF, 0xFF, 0xFE}));
   epoch.begin(false);
-  javino::retained::beginEpoch(epoch.value());
+  javinolib::retained::beginEpoch(epoch.value());
   EXPECT_EQ(Status::NONCE_EXHAUSTED, raise({0xFF, 0xFF, 0xFE}));
 }
 

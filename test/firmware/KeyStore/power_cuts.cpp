@@ -7,7 +7,7 @@
 #include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::KeyStore;
+using javinolib::KeyStore;
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::Address;
-using javino::KeyStore;
-using javino::Status;
+using javinolib::Address;
+using javinolib::KeyStore;
+using javinolib::Status;
 
 namespace {
 
@@ -167,7 +167,7 @@ TEST_F(KeyRenewalTest, whose_use_the_eeprom_does_not_keep_is_told_and_changes_no
 TEST_F(KeyRenewalTest, does_not_take_a_place_whose_last_use_it_cannot_erase) {
   store.set(SUPO, KEY.data());
   store.renew(SUPO, OTHER_KEY.data());
-  const uint16_t mark = static_cast<uint16_t>(javino::KEYS_AT + 2 * javino::KEY_PLACE_LENGTH - 1);
+  const uint16_t mark = static_cast<uint16_t>(javinolib::KEYS_AT + 2 * javinolib::KEY_PLACE_LENGTH - 1);
   store.use(SUPO);
   ASSERT_EQ(0, eeprom.read(mark));
   store.set(SUPO, KEY.data());

@@ -6,10 +6,10 @@
 #include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::Address;
-using javino::DerivedKeys;
-using javino::KeyStore;
-using javino::Status;
+using javinolib::Address;
+using javinolib::DerivedKeys;
+using javinolib::KeyStore;
+using javinolib::Status;
 
 namespace {
 
@@ -55,7 +55,7 @@ TEST_F(KeyStoreTest, another_key_replaces_the_old_and_wipes_it) {
 }
 
 TEST_F(KeyStoreTest, holds_as_many_as_Config_says_and_then_is_full) {
-  for (uint8_t i = 0; i < javino::config::KEYS; i++) EXPECT_EQ(Status::OK, store.set(Address(i), KEY.data()));
+  for (uint8_t i = 0; i < javinolib::config::KEYS; i++) EXPECT_EQ(Status::OK, store.set(Address(i), KEY.data()));
   EXPECT_EQ(Status::STORE_FULL, store.set(SUPO, KEY.data()));
   EXPECT_EQ(Status::STORE_FULL, store.renew(Address(4), OTHER_KEY.data())) << "both keys would stay";
   EXPECT_EQ(Status::OK, store.set(Address(3), OTHER_KEY.data())) << "replacing needs the spare place only";
@@ -91,14 +91,14 @@ TEST_F(KeyStoreTest, a_free_place_has_no_key_for_the_serial_line) {
 }
 
 TEST_F(KeyStoreTest, a_worn_place_is_passed_over) {
-  eeprom.wearOut(javino::KEYS_AT + 20);
+  eeprom.wearOut(javinolib::KEYS_AT + 20);
   EXPECT_EQ(Status::OK, store.set(SUPO, KEY.data()));
   EXPECT_TRUE(holds(store, store.current(SUPO), KEY));
 }
 
 TEST_F(KeyStoreTest, an_eeprom_that_keeps_nothing_is_told_and_the_old_key_stays) {
   store.set(SUPO, KEY.data());
-  for (uint16_t at = javino::KEYS_AT; at < javino::FLOORS_AT; at++) eeprom.wearOut(at);
+  for (uint16_t at = javinolib::KEYS_AT; at < javinolib::FLOORS_AT; at++) eeprom.wearOut(at);
   EXPECT_EQ(Status::STORE_FAILED, store.set(SUPO, OTHER_KEY.data()));
   EXPECT_EQ(Status::STORE_FAILED, store.renew(SUPO, OTHER_KEY.data()));
   EXPECT_TRUE(holds(store, store.current(SUPO), KEY));
@@ -107,7 +107,7 @@ TEST_F(KeyStoreTest, an_eeprom_that_keeps_nothing_is_told_and_the_old_key_stays)
 
 TEST_F(KeyStoreTest, a_decayed_key_is_not_used_and_wiped_at_the_next_boot) {
   store.set(SUPO, KEY.data());
-  eeprom.corrupt(javino::KEYS_AT + 35, static_cast<uint8_t>(eeprom.read(javino::KEYS_AT + 35) ^ 1));
+  eeprom.corrupt(javinolib::KEYS_AT + 35, static_cast<uint8_t>(eeprom.read(javinolib::KEYS_AT + 35) ^ 1));
   DerivedKeys keys;
   EXPECT_FALSE(store.load(store.current(SUPO), keys));
   KeyStore after;

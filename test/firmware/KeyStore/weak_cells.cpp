@@ -7,7 +7,7 @@
 #include "support/Keys.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::KeyStore;
+using javinolib::KeyStore;
 
 namespace {
 
@@ -22,7 +22,7 @@ std::string inventory(const KeyStore &store) {
     store.addressAt(slot).write(line.data());
     store.readCheckValue(slot, line.data() + 4);
     line[7] = slot == store.current(store.addressAt(slot)) ? '!' : '.';
-    javino::DerivedKeys keys;
+    javinolib::DerivedKeys keys;
     all += toHex(line) + (store.load(slot, keys) ? " " : "? ");
   }
   return all;

@@ -4,8 +4,8 @@
 #include "support/ReplayRig.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::BootEpoch;
-using javino::NonceSource;
+using javinolib::BootEpoch;
+using javinolib::NonceSource;
 
 namespace {
 
@@ -14,7 +14,7 @@ class NonceRaisingTest : public testing::Test {
  protected:
   NonceRaisingTest() : nonces(epoch) {
     epoch.begin(false);
-    javino::retained::beginEpoch(epoch.value());
+    javinolib::retained::beginEpoch(epoch.value());
     for (int i = 0; i < 100; i++) next();
   }
 
@@ -68,7 +68,7 @@ TEST_F(NonceRaisingTest, ignores_floors_of_other_epochs) {
 TEST_F(NonceRaisingTest, to_the_very_last_nonce_exhausts_it) {
   for (uint32_t floor = 130; floor < 0xFFFFFF; floor += 31) ASSERT_TRUE(raise(nonce(1, floor), nonce(1, floor - 31)));
   EXPECT_TRUE(raise(nonce(1, 0xFFFFFF), nonce(1, 0xFFFFF0)));
-  EXPECT_EQ(javino::Status::NONCE_EXHAUSTED, nonces.status());
+  EXPECT_EQ(javinolib::Status::NONCE_EXHAUSTED, nonces.status());
 }
 
 TEST_F(NonceRaisingTest, begins_a_higher_epoch_at_its_first_nonce) {

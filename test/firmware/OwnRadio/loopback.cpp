@@ -6,8 +6,8 @@
 
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 using testing::ElementsAre;
 using testing::NiceMock;
 

@@ -3,8 +3,8 @@
 
 #include "support/Reference.h"
 
-using javino::PacketDecoder;
-using javino::PacketEvent;
+using javinolib::PacketDecoder;
+using javinolib::PacketEvent;
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include "Frame/FrameErrors.h"
 #include "support/Vectors.h"
 
-using javino::PacketDecoder;
-using javino::PacketEvent;
+using javinolib::PacketDecoder;
+using javinolib::PacketEvent;
 
 namespace {
 
@@ -24,8 +24,8 @@ std::string outcomeOf(PacketEvent event, const PacketDecoder &decoder) {
     case PacketEvent::TOO_SHORT: return "TOO_SHORT";
     case PacketEvent::BAD_CRC: return "BAD_CRC";
     default: {
-      javino::Frame frame;
-      return nameOf(javino::Frame::parse(decoder.frame(), decoder.frameLength(), frame));
+      javinolib::Frame frame;
+      return nameOf(javinolib::Frame::parse(decoder.frame(), decoder.frameLength(), frame));
     }
   }
 }

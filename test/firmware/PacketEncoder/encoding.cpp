@@ -11,7 +11,7 @@ namespace {
 Bytes encode(Bytes bytes) {
   const size_t length = bytes.size();
   bytes.resize(length + 2);
-  javino::PacketEncoder encoder;
+  javinolib::PacketEncoder encoder;
   encoder.start(bytes.data(), static_cast<uint16_t>(length));
   Bytes encoded;
   while (!encoder.done()) encoded.push_back(encoder.next());
@@ -33,7 +33,7 @@ TEST(PacketEncoder, makes_all_valid_vectors) {
   }
 }
 
-TEST(PacketEncoder, is_done_before_anything_was_started) { EXPECT_TRUE(javino::PacketEncoder().done()); }
+TEST(PacketEncoder, is_done_before_anything_was_started) { EXPECT_TRUE(javinolib::PacketEncoder().done()); }
 
 TEST(PacketEncoder, encodes_runs_of_every_length_around_a_full_block) {
   for (size_t length = 0; length <= 522; length++) {

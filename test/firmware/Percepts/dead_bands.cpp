@@ -5,7 +5,7 @@
 
 #include "support/TestBoard.h"
 
-using javino::Percepts;
+using javinolib::Percepts;
 
 namespace {
 
@@ -33,7 +33,7 @@ class DeadBands : public testing::Test {
     board.board->sampleEvery(1);
   }
 
-  void perceive(javino::PerceptSource source) {
+  void perceive(javinolib::PerceptSource source) {
     board.board->onPercepts(source);
     board.hold(PERCEPTS, 0);
     board.takeReply();
@@ -178,7 +178,7 @@ TEST_F(DeadBands, a_host_that_asks_for_a_reading_now_gets_the_values_as_they_are
 }
 
 TEST_F(DeadBands, a_percept_too_many_is_told_as_it_is_and_gets_the_place_of_one_that_goes) {
-  many = javino::config::DEAD_BANDS;
+  many = javinolib::config::DEAD_BANDS;
   perceive([](Percepts &percepts) {
     for (int i = 0; i < many; i++) percepts.add(F("other"), other, 10);
     percepts.add(F("level"), level, 10);

@@ -6,11 +6,11 @@
 
 #include "support/TestBoard.h"
 
-using javino::Percepts;
+using javinolib::Percepts;
 
 namespace {
 
-std::vector<std::string> perceived(javino::PerceptSource source) {
+std::vector<std::string> perceived(javinolib::PerceptSource source) {
   TestBoard board;
   board.start();
   board.board->onPercepts(source);
@@ -84,11 +84,11 @@ TEST(Percepts, what_does_not_fit_is_left_out_whole_told_and_counted) {
   EXPECT_TRUE(reply.leftOut);
   EXPECT_EQ(30u, reply.records.size()) << "29 long ones, and the short one that still fits behind them";
   EXPECT_EQ("x", reply.texts('P').back());
-  EXPECT_EQ(71u, board.counter(javino::Counter::PERCEPTS_LEFT_OUT));
+  EXPECT_EQ(71u, board.counter(javinolib::Counter::PERCEPTS_LEFT_OUT));
   board.hold(1, 100);
   board.pass(100);
   EXPECT_FALSE(board.takeReply().reading);
-  EXPECT_EQ(71u, board.counter(javino::Counter::PERCEPTS_LEFT_OUT)) << "only readings that are told count";
+  EXPECT_EQ(71u, board.counter(javinolib::Counter::PERCEPTS_LEFT_OUT)) << "only readings that are told count";
 }
 
 TEST(Percepts, writes_numbers_of_each_length) {

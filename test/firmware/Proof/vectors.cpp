@@ -4,12 +4,12 @@
 
 #include "support/Vectors.h"
 
-using javino::Address;
-using javino::Proof;
+using javinolib::Address;
+using javinolib::Proof;
 
 namespace {
 
-const size_t HEADER = javino::HEADER_LENGTH;
+const size_t HEADER = javinolib::HEADER_LENGTH;
 
 // The type that an acknowledgement's length stands for; throws where it stands for none.
 Proof::Type typeOf(const Bytes &frame) {
@@ -45,7 +45,7 @@ struct Case {
   Bytes nonce;
   Address sender;
   Address acknowledger;
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
 };
 
 bool hasProof(const Bytes &frame) {

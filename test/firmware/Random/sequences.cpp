@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-using javino::Random;
+using javinolib::Random;
 
 TEST(Random, boards_and_boots_begin_differently) {
   std::set<std::array<uint16_t, 4>> sequences;

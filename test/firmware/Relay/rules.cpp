@@ -5,7 +5,7 @@
 #include "support/FakeClock.h"
 #include "support/FakeRadio.h"
 
-using javino::Relay;
+using javinolib::Relay;
 
 namespace {
 
@@ -50,7 +50,7 @@ class RelayTest : public testing::Test {
     radio.heard = true;
     pass(radio.airtimeMillis(static_cast<uint8_t>(packet.size())));
     radio.heard = false;
-    radio.arrive(packet, {}, javino::Trailer::NONE, hops);
+    radio.arrive(packet, {}, javinolib::Trailer::NONE, hops);
     pass(1);
   }
 
@@ -245,7 +245,7 @@ TEST_F(RelayTest, bears_random_packets) {
     Bytes packet = random.number(3) == 0 ? answer(static_cast<uint8_t>(random.number(8)))
                                          : unicast(static_cast<uint8_t>(random.number(8)));
     if (random.number(4) == 0) packet = random.bytes(1 + random.number(77));
-    if (!radio.sending()) radio.arrive(packet, {}, javino::Trailer::NONE, static_cast<uint8_t>(random.number(3)));
+    if (!radio.sending()) radio.arrive(packet, {}, javinolib::Trailer::NONE, static_cast<uint8_t>(random.number(3)));
     pass(random.number(300));
   }
   for (const Bytes &packet : radio.sent) EXPECT_TRUE(packet.size() == 40 || packet.size() == 18);

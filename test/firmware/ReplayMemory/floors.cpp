@@ -4,14 +4,14 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::Address;
-using javino::ReplayMemory;
+using javinolib::Address;
+using javinolib::ReplayMemory;
 
 namespace {
 
 int writesOfFloors(const ReplayRig &rig) {
   int writes = 0;
-  for (uint16_t at = javino::FLOORS_AT; at < javino::EEPROM_END; at++) writes += rig.eeprom.writesOf(at);
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::EEPROM_END; at++) writes += rig.eeprom.writesOf(at);
   return writes;
 }
 
@@ -85,17 +85,17 @@ TEST(ReplayFloor, of_a_key_that_is_gone_is_erased_at_the_next_boot) {
 
 TEST(ReplayFloor, that_cannot_be_written_is_told_and_nothing_is_remembered) {
   ReplayRig rig;
-  for (uint16_t at = javino::FLOORS_AT; at < javino::EEPROM_END; at++) rig.eeprom.wearOut(at);
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::EEPROM_END; at++) rig.eeprom.wearOut(at);
   EXPECT_FALSE(rig.reserve(0, SUPO, nonce(5, 7)));
   EXPECT_EQ(Bytes(6), rig.floor(0, SUPO));
 }
 
 TEST(ReplayFloor, passes_over_worn_places) {
   ReplayRig rig;
-  for (uint16_t place = 0; place < javino::config::FLOOR_SLOTS; place++) {
+  for (uint16_t place = 0; place < javinolib::config::FLOOR_SLOTS; place++) {
     if (place % 7 != 0)
-      rig.eeprom.wearOut(static_cast<uint16_t>(javino::FLOORS_AT + place * javino::FLOOR_PLACE_LENGTH +
-                                               place % javino::FLOOR_PLACE_LENGTH));
+      rig.eeprom.wearOut(static_cast<uint16_t>(javinolib::FLOORS_AT + place * javinolib::FLOOR_PLACE_LENGTH +
+                                               place % javinolib::FLOOR_PLACE_LENGTH));
   }
   for (uint32_t counter = 0; counter < 5000; counter += 32) {
     ASSERT_TRUE(rig.take(0, SUPO, nonce(5, counter)));
@@ -108,10 +108,10 @@ TEST(ReplayFloor, passes_over_worn_places) {
 TEST(ReplayFloor, that_no_longer_can_be_erased_does_not_lower_the_one_in_force) {
   ReplayRig rig;
   rig.take(0, SUPO, nonce(5, 0));
-  for (uint16_t place = 0; place < javino::config::FLOOR_SLOTS; place++) {
-    const uint16_t at = static_cast<uint16_t>(javino::FLOORS_AT + place * javino::FLOOR_PLACE_LENGTH);
-    if (rig.eeprom.read(static_cast<uint16_t>(at + javino::FLOOR_PLACE_LENGTH - 1)) == 0xFF) continue;
-    for (uint16_t i = 0; i < javino::FLOOR_PLACE_LENGTH; i++) rig.eeprom.wearOut(static_cast<uint16_t>(at + i));
+  for (uint16_t place = 0; place < javinolib::config::FLOOR_SLOTS; place++) {
+    const uint16_t at = static_cast<uint16_t>(javinolib::FLOORS_AT + place * javinolib::FLOOR_PLACE_LENGTH);
+    if (rig.eeprom.read(static_cast<uint16_t>(at + javinolib::FLOOR_PLACE_LENGTH - 1)) == 0xFF) continue;
+    for (uint16_t i = 0; i < javinolib::FLOOR_PLACE_LENGTH; i++) rig.eeprom.wearOut(static_cast<uint16_t>(at + i));
   }
   EXPECT_TRUE(rig.take(0, SUPO, nonce(5, 100)));
   for (int boots = 0; boots < 3; boots++) {
@@ -123,14 +123,14 @@ TEST(ReplayFloor, that_no_longer_can_be_erased_does_not_lower_the_one_in_force) 
 
 TEST(ReplayFloor, wear_is_spread_over_the_free_places) {
   ReplayRig rig;
-  for (uint8_t i = 1; i < javino::config::REPLAY_ENTRIES; i++) rig.take(1, Address(i), nonce(5, i));
+  for (uint8_t i = 1; i < javinolib::config::REPLAY_ENTRIES; i++) rig.take(1, Address(i), nonce(5, i));
   const int uses = 7200;
   for (int i = 0; i < uses; i++) {
     ASSERT_TRUE(rig.take(0, SUPO, nonce(5, static_cast<uint32_t>(32 * i))));
     if (i % 11 == 0) rig.powerCycle();
   }
-  const int free = javino::config::FLOOR_SLOTS - javino::config::REPLAY_ENTRIES;
-  for (uint16_t at = javino::FLOORS_AT; at < javino::EEPROM_END; at++) {
+  const int free = javinolib::config::FLOOR_SLOTS - javinolib::config::REPLAY_ENTRIES;
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::EEPROM_END; at++) {
     EXPECT_LE(rig.eeprom.writesOf(at), 2 * uses / free * 5 / 4) << at;
   }
 }

@@ -5,9 +5,9 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::Address;
-using javino::ReplayMemory;
-using javino::Status;
+using javinolib::Address;
+using javinolib::ReplayMemory;
+using javinolib::Status;
 
 namespace {
 
@@ -34,8 +34,8 @@ class ReplayMemoryGuard : public testing::Test {
   }
 
   ReplayRig rig;
-  javino::BootEpoch epoch;
-  javino::NonceSource nonces;
+  javinolib::BootEpoch epoch;
+  javinolib::NonceSource nonces;
 };
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST_F(ReplayMemoryGuard, holds_after_each_change_of_its_own) {
 
 TEST_F(ReplayMemoryGuard, refuses_everything_where_any_byte_has_changed) {
   const Bytes image = rig.ram.content();
-  for (size_t at = 0; at < offsetof(javino::TakenNonces, canary) + 2; at++) {
+  for (size_t at = 0; at < offsetof(javinolib::TakenNonces, canary) + 2; at++) {
     rig.ram.restore(image);
     change(at);
     expectLost();
@@ -63,8 +63,8 @@ TEST_F(ReplayMemoryGuard, refuses_everything_where_any_byte_has_changed) {
 
 TEST_F(ReplayMemoryGuard, is_not_made_good_by_what_is_done_later) {
   const Bytes image = rig.ram.content();
-  for (size_t at : {size_t(4), offsetof(javino::TakenNonces, entries) + 9, offsetof(javino::TakenNonces, check),
-                    offsetof(javino::TakenNonces, canary)}) {
+  for (size_t at : {size_t(4), offsetof(javinolib::TakenNonces, entries) + 9, offsetof(javinolib::TakenNonces, check),
+                    offsetof(javinolib::TakenNonces, canary)}) {
     rig.ram.restore(image);
     change(at);
     EXPECT_FALSE(rig.reserve(2, ROMA, nonce(9, 9)));
@@ -79,7 +79,7 @@ TEST_F(ReplayMemoryGuard, is_not_made_good_by_what_is_done_later) {
 }
 
 TEST_F(ReplayMemoryGuard, deletes_no_floor_by_what_it_no_longer_knows) {
-  change(offsetof(javino::TakenNonces, entries) + 6);
+  change(offsetof(javinolib::TakenNonces, entries) + 6);
   EXPECT_TRUE(rig.memory->forget(0));
   rig.reset();
   EXPECT_EQ(ReplayMemory::STALE, rig.judge(0, SUPO, nonce(5, 38)));
@@ -94,7 +94,7 @@ TEST_F(ReplayMemoryGuard, goes_by_the_floors_after_the_next_boot) {
 }
 
 TEST_F(ReplayMemoryGuard, tells_in_the_next_boot_that_the_stack_was_over_it) {
-  change(offsetof(javino::TakenNonces, canary));
+  change(offsetof(javinolib::TakenNonces, canary));
   EXPECT_FALSE(rig.memory->begin(rig.epoch + 1));
   EXPECT_TRUE(rig.memory->begin(rig.epoch + 2));
   change(20);

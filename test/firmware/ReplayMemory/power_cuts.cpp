@@ -5,8 +5,8 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::Address;
-using javino::ReplayMemory;
+using javinolib::Address;
+using javinolib::ReplayMemory;
 
 TEST(ReplayMemoryPowerCuts, at_any_write_leave_the_old_floor_or_the_new) {
   for (int cut = 0, cuts = 1; cuts > 0; cut++) {

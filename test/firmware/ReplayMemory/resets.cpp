@@ -5,8 +5,8 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::Address;
-using javino::ReplayMemory;
+using javinolib::Address;
+using javinolib::ReplayMemory;
 
 TEST(ReplayMemoryReset, keeps_what_was_taken_exactly) {
   ReplayRig rig;
@@ -47,7 +47,7 @@ TEST(ReplayMemoryReset, with_any_changed_bit_in_RAM_trusts_the_floor_only) {
   rig.take(0, SUPO, nonce(5, 7));
   rig.take(1, SUPP, nonce(6, 0));
   const Bytes image = rig.ram.content();
-  const size_t used = offsetof(javino::TakenNonces, check) + 2;
+  const size_t used = offsetof(javinolib::TakenNonces, check) + 2;
   for (size_t bit = 0; bit < used * 8; bit++) {
     Bytes damaged = image;
     damaged[bit / 8] = static_cast<uint8_t>(damaged[bit / 8] ^ 1 << bit % 8);

@@ -3,14 +3,14 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::Address;
-using javino::ReplayMemory;
+using javinolib::Address;
+using javinolib::ReplayMemory;
 
 namespace {
 
 const Address GROUP = Address(0xFFF001);
 const Address OTHER_GROUP = Address(0xFFF002);
-const uint8_t ENTRIES = javino::config::REPLAY_ENTRIES;
+const uint8_t ENTRIES = javinolib::config::REPLAY_ENTRIES;
 
 // Keys for the pairs 0…3 and two groups, in the places 4 and 5.
 struct Rig : ReplayRig {

@@ -3,8 +3,8 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::Address;
-using javino::ReplayMemory;
+using javinolib::Address;
+using javinolib::ReplayMemory;
 
 TEST(ReplayMemory, takes_only_higher_nonces) {
   ReplayRig rig;
@@ -50,11 +50,11 @@ TEST(ReplayMemory, keeps_origins_and_keys_apart) {
 
 TEST(ReplayMemory, refuses_new_origins_when_full_and_forgets_none) {
   ReplayRig rig;
-  for (uint8_t i = 0; i < javino::config::REPLAY_ENTRIES; i++) EXPECT_TRUE(rig.take(0, Address(i), nonce(5, i)));
+  for (uint8_t i = 0; i < javinolib::config::REPLAY_ENTRIES; i++) EXPECT_TRUE(rig.take(0, Address(i), nonce(5, i)));
   for (int boots = 0; boots < 2; boots++) {
     EXPECT_EQ(ReplayMemory::FULL, rig.judge(0, SUPO, nonce(9, 9)));
     EXPECT_FALSE(rig.reserve(0, SUPO, nonce(9, 9)));
-    for (uint8_t i = 0; i < javino::config::REPLAY_ENTRIES; i++) {
+    for (uint8_t i = 0; i < javinolib::config::REPLAY_ENTRIES; i++) {
       EXPECT_EQ(ReplayMemory::REPEATED, rig.judge(0, Address(i), nonce(5, i)));
       EXPECT_EQ(ReplayMemory::NEWER, rig.judge(0, Address(i), nonce(6, i)));
     }

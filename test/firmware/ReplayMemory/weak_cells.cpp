@@ -4,7 +4,7 @@
 #include "support/Addresses.h"
 #include "support/ReplayRig.h"
 
-using javino::ReplayMemory;
+using javinolib::ReplayMemory;
 
 // Power fails in each write that raises a floor, then in one of the boot after it, with weak cells: the floor that the
 // first whole boot finds is the old one or the new, and is never lowered by what the weak cells read later.
@@ -41,7 +41,7 @@ TEST(WeakFloors, are_the_old_or_the_new_and_are_never_lowered) {
 }
 
 TEST(WeakFloors, with_any_one_cell_that_reads_as_it_likes_stay_in_force) {
-  for (uint16_t at = javino::FLOORS_AT; at < javino::FLOORS_AT + 80; at++) {
+  for (uint16_t at = javinolib::FLOORS_AT; at < javinolib::FLOORS_AT + 80; at++) {
     ReplayRig rig;
     rig.take(0, SUPP, nonce(9, 9));
     rig.take(0, SUPO, nonce(5, 7));

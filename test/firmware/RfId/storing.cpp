@@ -5,17 +5,17 @@
 #include "support/Addresses.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::Address;
-using javino::RfId;
+using javinolib::Address;
+using javinolib::RfId;
 
 namespace {
 
 int places() {
   int whole = 0;
-  for (uint8_t place = 0; place < javino::RF_ID_PLACES; place++) {
-    Bytes data(javino::RF_ID_LENGTH);
-    const uint16_t at = static_cast<uint16_t>(javino::RF_ID_AT + place * javino::RF_ID_RECORD_LENGTH);
-    if (javino::EepromRecord(at, javino::RF_ID_LENGTH).read(data.data())) whole++;
+  for (uint8_t place = 0; place < javinolib::RF_ID_PLACES; place++) {
+    Bytes data(javinolib::RF_ID_LENGTH);
+    const uint16_t at = static_cast<uint16_t>(javinolib::RF_ID_AT + place * javinolib::RF_ID_RECORD_LENGTH);
+    if (javinolib::EepromRecord(at, javinolib::RF_ID_LENGTH).read(data.data())) whole++;
   }
   return whole;
 }
@@ -61,7 +61,7 @@ TEST(RfId, many_changes_leave_the_last_alone) {
 }
 
 TEST(RfId, a_worn_cell_is_told_and_leaves_the_old_one) {
-  for (uint16_t worn = javino::RF_ID_AT; worn < javino::EPOCHS_AT; worn++) {
+  for (uint16_t worn = javinolib::RF_ID_AT; worn < javinolib::EPOCHS_AT; worn++) {
     SimulatedEeprom eeprom;
     RfId id;
     id.set(SUPO);
@@ -79,8 +79,8 @@ TEST(RfId, one_that_decays_is_none_and_never_an_older_one) {
   RfId id;
   id.set(SUPO);
   id.set(ROMA);
-  for (uint16_t bit = 0; bit < (javino::EPOCHS_AT - javino::RF_ID_AT) * 8; bit++) {
-    const uint16_t at = static_cast<uint16_t>(javino::RF_ID_AT + bit / 8);
+  for (uint16_t bit = 0; bit < (javinolib::EPOCHS_AT - javinolib::RF_ID_AT) * 8; bit++) {
+    const uint16_t at = static_cast<uint16_t>(javinolib::RF_ID_AT + bit / 8);
     const uint8_t before = fresh.read(at);
     fresh.corrupt(at, static_cast<uint8_t>(before ^ 1 << bit % 8));
     const Address found = afterReboot();

@@ -4,8 +4,8 @@
 #include "support/Addresses.h"
 #include "support/SimulatedEeprom.h"
 
-using javino::Address;
-using javino::RfId;
+using javinolib::Address;
+using javinolib::RfId;
 
 namespace {
 

@@ -6,14 +6,14 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 
 namespace {
 
 int performed;
 
-bool count(const javino::Arguments &) {
+bool count(const javinolib::Arguments &) {
   performed++;
   return true;
 }

@@ -4,7 +4,7 @@
 #include "support/Keys.h"
 
 TEST(SessionKeysErasing, overwrites_the_key_and_knows_its_check_value) {
-  javino::SessionKeys keys;
+  javinolib::SessionKeys keys;
   keys.begin();
   const uint8_t check[] = {1, 2, 3};
   keys.set(3, KEY.data(), check);

@@ -6,7 +6,7 @@
 #include <storage/EepromLayout.h>
 #include <storage/Retained.h>
 
-namespace javino {
+namespace javinolib {
 
 static_assert(config::KEYS == 16, "");
 static_assert(config::SESSION_KEYS == 8, "");
@@ -33,4 +33,4 @@ static_assert(EEPROM_END == 3359, "");
 static_assert(sizeof(TakenNonces) == 424, "retained RAM, beside the board's");
 static_assert(sizeof(Board) <= 5113, "the protocol's part of static RAM");
 
-}  // namespace javino
+}  // namespace javinolib

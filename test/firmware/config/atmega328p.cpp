@@ -6,7 +6,7 @@
 #include <storage/EepromLayout.h>
 #include <storage/Retained.h>
 
-namespace javino {
+namespace javinolib {
 
 static_assert(config::KEYS == 6, "");
 static_assert(config::SESSION_KEYS == 0, "");
@@ -34,4 +34,4 @@ static_assert(EEPROM_END == 1016, "of 1024 bytes");
 static_assert(sizeof(TakenNonces) == 86, "retained RAM, beside the board's");
 static_assert(sizeof(Board) <= 944, "the protocol's part of static RAM");
 
-}  // namespace javino
+}  // namespace javinolib

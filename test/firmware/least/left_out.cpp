@@ -6,7 +6,7 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Status;
+using javinolib::Status;
 
 namespace {
 
@@ -38,7 +38,7 @@ TEST_F(LeastBoard, does_not_know_the_commands_that_are_left_out) {
 }
 
 TEST_F(LeastBoard, has_no_action) {
-  EXPECT_FALSE(board.board->action(F("go"), [](const javino::Arguments &) { return true; }));
+  EXPECT_FALSE(board.board->action(F("go"), [](const javinolib::Arguments &) { return true; }));
   EXPECT_EQ(Status::UNKNOWN_ACTION, board.request('A', bytesOf("go")).status);
   EXPECT_EQ(Bytes(1, 0), board.request('C', {0, 0}).body);
 }

@@ -6,8 +6,8 @@
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
-using javino::Counter;
-using javino::Status;
+using javinolib::Counter;
+using javinolib::Status;
 
 namespace {
 
@@ -31,7 +31,7 @@ class SmallBoard : public testing::Test {
 
 TEST_F(SmallBoard, cuts_a_long_name_to_what_fits_a_reply) {
   const std::string name(90, 'n');
-  board.board.reset(new javino::Board(javino::SerialPort(board.port), board.radio, name.c_str()));
+  board.board.reset(new javinolib::Board(javinolib::SerialPort(board.port), board.radio, name.c_str()));
   board.board->begin();
   EXPECT_EQ(84u, 1 + board.hello().body.size());
 }
@@ -40,7 +40,7 @@ TEST_F(SmallBoard, tells_the_names_of_its_actions_in_parts) {
   const std::vector<std::string> names = {"turnTheLampOn", "turnTheLampOff", std::string(90, 'n'), "go"};
   Bytes all;
   for (const std::string &name : names) {
-    board.board->action(F(name.c_str()), [](const javino::Arguments &) { return true; });
+    board.board->action(F(name.c_str()), [](const javinolib::Arguments &) { return true; });
     all = all + bytesOf(name) + Bytes(1, 0);
   }
   Bytes told;

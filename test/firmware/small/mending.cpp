@@ -10,16 +10,16 @@
 
 namespace {
 
-using javino::Mender;
-using javino::RadioPacket;
-namespace linecode = javino::linecode;
+using javinolib::Mender;
+using javinolib::RadioPacket;
+namespace linecode = javinolib::linecode;
 
 const Bytes PAYLOAD = bytesOf("a payload of 23 bytes..");
 
 std::vector<bool> bitsOf(const Bytes &payload, uint8_t hops = 0) {
   RadioPacket packet = RadioPacket();
-  javino::RadioEncoder encoder;
-  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javino::Trailer::NONE, packet.room, hops);
+  javinolib::RadioEncoder encoder;
+  encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javinolib::Trailer::NONE, packet.room, hops);
   std::vector<bool> bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   bits.erase(bits.begin(), bits.begin() + linecode::PREAMBLE_SYMBOLS * linecode::BITS_PER_SYMBOL);

@@ -86,7 +86,7 @@ void Air::finish(const Packet &packet) {
                                     [&](const Station *other) { return other == station || reaches(other, *station); });
     if (station == packet.from || apart || broken || !reaches(packet.from, *station)) continue;
     if (random.number(1000) < lostInThousand) continue;
-    station->board.radio.arrive(packet.payload, {}, javino::Trailer::NONE, packet.hops);
+    station->board.radio.arrive(packet.payload, {}, javinolib::Trailer::NONE, packet.hops);
     if (isMulticast(packet.payload)) reached_[packet.payload].insert(station);
   }
 }

@@ -4,13 +4,13 @@
 
 static FakeClock *current = nullptr;
 
-namespace javino {
+namespace javinolib {
 namespace clock {
 
 uint32_t millis() { return current->millis; }
 
 }  // namespace clock
-}  // namespace javino
+}  // namespace javinolib
 
 FakeClock::FakeClock() : before_(current) { use(); }
 

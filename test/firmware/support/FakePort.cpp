@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace javino {
+namespace javinolib {
 
 // Each port of these tests is a FakePort.
 bool SerialPort::canRead() const { return static_cast<FakePort &>(serial_).canRead(); }
@@ -12,7 +12,7 @@ uint8_t SerialPort::read() { return static_cast<FakePort &>(serial_).take(); }
 bool SerialPort::canWrite() const { return static_cast<FakePort &>(serial_).canWrite(); }
 void SerialPort::write(uint8_t byte) { static_cast<FakePort &>(serial_).put(byte); }
 
-}  // namespace javino
+}  // namespace javinolib
 
 bool FakePort::canRead() {
   if (looksLeft_ != 0 && --looksLeft_ == 0) arrive(late_);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 bool FakeRadio::send(const uint8_t *payload, uint8_t length) {
-  if (length == 0 || length > javino::MAX_RADIO_PAYLOAD) throw std::logic_error("no radio packet has this length");
+  if (length == 0 || length > javinolib::MAX_RADIO_PAYLOAD) throw std::logic_error("no radio packet has this length");
   if (onAir_ || refuses) return false;
   sent.push_back(Bytes(payload, payload + length));
   trailers.push_back(trailer_);
@@ -23,11 +23,11 @@ uint8_t *FakeRadio::receive(uint8_t &length) {
     return first.payload.data();
   }
   mender_.setLastTrailer(first.trailer);
-  javino::Mender::Progress progress;
+  javinolib::Mender::Progress progress;
   do {
     progress = mender_.step(first.packet);
-  } while (progress == javino::Mender::PENDING);
-  if (progress != javino::Mender::WHOLE) return nullptr;
+  } while (progress == javinolib::Mender::PENDING);
+  if (progress != javinolib::Mender::WHOLE) return nullptr;
   length = first.packet.payloadLength();
   return first.packet.payload();
 }
@@ -37,19 +37,19 @@ void FakeRadio::release() {
   mender_.begin();
 }
 
-javino::RadioPacket FakeRadio::packetOf(const Bytes &payload, const std::set<size_t> &wrongBits,
-                                        javino::Trailer trailer, uint8_t hops) {
-  javino::RadioPacket packet = javino::RadioPacket();
-  javino::RadioPacket sent;
-  javino::RadioEncoder encoder;
+javinolib::RadioPacket FakeRadio::packetOf(const Bytes &payload, const std::set<size_t> &wrongBits,
+                                           javinolib::Trailer trailer, uint8_t hops) {
+  javinolib::RadioPacket packet = javinolib::RadioPacket();
+  javinolib::RadioPacket sent;
+  javinolib::RadioEncoder encoder;
   encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), trailer, sent.room, hops);
-  for (int i = 0; i < javino::linecode::PREAMBLE_SYMBOLS * javino::linecode::BITS_PER_SYMBOL; i++) encoder.next();
+  for (int i = 0; i < javinolib::linecode::PREAMBLE_SYMBOLS * javinolib::linecode::BITS_PER_SYMBOL; i++) encoder.next();
   size_t bits = 0;
   for (; encoder.hasNext(); bits++) {
     if (encoder.next() != (wrongBits.count(bits) != 0))
       packet.room[bits / 8] = static_cast<uint8_t>(packet.room[bits / 8] | 1 << bits % 8);
   }
-  packet.symbols = static_cast<uint8_t>(bits / javino::linecode::BITS_PER_SYMBOL);
+  packet.symbols = static_cast<uint8_t>(bits / javinolib::linecode::BITS_PER_SYMBOL);
   return packet;
 }
 

@@ -11,7 +11,7 @@
 
 /// A radio in memory: the test lets packets arrive, sees what is sent, and says when it is sent. One that mends takes packets as
 /// they come from the air, as an AskRadio does.
-class FakeRadio : public javino::Radio {
+class FakeRadio : public javinolib::Radio {
  public:
   bool begin() override { return works; }
   bool send(const uint8_t *payload, uint8_t length) override;
@@ -22,20 +22,20 @@ class FakeRadio : public javino::Radio {
   uint8_t slotMillis() const override { return 8; }
   uint8_t *receive(uint8_t &length) override;
   void release() override;
-  javino::Mender *mender() override { return mends ? &mender_ : nullptr; }
+  javinolib::Mender *mender() override { return mends ? &mender_ : nullptr; }
 #if JAVINO_PARITY
-  void follow(javino::Trailer trailer) override { trailer_ = trailer; }
+  void follow(javinolib::Trailer trailer) override { trailer_ = trailer; }
 #endif
   bool setHops(uint8_t hops) override {
     hops_ = hops;
     return mends;
   }
-  void counters(javino::RadioCounters &into) const override { into = counts; }
+  void counters(javinolib::RadioCounters &into) const override { into = counts; }
   bool idle() const override { return in_.empty(); }
 
   /// A packet arrives of which these bits are wrong, counted from the first one of its count.
   void arrive(const Bytes &payload, const std::set<size_t> &wrongBits = {},
-              javino::Trailer trailer = javino::Trailer::NONE, uint8_t hops = 0) {
+              javinolib::Trailer trailer = javinolib::Trailer::NONE, uint8_t hops = 0) {
     in_.push_back({packetOf(payload, wrongBits, trailer, hops), trailer, payload});
   }
 
@@ -47,25 +47,25 @@ class FakeRadio : public javino::Radio {
   bool mends = false;             ///< whether packets come as from the air
   bool heard = false;             ///< whether another board's carrier is on the air
   mutable bool wasHeard = false;  ///< whether one was, since the board has looked
-  uint8_t payload = javino::MAX_RADIO_PAYLOAD;
-  javino::RadioCounters counts = {0, 0, 0, 0, 0};
+  uint8_t payload = javinolib::MAX_RADIO_PAYLOAD;
+  javinolib::RadioCounters counts = {0, 0, 0, 0, 0};
   std::vector<Bytes> sent;
-  std::vector<javino::Trailer> trailers;  ///< what followed each of these
-  std::vector<uint8_t> hops;              ///< behind each of these
+  std::vector<javinolib::Trailer> trailers;  ///< what followed each of these
+  std::vector<uint8_t> hops;                 ///< behind each of these
 
  private:
   struct Arrived {
-    javino::RadioPacket packet;
-    javino::Trailer trailer;
+    javinolib::RadioPacket packet;
+    javinolib::Trailer trailer;
     Bytes payload;
   };
 
-  static javino::RadioPacket packetOf(const Bytes &payload, const std::set<size_t> &wrongBits, javino::Trailer trailer,
-                                      uint8_t hops);
+  static javinolib::RadioPacket packetOf(const Bytes &payload, const std::set<size_t> &wrongBits,
+                                         javinolib::Trailer trailer, uint8_t hops);
 
   std::deque<Arrived> in_;
-  javino::Mender mender_;
-  javino::Trailer trailer_ = javino::Trailer::NONE;
+  javinolib::Mender mender_;
+  javinolib::Trailer trailer_ = javinolib::Trailer::NONE;
   uint8_t hops_ = 0;
   bool onAir_ = false;
 };

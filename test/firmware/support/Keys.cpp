@@ -1,8 +1,8 @@
 #include "Keys.h"
 
-bool holds(const javino::KeyStore &store, uint8_t slot, const Bytes &key) {
-  javino::DerivedKeys stored;
-  javino::DerivedKeys expected;
+bool holds(const javinolib::KeyStore &store, uint8_t slot, const Bytes &key) {
+  javinolib::DerivedKeys stored;
+  javinolib::DerivedKeys expected;
   expected.derive(key.data());
-  return slot != javino::KeyStore::NO_SLOT && store.load(slot, stored) && stored.equals(expected);
+  return slot != javinolib::KeyStore::NO_SLOT && store.load(slot, stored) && stored.equals(expected);
 }

@@ -10,4 +10,4 @@ const Bytes OTHER_KEY = fromHex("2b7e151628aed2a6abf7158809cf4f3c");
 const Bytes THIRD_KEY = fromHex("ffeeddccbbaa99887766554433221100");
 
 /// Whether a place of the store holds this key, and not another one or none.
-bool holds(const javino::KeyStore &store, uint8_t slot, const Bytes &key);
+bool holds(const javinolib::KeyStore &store, uint8_t slot, const Bytes &key);

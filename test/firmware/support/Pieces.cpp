@@ -5,7 +5,7 @@
 
 #include "Reference.h"
 
-using namespace javino;
+using namespace javinolib;
 
 std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest) {
   std::vector<Bytes> all;

@@ -10,7 +10,7 @@
 /// The pieces of a whole frame, all without a wish for an answer.
 /// @param id 0…63
 /// @param longest the most bytes of a piece
-std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javino::PIECE_LENGTH);
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javinolib::PIECE_LENGTH);
 
 /// A piece whose sender wants an answer.
 Bytes wantingAnswer(Bytes piece);

@@ -1,6 +1,6 @@
 #include "ReplayRig.h"
 
-using javino::ReplayMemory;
+using javinolib::ReplayMemory;
 
 Bytes nonce(uint32_t epoch, uint32_t counter) {
   return {static_cast<uint8_t>(epoch >> 16),   static_cast<uint8_t>(epoch >> 8),   static_cast<uint8_t>(epoch),
@@ -9,7 +9,7 @@ Bytes nonce(uint32_t epoch, uint32_t counter) {
 
 ReplayRig::ReplayRig() {
   keys.begin();
-  for (uint8_t i = 0; i < KEYS; i++) keys.set(javino::Address(i), Bytes(16, i).data());
+  for (uint8_t i = 0; i < KEYS; i++) keys.set(javinolib::Address(i), Bytes(16, i).data());
   reset();
 }
 
@@ -25,14 +25,14 @@ void ReplayRig::powerCycle() {
   reset();
 }
 
-bool ReplayRig::take(uint8_t key, const javino::Address &origin, const Bytes &nonce) {
+bool ReplayRig::take(uint8_t key, const javinolib::Address &origin, const Bytes &nonce) {
   if (judge(key, origin, nonce) != ReplayMemory::NEWER || !reserve(key, origin, nonce)) return false;
   memory->remember(key, origin, nonce.data());
   return true;
 }
 
-Bytes ReplayRig::floor(uint8_t key, const javino::Address &origin) const {
-  Bytes floor(javino::NONCE_LENGTH);
+Bytes ReplayRig::floor(uint8_t key, const javinolib::Address &origin) const {
+  Bytes floor(javinolib::NONCE_LENGTH);
   memory->floor(key, origin, floor.data());
   return floor;
 }

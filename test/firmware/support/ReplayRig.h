@@ -25,22 +25,22 @@ class ReplayRig {
   /// Boots with the RAM lost.
   void powerCycle();
 
-  javino::ReplayMemory::Verdict judge(uint8_t key, const javino::Address &origin, const Bytes &nonce) const {
+  javinolib::ReplayMemory::Verdict judge(uint8_t key, const javinolib::Address &origin, const Bytes &nonce) const {
     return memory->judge(key, origin, nonce.data());
   }
-  bool reserve(uint8_t key, const javino::Address &origin, const Bytes &nonce) {
+  bool reserve(uint8_t key, const javinolib::Address &origin, const Bytes &nonce) {
     return memory->reserve(key, origin, nonce.data());
   }
 
   /// What a board does with a message: judge, reserve, and remember when the host takes it.
   /// @return whether it was accepted
-  bool take(uint8_t key, const javino::Address &origin, const Bytes &nonce);
+  bool take(uint8_t key, const javinolib::Address &origin, const Bytes &nonce);
 
-  Bytes floor(uint8_t key, const javino::Address &origin) const;
+  Bytes floor(uint8_t key, const javinolib::Address &origin) const;
 
   SimulatedEeprom eeprom;
   SimulatedRam ram;
-  javino::KeyStore keys;
-  std::unique_ptr<javino::ReplayMemory> memory;
+  javinolib::KeyStore keys;
+  std::unique_ptr<javinolib::ReplayMemory> memory;
   uint32_t epoch = 0;
 };

@@ -6,14 +6,14 @@ static const uint8_t ERASED = 0xFF;
 
 static SimulatedEeprom *current = nullptr;
 
-namespace javino {
+namespace javinolib {
 namespace eeprom {
 
 uint8_t read(uint16_t at) { return current->read(at); }
 void write(uint16_t at, uint8_t value) { current->write(at, value); }
 
 }  // namespace eeprom
-}  // namespace javino
+}  // namespace javinolib
 
 SimulatedEeprom::SimulatedEeprom() : before_(current), random_(1) {
   cells_.fill(0xFF);

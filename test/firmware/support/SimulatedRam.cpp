@@ -4,7 +4,7 @@
 
 static SimulatedRam *current = nullptr;
 
-namespace javino {
+namespace javinolib {
 namespace retained {
 
 TakenNonces &takenNonces() { return current->takenNonces; }
@@ -12,7 +12,7 @@ TakenNonces &takenNonces() { return current->takenNonces; }
 bool isClear() { return current->isClear; }
 
 }  // namespace retained
-}  // namespace javino
+}  // namespace javinolib
 
 SimulatedRam::SimulatedRam() : before_(current), random_(20) {
   losePower();

@@ -22,7 +22,7 @@ class SimulatedRam {
   Bytes content() const;
   void restore(const Bytes &content);
 
-  javino::TakenNonces takenNonces;
+  javinolib::TakenNonces takenNonces;
   bool isClear = true;  ///< of the stack
 
  private:

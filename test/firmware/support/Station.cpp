@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-using javino::Status;
+using javinolib::Status;
 
 Station::Station(const std::string &id) : id(id) {
   board.start(id);

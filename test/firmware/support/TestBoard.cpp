@@ -6,7 +6,7 @@
 
 #include "Reference.h"
 
-using javino::Status;
+using javinolib::Status;
 
 namespace {
 
@@ -82,7 +82,7 @@ bool TestBoard::reboot() {
   const bool mends = radio.mends;
   radio = FakeRadio();
   radio.mends = mends;
-  board.reset(new javino::Board(javino::SerialPort(port), other_ == nullptr ? radio : *other_, "test 1.0"));
+  board.reset(new javinolib::Board(javinolib::SerialPort(port), other_ == nullptr ? radio : *other_, "test 1.0"));
   return board->begin();
 }
 
@@ -130,7 +130,7 @@ std::vector<PolledMessage> TestBoard::messages() {
   return messages;
 }
 
-uint32_t TestBoard::counter(javino::Counter counter) {
+uint32_t TestBoard::counter(javinolib::Counter counter) {
   const Bytes body = request('S').body;
   for (size_t i = 0; i + 5 <= body.size(); i += 5) {
     if (body[i] != static_cast<uint8_t>(counter)) continue;
@@ -210,13 +210,13 @@ Bytes TestBoard::sendNext() {
 
 Bytes sealed(const Bytes &key, const std::string &destination, const std::string &origin, const Bytes &nonce,
              const std::string &content) {
-  javino::DerivedKeys keys;
+  javinolib::DerivedKeys keys;
   keys.derive(key.data());
   const Bytes frame = plain(destination, origin, content);
-  javino::Frame parsed;
-  javino::Frame::parse(frame.data(), static_cast<uint16_t>(frame.size()), parsed);
-  Bytes into(frame.size() + javino::SEAL_LENGTH);
-  into.resize(javino::Envelope(keys).seal(parsed, nonce.data(), into.data()));
+  javinolib::Frame parsed;
+  javinolib::Frame::parse(frame.data(), static_cast<uint16_t>(frame.size()), parsed);
+  Bytes into(frame.size() + javinolib::SEAL_LENGTH);
+  into.resize(javinolib::Envelope(keys).seal(parsed, nonce.data(), into.data()));
   return into;
 }
 

@@ -41,7 +41,7 @@ struct PolledMessage {
 
 /// A reply as it came: status and body.
 struct BoardReply {
-  javino::Status status;
+  javinolib::Status status;
   Bytes body;
 };
 
@@ -50,7 +50,7 @@ struct BoardReply {
 class TestBoard {
  public:
   /// @param other the board's radio, which outlives it, instead of the fake one
-  explicit TestBoard(javino::Radio *other = nullptr) : other_(other) { reboot(); }
+  explicit TestBoard(javinolib::Radio *other = nullptr) : other_(other) { reboot(); }
 
   /// Makes this board's hardware the chip's: for tests with several boards, before each use of one.
   void use();
@@ -92,7 +92,7 @@ class TestBoard {
 
   std::vector<PolledMessage> messages();
 
-  uint32_t counter(javino::Counter counter);
+  uint32_t counter(javinolib::Counter counter);
 
   /// Sends any frame as a request; throws where not exactly one good reply comes.
   BoardReply exchange(const Bytes &frame);
@@ -126,10 +126,10 @@ class TestBoard {
   FakeClock clock;
   SimulatedEeprom eeprom;
   SimulatedRam ram;
-  std::unique_ptr<javino::Board> board;
+  std::unique_ptr<javinolib::Board> board;
 
  private:
-  javino::Radio *const other_;
+  javinolib::Radio *const other_;
   Bytes packet(const Bytes &frame);
   std::vector<Bytes> takePackets();
 

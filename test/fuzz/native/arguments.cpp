@@ -8,7 +8,7 @@
 
 #include "Input.h"
 
-using javino::Arguments;
+using javinolib::Arguments;
 
 namespace {
 

@@ -21,8 +21,8 @@ const char *const ADDRESSES[] = {"SUPO", "ROMA", "//SU", "////", "SUHO", "++++",
 
 char digit(unsigned value) { return "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[value % 64]; }
 
-void percepts(javino::Percepts &percepts) { percepts.add(F("distance"), 17); }
-bool act(const javino::Arguments &arguments) { return arguments.count() < 3; }
+void percepts(javinolib::Percepts &percepts) { percepts.add(F("distance"), 17); }
+bool act(const javinolib::Arguments &arguments) { return arguments.count() < 3; }
 
 /// SUPO, which shares keys with ROMA and its group, and what the fuzzer does to it.
 class Scene {
@@ -103,10 +103,10 @@ class Scene {
   // The air.
 
   void hear(const Bytes &packet) {
-    if (!packet.empty() && packet.size() <= javino::MAX_RADIO_PAYLOAD) board_.receive(packet);
+    if (!packet.empty() && packet.size() <= javinolib::MAX_RADIO_PAYLOAD) board_.receive(packet);
   }
 
-  void rawPacket() { hear(input_.bytes(javino::MAX_RADIO_PAYLOAD)); }
+  void rawPacket() { hear(input_.bytes(javinolib::MAX_RADIO_PAYLOAD)); }
 
   void frame() {
     const char *to = address();
@@ -163,7 +163,7 @@ class Scene {
   void replay() {
     if (recorded_.empty()) return;
     const Bytes frame = recorded_[input_.byte() % recorded_.size()];
-    if (frame.size() <= javino::MAX_RADIO_PAYLOAD) {
+    if (frame.size() <= javinolib::MAX_RADIO_PAYLOAD) {
       hear(changed(frame));
     } else {
       cut(frame);
@@ -186,18 +186,18 @@ class Scene {
   }
 
   static Bytes proof(uint8_t type, const Bytes &nonce, const Bytes &body) {
-    javino::DerivedKeys keys;
+    javinolib::DerivedKeys keys;
     keys.derive(PAIR_KEY.data());
-    javino::Proof::Claim claim = {static_cast<javino::Proof::Type>(javino::Proof::DELIVERED + type),
-                                  nonce.data(),
-                                  javino::Address(),
-                                  javino::Address(),
-                                  body.data(),
-                                  false};
-    javino::Address::parse(bytesOf("SUPO").data(), claim.sender);
-    javino::Address::parse(bytesOf("ROMA").data(), claim.acknowledger);
-    Bytes made(javino::PROOF_LENGTH);
-    javino::Proof(keys).make(claim, made.data());
+    javinolib::Proof::Claim claim = {static_cast<javinolib::Proof::Type>(javinolib::Proof::DELIVERED + type),
+                                     nonce.data(),
+                                     javinolib::Address(),
+                                     javinolib::Address(),
+                                     body.data(),
+                                     false};
+    javinolib::Address::parse(bytesOf("SUPO").data(), claim.sender);
+    javinolib::Address::parse(bytesOf("ROMA").data(), claim.acknowledger);
+    Bytes made(javinolib::PROOF_LENGTH);
+    javinolib::Proof(keys).make(claim, made.data());
     return made;
   }
 
@@ -241,7 +241,7 @@ class Scene {
     Bytes everything = board_.port.everWritten();
     for (const Bytes &packet : board_.radio.sent) everything = everything + packet;
     for (const Bytes &key : {PAIR_KEY, GROUP_KEY}) {
-      javino::DerivedKeys keys;
+      javinolib::DerivedKeys keys;
       keys.derive(key.data());
       require(!contains(everything, Bytes(key.begin(), key.begin() + 6)), "no key is shown");
       require(!contains(everything, Bytes(keys.encryption, keys.encryption + 6)), "nor what is derived from it");

@@ -10,7 +10,7 @@
 #include "Input.h"
 #include "support/Reference.h"
 
-using namespace javino;
+using namespace javinolib;
 
 namespace {
 

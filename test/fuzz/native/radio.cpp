@@ -12,7 +12,7 @@ const uint64_t LONGEST_PACKET = 1100ull * Modem::BIT;  // in ticks
 struct Scene {
   Bytes take() {
     const Bytes payload = modem.take();
-    require(payload.size() <= javino::MAX_RADIO_PAYLOAD, "a payload has at most 77 bytes");
+    require(payload.size() <= javinolib::MAX_RADIO_PAYLOAD, "a payload has at most 77 bytes");
     taken += !payload.empty();
     return payload;
   }
@@ -41,7 +41,7 @@ AirLine noise(Input &input) {
 }
 
 Bytes payload(Input &input) {
-  Bytes bytes = input.bytes(javino::MAX_RADIO_PAYLOAD - 1);
+  Bytes bytes = input.bytes(javinolib::MAX_RADIO_PAYLOAD - 1);
   bytes.push_back(input.byte());
   return bytes;
 }

@@ -7,7 +7,7 @@
 
 #include "Input.h"
 
-using namespace javino::reedsolomon;
+using namespace javinolib::reedsolomon;
 
 namespace {
 

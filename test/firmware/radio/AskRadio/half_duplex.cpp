@@ -32,13 +32,13 @@ TEST(AskRadio, countsAsMissedThePacketThatItsOwnSendingCuts) {
 
 TEST(AskRadio, refusesToSendWhileAllBuffersHoldWhatItReceived) {
   Modem modem;
-  for (uint8_t i = 0; i < javino::RadioQueue::CAPACITY; i++) modem.hardware.play(packetLine({1, i}));
+  for (uint8_t i = 0; i < javinolib::RadioQueue::CAPACITY; i++) modem.hardware.play(packetLine({1, i}));
   EXPECT_FALSE(modem.send({9}));
   EXPECT_FALSE(modem.radio.sending());
   EXPECT_EQ(modem.take(), (Bytes{1, 0}));
   EXPECT_TRUE(modem.send({9}));
   modem.hardware.wait(200 * Modem::BIT);
-  for (uint8_t i = 1; i < javino::RadioQueue::CAPACITY; i++) EXPECT_EQ(modem.take(), (Bytes{1, i}));
+  for (uint8_t i = 1; i < javinolib::RadioQueue::CAPACITY; i++) EXPECT_EQ(modem.take(), (Bytes{1, i}));
   modem.hardware.play(packetLine({4, 5}));
   EXPECT_EQ(modem.take(), (Bytes{4, 5}));
 }

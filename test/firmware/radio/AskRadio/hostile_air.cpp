@@ -59,7 +59,7 @@ TEST(AskRadio, deliversOnlyWhatWasSentThroughRandomBitErrors) {
       delivered++;
     }
   }
-  const javino::RadioCounters counters = modem.counters();
+  const javinolib::RadioCounters counters = modem.counters();
   EXPECT_EQ(counters.received, delivered);
   EXPECT_GT(delivered, sent / 3);
   EXPECT_LT(delivered, sent);

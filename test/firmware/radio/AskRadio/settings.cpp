@@ -2,7 +2,7 @@
 
 #include "support/Modem.h"
 
-using javino::AskRadio;
+using javinolib::AskRadio;
 
 TEST(AskRadio, beginsAtRatesFrom200To10000) {
   SimulatedAsk hardware;
@@ -50,7 +50,7 @@ TEST(AskRadio, tellsAirtimeAndSlotOfItsBitRate) {
   EXPECT_EQ(AskRadio(11, 12, 200).slotMillis(), 80);
 }
 
-TEST(AskRadio, carriesTheLongestPayload) { EXPECT_EQ(AskRadio().longestPayload(), javino::MAX_RADIO_PAYLOAD); }
+TEST(AskRadio, carriesTheLongestPayload) { EXPECT_EQ(AskRadio().longestPayload(), javinolib::MAX_RADIO_PAYLOAD); }
 
 TEST(AskRadio, sendsAndReceivesAtEachRate) {
   for (uint16_t rate : {200, 300, 1200, 2000, 4800, 9600}) {

@@ -3,7 +3,7 @@
 #include "radio/BitClock.h"
 #include "support/AirLine.h"
 
-using javino::BitClock;
+using javinolib::BitClock;
 
 namespace {
 

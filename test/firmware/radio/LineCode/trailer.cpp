@@ -6,7 +6,7 @@
 #include "radio/LineCode.h"
 #include "support/Vectors.h"
 
-using namespace javino;
+using namespace javinolib;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "support/Modem.h"
 #include "support/SampledReceiver.h"
 
-using namespace javino;
+using namespace javinolib;
 
 namespace {
 

@@ -9,8 +9,9 @@ namespace {
 
 Bits encode(const Bytes &payload, uint8_t hops) {
   uint8_t packet[80];
-  javino::RadioEncoder encoder;
-  EXPECT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javino::Trailer::NONE, packet, hops));
+  javinolib::RadioEncoder encoder;
+  EXPECT_TRUE(
+      encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javinolib::Trailer::NONE, packet, hops));
   Bits bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   return bits;
@@ -26,7 +27,7 @@ TEST(Copies, areTakenAndTellTheirHops) {
   for (const CopyVector &vector : copyVectors()) {
     MendingDecoder decoder;
     decoder.addAll(vector.bits);
-    ASSERT_EQ(decoder.take(), javino::Mender::WHOLE);
+    ASSERT_EQ(decoder.take(), javinolib::Mender::WHOLE);
     EXPECT_EQ(decoder.payload, vector.payload);
     EXPECT_EQ(decoder.mender.hops(), vector.hops);
     EXPECT_FALSE(decoder.mender.hasMended());
@@ -41,7 +42,7 @@ TEST(Copies, areMendedWhereverABitIsWrong) {
       bits[i].flip();
       MendingDecoder decoder;
       decoder.addAll(bits);
-      ASSERT_EQ(decoder.take(), javino::Mender::WHOLE) << "bit " << i;
+      ASSERT_EQ(decoder.take(), javinolib::Mender::WHOLE) << "bit " << i;
       EXPECT_EQ(decoder.payload, vector.payload) << "bit " << i;
       EXPECT_EQ(decoder.mender.hops(), vector.hops) << "bit " << i;
     }
@@ -58,13 +59,13 @@ TEST(Copies, areCombinedWithDamagedOnesOfOtherHops) {
     for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
     MendingDecoder decoder;
     decoder.addAll(damaged(encode(payload, 0), 0.01, random));
-    if (decoder.take() == javino::Mender::WHOLE) continue;
+    if (decoder.take() == javinolib::Mender::WHOLE) continue;
     const Bits second = damaged(encode(payload, 1), 0.01, random);
     MendingDecoder other;
     other.addAll(second);
-    if (other.take() == javino::Mender::WHOLE) alone++;
+    if (other.take() == javinolib::Mender::WHOLE) alone++;
     decoder.addAll(second);
-    if (decoder.take() != javino::Mender::WHOLE) continue;
+    if (decoder.take() != javinolib::Mender::WHOLE) continue;
     EXPECT_EQ(decoder.payload, payload);
     EXPECT_LE(decoder.mender.hops(), 1) << "those of either";
     both++;

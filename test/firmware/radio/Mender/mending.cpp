@@ -22,7 +22,7 @@ TEST(Mender, mendsEachWrongBitOfPacketsOfEachLengthAndLeavesNoDoubtBehindTheCoun
       bits[i].flip();
       MendingDecoder decoder;
       decoder.addAll(bits);
-      ASSERT_EQ(decoder.take(), javino::Mender::WHOLE) << length << " bytes, bit " << i;
+      ASSERT_EQ(decoder.take(), javinolib::Mender::WHOLE) << length << " bytes, bit " << i;
       EXPECT_EQ(decoder.payload, payload) << "bit " << i;
       EXPECT_TRUE(decoder.mender.hasMended());
       EXPECT_EQ(decoder.mender.isDoubtful(), i < 60) << "bit " << i;
@@ -41,7 +41,7 @@ TEST(Mender, doubtsWhatItMendsInTwoSymbols) {
     bits[6 * (first + 1 + random() % 3) + random() % 6].flip();
     MendingDecoder decoder;
     decoder.addAll(bits);
-    if (decoder.take() != javino::Mender::WHOLE) continue;
+    if (decoder.take() != javinolib::Mender::WHOLE) continue;
     whole++;
     EXPECT_TRUE(decoder.mender.isDoubtful());
     EXPECT_EQ(decoder.payload, payload);
@@ -62,7 +62,7 @@ TEST(Mender, doesNotMendWhereTheCrcIsWrong) {
     Bits bits = reference::lineBits(bytes);
     bits[72 + random() % (bits.size() - 72)].flip();
     decoder.addAll(bits);
-    if (decoder.take() == javino::Mender::WHOLE) mended++;
+    if (decoder.take() == javinolib::Mender::WHOLE) mended++;
   }
   EXPECT_LE(mended, 10);
 }
@@ -87,7 +87,7 @@ TEST(Mender, combinesTwoDamagedCopies) {
     MendingDecoder decoder;
     for (int attempt = 0; attempt < 2; attempt++) {
       decoder.addAll(damaged(reference::packetBits(payload), 1e-2, random));
-      if (decoder.isEmpty() || decoder.take() != javino::Mender::WHOLE) continue;
+      if (decoder.isEmpty() || decoder.take() != javinolib::Mender::WHOLE) continue;
       EXPECT_EQ(decoder.payload, payload);
       second++;
       break;
@@ -105,10 +105,10 @@ TEST(Mender, takesADamagedPacketForTheRightOneThatItKeeps) {
     decoder.keeps = true;
     const Bytes payload = randomBytes(40, random);
     decoder.addAll(reference::packetBits(payload));
-    ASSERT_EQ(decoder.take(), javino::Mender::WHOLE);
+    ASSERT_EQ(decoder.take(), javinolib::Mender::WHOLE);
     EXPECT_FALSE(decoder.mender.isDoubtful());
     decoder.addAll(damaged(reference::packetBits(payload), 3e-2, random));
-    if (decoder.isEmpty() || decoder.take() != javino::Mender::WHOLE) continue;
+    if (decoder.isEmpty() || decoder.take() != javinolib::Mender::WHOLE) continue;
     known++;
     EXPECT_TRUE(decoder.mender.isDoubtful());
     EXPECT_EQ(decoder.payload, payload);
@@ -127,7 +127,7 @@ TEST(Mender, doesNotTakeAMessageForAnotherOfTheSameSender) {
     for (int i = 0; i < 9; i++) payload.push_back(static_cast<uint8_t>(random()));
     decoder.addAll(damaged(reference::packetBits(payload), 2e-2, random));
     while (!decoder.isEmpty()) {
-      if (decoder.take() == javino::Mender::WHOLE && decoder.payload != payload) wrong++;
+      if (decoder.take() == javinolib::Mender::WHOLE && decoder.payload != payload) wrong++;
     }
   }
   EXPECT_LE(wrong, 3);
@@ -141,13 +141,13 @@ TEST(Mender, mendsByParity) {
     for (int k = 0; k < packets; k++) {
       const Bytes payload = randomBytes(length, random);
       uint8_t room[97];
-      javino::RadioEncoder encoder;
-      ASSERT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(length), javino::Trailer::PARITY, room));
+      javinolib::RadioEncoder encoder;
+      ASSERT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(length), javinolib::Trailer::PARITY, room));
       Bits bits;
       while (encoder.hasNext()) bits.push_back(encoder.next());
       MendingDecoder decoder;
       decoder.addAll(damaged(bits, 1e-2, random));
-      if (decoder.isEmpty() || decoder.take() != javino::Mender::WHOLE) continue;
+      if (decoder.isEmpty() || decoder.take() != javinolib::Mender::WHOLE) continue;
       EXPECT_EQ(decoder.payload, payload);
       whole++;
     }
@@ -181,10 +181,10 @@ TEST(Mender, combinesAPieceWithTheSameOneThatAsksForAnAnswer) {
     asking[3] = 'J';
     MendingDecoder decoder;
     decoder.addAll(damaged(reference::packetBits(piece), 2e-2, random));
-    if (decoder.isEmpty() || decoder.take() == javino::Mender::WHOLE) continue;
+    if (decoder.isEmpty() || decoder.take() == javinolib::Mender::WHOLE) continue;
     decoder.addAll(damaged(reference::packetBits(asking), 2e-2, random));
     tries++;
-    if (decoder.isEmpty() || decoder.take() != javino::Mender::WHOLE) continue;
+    if (decoder.isEmpty() || decoder.take() != javinolib::Mender::WHOLE) continue;
     EXPECT_EQ(decoder.payload, asking);
     whole++;
   }

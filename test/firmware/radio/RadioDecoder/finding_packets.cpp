@@ -78,8 +78,8 @@ TEST(RadioDecoder, losesNoPacketBehindAFalseStart) {
       decoder.add(Bits(10, false));
       decoder.endOfSignal();
       Bytes found;
-      for (javino::RadioPacket each = decoder.take(); each.symbols != 0; each = decoder.take()) {
-        if (each.hops() >= javino::RadioPacket::NO_HOPS) continue;
+      for (javinolib::RadioPacket each = decoder.take(); each.symbols != 0; each = decoder.take()) {
+        if (each.hops() >= javinolib::RadioPacket::NO_HOPS) continue;
         each.makeBytes(each.count());
         found = Bytes(each.payload(), each.payload() + each.payloadLength());
       }

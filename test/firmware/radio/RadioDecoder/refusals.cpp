@@ -83,7 +83,7 @@ TEST(RadioDecoder, givesRandomBytesAsTheyAre) {
     bytes[0] = static_cast<uint8_t>(random() % 84);
     decoder.add(reference::lineBits(bytes));
     decoder.endOfSignal();
-    javino::RadioPacket packet = decoder.take();
+    javinolib::RadioPacket packet = decoder.take();
     if (packet.symbols == 0 || bytes[0] > bytes.size()) continue;
     queued++;
     const Bytes sent(bytes.begin(), bytes.begin() + bytes[0]);

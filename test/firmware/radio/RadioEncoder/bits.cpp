@@ -3,14 +3,14 @@
 #include "radio/RadioEncoder.h"
 #include "support/Vectors.h"
 
-using javino::RadioEncoder;
+using javinolib::RadioEncoder;
 
 namespace {
 
 Bits encode(const Bytes &payload) {
   uint8_t packet[80];
   RadioEncoder encoder;
-  EXPECT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javino::Trailer::NONE, packet));
+  EXPECT_TRUE(encoder.start(payload.data(), static_cast<uint8_t>(payload.size()), javinolib::Trailer::NONE, packet));
   Bits bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   return bits;
@@ -44,7 +44,7 @@ TEST(RadioEncoder, refusesNoPayloadAndTooLongOnes) {
   uint8_t packet[80];
   RadioEncoder encoder;
   for (uint8_t length : {0, 78, 80, 255}) {
-    EXPECT_FALSE(encoder.start(payload.data(), length, javino::Trailer::NONE, packet)) << int(length);
+    EXPECT_FALSE(encoder.start(payload.data(), length, javinolib::Trailer::NONE, packet)) << int(length);
     EXPECT_FALSE(encoder.hasNext());
   }
 }
@@ -53,7 +53,7 @@ TEST(RadioEncoder, staysOffAfterTheLastBit) {
   const Bytes payload(1, 0x55);
   uint8_t packet[80];
   RadioEncoder encoder;
-  ASSERT_TRUE(encoder.start(payload.data(), 1, javino::Trailer::NONE, packet));
+  ASSERT_TRUE(encoder.start(payload.data(), 1, javinolib::Trailer::NONE, packet));
   for (int i = 0; i < 96; i++) encoder.next();
   EXPECT_FALSE(encoder.hasNext());
   EXPECT_FALSE(encoder.next());
@@ -63,9 +63,9 @@ TEST(RadioEncoder, startsAnewInTheMiddleOfAPacket) {
   const Bytes first(20, 0xA5), second(3, 0x17);
   uint8_t packet[80];
   RadioEncoder encoder;
-  encoder.start(first.data(), 20, javino::Trailer::NONE, packet);
+  encoder.start(first.data(), 20, javinolib::Trailer::NONE, packet);
   for (int i = 0; i < 101; i++) encoder.next();
-  encoder.start(second.data(), 3, javino::Trailer::NONE, packet);
+  encoder.start(second.data(), 3, javinolib::Trailer::NONE, packet);
   Bits bits;
   while (encoder.hasNext()) bits.push_back(encoder.next());
   EXPECT_EQ(bits, reference::packetBits(second));

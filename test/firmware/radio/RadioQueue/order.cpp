@@ -4,8 +4,8 @@
 
 #include "radio/RadioQueue.h"
 
-using javino::RadioPacket;
-using javino::RadioQueue;
+using javinolib::RadioPacket;
+using javinolib::RadioQueue;
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include "radio/ReedSolomon.h"
 #include "support/ReferencePacket.h"
 
-using javino::reedsolomon::Decoder;
-using javino::reedsolomon::PARITY_LENGTH;
-using javino::reedsolomon::Progress;
+using javinolib::reedsolomon::Decoder;
+using javinolib::reedsolomon::PARITY_LENGTH;
+using javinolib::reedsolomon::Progress;
 
 // Steps after which a decoder that has not ended never will.
 const int MOST_STEPS = 40;
@@ -21,7 +21,7 @@ inline Bytes randomBytes(size_t length, std::mt19937 &random) {
 
 inline Bytes withParity(Bytes bytes) {
   Bytes parity(PARITY_LENGTH, 0xA5);  // what was there before
-  javino::reedsolomon::encode(bytes.data(), static_cast<uint8_t>(bytes.size()), parity.data());
+  javinolib::reedsolomon::encode(bytes.data(), static_cast<uint8_t>(bytes.size()), parity.data());
   bytes.insert(bytes.end(), parity.begin(), parity.end());
   return bytes;
 }

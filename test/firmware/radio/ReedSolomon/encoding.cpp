@@ -19,7 +19,7 @@ TEST(ReedSolomon, readsAndWritesNothingElse) {
   std::mt19937 random(2);
   Bytes memory = randomBytes(80 + PARITY_LENGTH + 2, random);
   const Bytes before = memory;
-  javino::reedsolomon::encode(memory.data() + 1, 80, memory.data() + 81);
+  javinolib::reedsolomon::encode(memory.data() + 1, 80, memory.data() + 81);
   EXPECT_EQ(Bytes(before.begin(), before.begin() + 81), Bytes(memory.begin(), memory.begin() + 81));
   EXPECT_EQ(before.back(), memory.back());
 }

@@ -29,19 +29,19 @@ class MendingDecoder {
   }
 
   // What becomes of the oldest packet that waits; LOST where none does.
-  javino::Mender::Progress take() {
+  javinolib::Mender::Progress take() {
     payload = Bytes();
-    javino::RadioQueue &queue = decoder_.queue();
-    javino::RadioPacket *packet = queue.oldest();
-    if (packet == nullptr) return javino::Mender::LOST;
+    javinolib::RadioQueue &queue = decoder_.queue();
+    javinolib::RadioPacket *packet = queue.oldest();
+    if (packet == nullptr) return javinolib::Mender::LOST;
     mender.begin();
-    javino::Mender::Progress progress;
+    javinolib::Mender::Progress progress;
     steps = 0;
     do {
       progress = mender.step(*packet);
       steps++;
-    } while (progress == javino::Mender::PENDING && steps < 1000);
-    if (progress == javino::Mender::WHOLE) {
+    } while (progress == javinolib::Mender::PENDING && steps < 1000);
+    if (progress == javinolib::Mender::WHOLE) {
       payload = Bytes(packet->payload(), packet->payload() + packet->payloadLength());
       if (keeps) mender.keep();
     }
@@ -54,10 +54,10 @@ class MendingDecoder {
   bool keeps = false;
   int steps = 0;
   Bytes payload;
-  javino::Mender mender;
+  javinolib::Mender mender;
 
  private:
-  javino::RadioDecoder decoder_;
+  javinolib::RadioDecoder decoder_;
 };
 
 // What becomes of packets with random bit errors: they come intact, or mended without a doubt, or are lost, or - never - come
@@ -74,7 +74,7 @@ struct Damage {
     if (came == bits) untouched++;
     decoder_.addAll(came);
     while (!decoder_.isEmpty()) {
-      if (decoder_.take() != javino::Mender::WHOLE) continue;
+      if (decoder_.take() != javinolib::Mender::WHOLE) continue;
       const bool isDoubtful = decoder_.mender.isDoubtful();
       unsigned &counter = isDoubtful                    ? doubtful
                           : decoder_.payload != payload ? wrong

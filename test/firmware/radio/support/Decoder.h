@@ -16,9 +16,9 @@ class Decoder {
   void abandon() { decoder_.abandon(); }
 
   // The oldest packet that waits; one without symbols where none does.
-  javino::RadioPacket take() {
-    javino::RadioPacket packet = javino::RadioPacket();
-    javino::RadioQueue &queue = decoder_.queue();
+  javinolib::RadioPacket take() {
+    javinolib::RadioPacket packet = javinolib::RadioPacket();
+    javinolib::RadioQueue &queue = decoder_.queue();
     if (!queue.empty()) {
       packet = *queue.oldest();
       queue.release();
@@ -28,15 +28,15 @@ class Decoder {
 
   // Its payload, where its CRC is right without mending.
   Bytes takeIntact() {
-    javino::RadioPacket packet = take();
-    if (packet.symbols == 0 || packet.hops() >= javino::RadioPacket::NO_HOPS) return Bytes();
+    javinolib::RadioPacket packet = take();
+    if (packet.symbols == 0 || packet.hops() >= javinolib::RadioPacket::NO_HOPS) return Bytes();
     packet.makeBytes(packet.count());
     return Bytes(packet.payload(), packet.payload() + packet.payloadLength());
   }
 
-  const javino::RadioCounters &counters() const { return decoder_.counters(); }
-  javino::CarrierSense &carrier() { return decoder_.carrier(); }
+  const javinolib::RadioCounters &counters() const { return decoder_.counters(); }
+  javinolib::CarrierSense &carrier() { return decoder_.carrier(); }
 
  private:
-  javino::RadioDecoder decoder_;
+  javinolib::RadioDecoder decoder_;
 };

@@ -28,14 +28,14 @@ class Modem {
     return radio.carrier();
   }
 
-  javino::RadioCounters counters() const {
-    javino::RadioCounters counters;
+  javinolib::RadioCounters counters() const {
+    javinolib::RadioCounters counters;
     radio.counters(counters);
     return counters;
   }
 
   SimulatedAsk hardware;
-  javino::AskRadio radio;
+  javinolib::AskRadio radio;
 };
 
 // A packet with silence behind it, long enough for the receiver to close it.

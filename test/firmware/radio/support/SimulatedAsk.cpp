@@ -28,7 +28,7 @@ void SimulatedAsk::play(const AirLine &line) {
 
 void SimulatedAsk::wait(uint64_t ticks) { runUntil(time_ + ticks); }
 
-bool SimulatedAsk::begin(uint8_t rxPin, uint8_t txPin, javino::AskRadio &radio) {
+bool SimulatedAsk::begin(uint8_t rxPin, uint8_t txPin, javinolib::AskRadio &radio) {
   radio_ = &radio;
   return rxPin != PIN_WITHOUT_EDGES && rxPin != txPin;
 }
@@ -82,7 +82,7 @@ void SimulatedAsk::runUntil(uint64_t time) {
 
 uint32_t SimulatedAsk::delay() { return mostDelay_ == 0 ? 0 : random_() % (mostDelay_ + 1); }
 
-namespace javino {
+namespace javinolib {
 namespace askhardware {
 
 uint32_t ticksPerSecond() { return SimulatedAsk::TICKS_PER_SECOND; }
@@ -98,4 +98,4 @@ InterruptLock::InterruptLock() : before_(0) {}
 InterruptLock::~InterruptLock() {}
 
 }  // namespace askhardware
-}  // namespace javino
+}  // namespace javinolib

@@ -42,7 +42,7 @@ class SimulatedAsk {
   const std::vector<Change> &carrierChanges() const { return carrierChanges_; }
 
   // What askhardware does here.
-  bool begin(uint8_t rxPin, uint8_t txPin, javino::AskRadio &radio);
+  bool begin(uint8_t rxPin, uint8_t txPin, javinolib::AskRadio &radio);
   uint16_t now() const { return static_cast<uint16_t>(time_); }
   void setAlarm(uint16_t at);
   void clearAlarm() { alarmOn_ = false; }
@@ -56,7 +56,7 @@ class SimulatedAsk {
 
   static SimulatedAsk *current_;
   std::function<void()> afterInterrupt_ = [] {};
-  javino::AskRadio *radio_ = nullptr;
+  javinolib::AskRadio *radio_ = nullptr;
   std::mt19937 random_;
   uint32_t mostDelay_ = 0;
   uint64_t time_ = 65000;  // the timer is about to overflow

@@ -3,13 +3,13 @@
 
 #include <Javino.h>
 
-javino::Javino board(Serial, "counter 1.0");
+javinolib::Javino board(Serial, "counter 1.0");
 
 long performed;
 long repeated;
 long last;
 
-bool note(const javino::Arguments &arguments) {
+bool note(const javinolib::Arguments &arguments) {
   long number;
   if (!arguments.integer(0, number)) return false;
   ++performed;
@@ -18,7 +18,7 @@ bool note(const javino::Arguments &arguments) {
   return true;
 }
 
-void percepts(javino::Percepts &p) {
+void percepts(javinolib::Percepts &p) {
   p.add(F("performed"), performed);
   p.add(F("repeated"), repeated);
   p.add(F("last"), last);

@@ -5,7 +5,7 @@
 #include <Javino.h>
 #include <radio/AskRadio.h>
 
-class DeafRadio : public javino::AskRadio {
+class DeafRadio : public javinolib::AskRadio {
  public:
   bool send(const uint8_t *payload, uint8_t length) override {
     const bool begun = AskRadio::send(payload, length);
@@ -21,7 +21,7 @@ class DeafRadio : public javino::AskRadio {
 };
 
 DeafRadio radio;
-javino::Javino board(Serial, "deaf station 1.0", radio);
+javinolib::Javino board(Serial, "deaf station 1.0", radio);
 
 void setup() {
   pinMode(LED_BUILTIN, OUTPUT);

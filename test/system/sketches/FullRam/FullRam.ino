@@ -2,7 +2,7 @@
 
 #include <Javino.h>
 
-javino::Javino board(Serial, "full RAM 1.0");
+javinolib::Javino board(Serial, "full RAM 1.0");
 
 volatile char buffer[780];
 

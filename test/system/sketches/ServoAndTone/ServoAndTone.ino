@@ -13,7 +13,7 @@ const uint16_t PERIOD_MICROS = 20000;
 
 volatile uint16_t pulseMicros = 1500;
 
-javino::Javino board(Serial, "servo and tone 1.0");
+javinolib::Javino board(Serial, "servo and tone 1.0");
 
 ISR(TIMER1_COMPA_vect) {
   if (digitalRead(SERVO_PIN)) {
@@ -26,7 +26,7 @@ ISR(TIMER1_COMPA_vect) {
   }
 }
 
-bool turn(const javino::Arguments &arguments) {
+bool turn(const javinolib::Arguments &arguments) {
   long micros;
   if (!arguments.integer(0, micros) || micros < 544 || micros > 2400) return false;
   noInterrupts();
@@ -35,14 +35,14 @@ bool turn(const javino::Arguments &arguments) {
   return true;
 }
 
-bool beep(const javino::Arguments &arguments) {
+bool beep(const javinolib::Arguments &arguments) {
   long hertz;
   if (!arguments.integer(0, hertz) || hertz < 31 || hertz > 20000) return false;
   tone(BUZZER_PIN, hertz);
   return true;
 }
 
-bool quiet(const javino::Arguments &) {
+bool quiet(const javinolib::Arguments &) {
   noTone(BUZZER_PIN);
   return true;
 }

@@ -8,7 +8,7 @@ EMPTY_INTERRUPT(TIMER1_COMPA_vect)
 EMPTY_INTERRUPT(TIMER1_COMPB_vect)
 EMPTY_INTERRUPT(TIMER1_OVF_vect)
 
-javino::Javino board(Serial, "timer 3 station 1.0");
+javinolib::Javino board(Serial, "timer 3 station 1.0");
 
 void setup() { board.begin(115200); }
 

@@ -9,19 +9,19 @@
 
 #include <Javino.h>
 
-javino::Javino board(Serial, "robot 1.0");
+javinolib::Javino board(Serial, "robot 1.0");
 
-void perceive(javino::Percepts &percepts) {
+void perceive(javinolib::Percepts &percepts) {
   percepts.add(F("light"), analogRead(A0), 4);  // a change of less than 4 is none: the sensor trembles
   percepts.literal(digitalRead(LED_BUILTIN) ? F("lamp(on)") : F("lamp(off)"));
 }
 
-bool lampOn(const javino::Arguments &) {
+bool lampOn(const javinolib::Arguments &) {
   digitalWrite(LED_BUILTIN, HIGH);
   return true;
 }
 
-bool lampOff(const javino::Arguments &) {
+bool lampOff(const javinolib::Arguments &) {
   digitalWrite(LED_BUILTIN, LOW);
   return true;
 }
