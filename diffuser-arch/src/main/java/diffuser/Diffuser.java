@@ -26,7 +26,7 @@ import jason.asSyntax.Trigger;
 
 import javino.board.BoardConfig;
 import javino.board.Transmission;
-import javino.cli.KeyringNotes;
+import javino.keyring.KeyringNotes;
 import javino.link.LinkOpener;
 import javino.link.SerialLink;
 import javino.protocol.Address;

@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import strangers.BoardMeetings;
+import keyagreement.BoardMeetings;
 
 /** {@code gradle agent}: runs one agent of this folder on its board, by Jason. */
 @Command(name = "agent")

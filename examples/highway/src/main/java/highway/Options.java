@@ -4,11 +4,12 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import strangers.BoardMeetings;
+import keyagreement.BoardMeetings;
 
 /** What a run can be told on the command line, and the commands that follow from it. */
 final class Options {
@@ -38,24 +39,23 @@ final class Options {
                     + "${DEFAULT-VALUE}.")
     private int timeout;
 
-    @Option(names = "--live",
-            description = "Show the run in the browser, until Ctrl-C. (Gradle puts a class path here.)")
+    @Option(names = "--live", description = "Show the run in the browser, until Ctrl-C.")
     private String live;
 
     @Option(names = "--headless", description = "With live: open no browser.")
     private String headless;
 
-    @Option(names = "--strangers", description = "Give the boards no keys: the devices have certificates, and agree on "
-            + "keys by radio.")
-    private String strangers;
+    @Option(names = "--certificates", description = "Give the boards no keys: the devices have certificates, and "
+            + "agree on keys by radio.")
+    private String certificates;
 
     private int cells;
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    @Option(names = "--gateway", hidden = true, description = "The class path of the gateways.")
-    private String gateway;
+    @Option(names = "--javino", hidden = true, description = "The class path of the javino command.")
+    private String javino = System.getProperty("java.class.path");
 
     @Option(names = "--plain", hidden = true, description = "No colours.")
     private boolean plain;
@@ -87,13 +87,13 @@ final class Options {
     }
 
     /** Whether the devices have certificates, and no keys. */
-    boolean strangers() {
-        return strangers != null;
+    boolean certificates() {
+        return certificates != null;
     }
 
     /** Seconds. */
     int timeout() {
-        return inspector || twoCells() || strangers() ? Math.max(timeout, LONG_SECONDS) : timeout;
+        return inspector || twoCells() || certificates() ? Math.max(timeout, LONG_SECONDS) : timeout;
     }
 
     boolean boardsOnly() {
@@ -126,7 +126,7 @@ final class Options {
         if (live()) {
             command.addAll(List.of("--control", CONTROL));
         }
-        if (strangers()) {
+        if (certificates()) {
             command.addAll(List.of("--keys", keys.toString()));
         }
         return command;
@@ -134,7 +134,7 @@ final class Options {
 
     /** {@code javino watch}: the page, which takes the events from its standard input. */
     List<String> watchCommand() {
-        List<String> command = java("javino.cli.Main", "watch", "--trace", "-", "--control", CONTROL);
+        List<String> command = javino("watch", "--trace", "-", "--control", CONTROL);
         if (headless != null) {
             command.add("--no-browser");
         }
@@ -148,16 +148,13 @@ final class Options {
 
     /** {@code javino gateway}: joins a cell, by the board of that name. */
     List<String> gatewayCommand(String cell, int brokerPort) {
-        List<String> command = java("javino.cli.Main", "gateway", "--port", "ports/" + cell, "--cell", cell, "--broker",
+        return javino("gateway", "--port", "ports/" + cell, "--cell", cell, "--broker",
                 "mqtt://127.0.0.1:" + brokerPort);
-        command.replaceAll(word -> word.equals(System.getProperty("java.class.path"))
-                ? word + File.pathSeparator + gateway : word);
-        return command;
     }
 
     /** {@code javino keygen}: a key for each pair that talks, and one for the group. */
     List<String> keygenCommand(Path keyring) {
-        List<String> command = java("javino.cli.Main", "keygen", "--out", keyring.toString(), "--group", "SU",
+        List<String> command = javino("keygen", "--out", keyring.toString(), "--group", "SU",
                 "--pair", "SUPP,SUHO", "--pair", "SUHO,SUAM", "--pair", "SUPP,SUPO", "--pair", "SUPO,ROMA");
         if (inspector) {
             command.addAll(List.of("--pair", "SUPP,ROMA"));
@@ -167,24 +164,24 @@ final class Options {
 
     /** {@code javino provision}: its id and those keys that it needs. */
     List<String> provisionCommand(Device device, Path keyring) {
-        return java("javino.cli.Main", "provision", "--port", "ports/" + device.id(),
+        return javino("provision", "--port", "ports/" + device.id(),
                 "--id", device.address, "--keyring", keyring.toString());
     }
 
     /** {@code javino ca init}. */
     List<String> authorityCommand(Path authority) {
-        return java("javino.cli.Main", "ca", "init", "--ca", authority.toString());
+        return javino("ca", "init", "--ca", authority.toString());
     }
 
     /** {@code javino enroll}: a request. */
     List<String> requestCommand(Device device, Path request) {
-        return java("javino.cli.Main", "enroll", "--id", device.address, "--folder", IDENTITIES.toString(), "--request",
+        return javino("enroll", "--id", device.address, "--folder", IDENTITIES.toString(), "--request",
                 request.toString());
     }
 
     /** {@code javino ca issue}: a certificate; the support station's says that it gives out the key of the group. */
     List<String> issueCommand(Path authority, Device device, Path request, Path certificate) {
-        List<String> command = java("javino.cli.Main", "ca", "issue", "--ca", authority.toString(), "--request",
+        List<String> command = javino("ca", "issue", "--ca", authority.toString(), "--request",
                 request.toString(), "--out", certificate.toString());
         if (device == Device.SUPPORT) {
             command.add("--keeper");
@@ -194,15 +191,15 @@ final class Options {
 
     /** {@code javino enroll}: takes the certificate in. */
     List<String> enrollCommand(Device device, Path certificate) {
-        return java("javino.cli.Main", "enroll", "--id", device.address, "--folder", IDENTITIES.toString(),
+        return javino("enroll", "--id", device.address, "--folder", IDENTITIES.toString(),
                 "--certificate", certificate.toString());
     }
 
     /** Jason, in a Java virtual machine of its own, without a window and without any network. */
     List<String> agentCommand(Device device) {
-        return java(live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS", mas(device), "--log-conf",
-                "logging.properties",
-                "--no-net");
+        return java(System.getProperty("java.class.path"),
+                live() ? "live.ObservedMas" : "jason.infra.local.RunLocalMAS",
+                mas(device), "--log-conf", "logging.properties", "--no-net");
     }
 
     private String mas(Device device) {
@@ -210,12 +207,15 @@ final class Options {
         return (visited ? "inspector/" : "") + device.id() + ".mas2j";
     }
 
-    private List<String> java(String... mainAndArguments) {
+    private List<String> javino(String... arguments) {
+        return java(javino, Stream.concat(Stream.of("javino.cli.Main"), Stream.of(arguments)).toArray(String[]::new));
+    }
+
+    private static List<String> java(String classPath, String... mainAndArguments) {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         List<String> command = new ArrayList<>(List.of(java, "-Djava.awt.headless=true", "-XX:+UseSerialGC",
                 "-D" + BoardMeetings.FOLDER_PROPERTY + "=" + IDENTITIES,
-                "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp",
-                System.getProperty("java.class.path") + (live() ? File.pathSeparator + live : "")));
+                "-XX:TieredStopAtLevel=1", "--enable-native-access=ALL-UNNAMED", "-cp", classPath));
         command.addAll(List.of(mainAndArguments));
         return command;
     }

@@ -125,7 +125,7 @@ final class Scenario implements AutoCloseable {
         timeline.note("five emulated boards, one radio");
         Files.deleteIfExists(KEYRING);
         deleteAll(Options.IDENTITIES);
-        if (options.strangers()) {
+        if (options.certificates()) {
             // Boards have the keys of earlier runs.
             deleteAll(EEPROM);
         }
@@ -246,7 +246,7 @@ final class Scenario implements AutoCloseable {
 
     /** Makes fresh keys and gives each board its id and those that it needs, by the commands that a user has. */
     void provision() throws IOException, InterruptedException, BrokenOffException {
-        if (options.strangers()) {
+        if (options.certificates()) {
             certify();
             return;
         }

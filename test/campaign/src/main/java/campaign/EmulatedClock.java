@@ -4,7 +4,7 @@ import java.lang.management.ManagementFactory;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import strangers.BoardMeetings;
+import keyagreement.BoardMeetings;
 
 /** The boards' time for a host, on a thread of its own. */
 final class EmulatedClock implements BoardMeetings.Clock {

@@ -18,7 +18,7 @@ final class Faults implements Campaign {
         int each = settings.choose(100, 1);
         List<Fault> faults = FaultPlan.of(settings.seed(), pairs, each, settings.choose(45, 12));
         report.text("""
-            %d pairs of boards (`Station`), each with a host in a process of its own (`javino-java`, port opened with a
+            %d pairs of boards (`Station`), each with a host in a process of its own (`javino-board`, port opened with a
             reset as a Mega's). All hosts send to their peers without a pause, nine contents of 16 bytes to one of 60 in
             two pieces, replace a key every 3 s, so that much is written to the EEPROM, and log each received message
             before their board learns that they have it. Every %.0f s a fault hits each pair. A power cut comes at the

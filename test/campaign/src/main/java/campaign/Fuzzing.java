@@ -26,7 +26,7 @@ final class Fuzzing implements Campaign {
     public void run(Settings settings, Report report) throws Exception {
         report.text(
                 """
-            Jazzer tries the decoders of `javino-java`, libFuzzer the sources of the firmware, built for the PC with
+            Jazzer tries the decoders in Java, libFuzzer the sources of the firmware, built for the PC with
             AddressSanitizer and UndefinedBehaviorSanitizer; the first lines of each target in `test/fuzz` say what it
             demands. Each side shares its time among its targets. *Inputs* were tried beyond the kept corpus; *edges* of
             the code were reached, in each fuzzer's own count. Inputs that reached further than the corpus are in

@@ -23,7 +23,7 @@ import javino.protocol.Content;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 import javino.protocol.Word;
-import strangers.Attacker;
+import keyagreement.Attacker;
 
 /** Two hosts that have certificates and no common key. */
 final class StrangerPair implements AutoCloseable {
@@ -203,7 +203,7 @@ final class StrangerPair implements AutoCloseable {
 
     /** Keys that both hosts have given their boards. */
     long keysSet() {
-        return first.count("strangersKeysSet") + second.count("strangersKeysSet");
+        return first.count("keyAgreementKeysSet") + second.count("keyAgreementKeysSet");
     }
 
     /** Milliseconds of the CPU that both hosts' threads have used. */

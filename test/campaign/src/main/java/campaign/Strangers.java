@@ -6,9 +6,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToLongFunction;
 import java.util.stream.Stream;
-import strangers.Attacker;
-import strangers.RandomMeetings;
-import strangers.RandomMeetings.Tally;
+import keyagreement.Attacker;
+import keyagreement.RandomMeetings;
+import keyagreement.RandomMeetings.Tally;
 
 /** Whether hosts that never met come to one key, whatever happens, and whether an attacker can spoil it. */
 final class Strangers implements Campaign {

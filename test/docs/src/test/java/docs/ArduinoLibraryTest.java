@@ -129,8 +129,9 @@ class ArduinoLibraryTest {
         String readme = Repository.text(FOLDER + "/README.md");
         String api = readme.substring(readme.indexOf("\n## API"), readme.indexOf("\n## Size"));
         assertEquals(found("(?m)\\w+\\.(\\w+)\\(", firstColumn(api)), words(lines, "KEYWORD2"));
-        Set<String> types = found("javinolib::([A-Z]\\w+)", FILES.stream().filter(named(".*\\.ino")).map(Repository::text)
-                .collect(Collectors.joining()) + api);
+        Set<String> types =
+                found("javinolib::([A-Z]\\w+)", FILES.stream().filter(named(".*\\.ino")).map(Repository::text)
+                        .collect(Collectors.joining()) + api);
         assertEquals(types, words(lines, "KEYWORD1"));
         assertEquals(Set.of("JAVINO_RADIO_TIMER"), words(lines, "LITERAL1"));
     }

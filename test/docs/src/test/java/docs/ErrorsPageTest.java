@@ -7,6 +7,7 @@ import jason.JasonException;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.TreeSet;
@@ -26,6 +27,8 @@ class ErrorsPageTest {
     private static final String PAGE = Repository.text("docs/errors.md");
     private static final String LITERAL = "\"(?:[^\"\\\\]|\\\\.)*\"";
     private static final Pattern LITERALS = Pattern.compile(LITERAL + "(?:\\s*\\+?\\s*" + LITERAL + ")*");
+    private static final Set<String> CERTIFICATES = Set.of("CaCommand.java", "EnrollCommand.java", "Authority.java",
+            "AuthorityKeys.java", "Entries.java", "Identity.java", "Notice.java", "Request.java");
 
     @Test
     void plan_eachError_hasAnEntry() {
@@ -48,7 +51,7 @@ class ErrorsPageTest {
 
     @Test
     void java_eachException_hasAnEntry() {
-        assertEntries("In Java", Repository.files("javino-java/src/main", ".java").stream()
+        assertEntries("In Java", Repository.files("javino-board/src/main", ".java").stream()
                 .flatMap(file -> found("public final class (\\w+) extends JavinoException", Repository.text(file))));
     }
 
@@ -67,30 +70,31 @@ class ErrorsPageTest {
 
     @Test
     void commandLine_eachText_hasAnEntry() {
-        Stream<String> commands = Repository.files("javino-java/src/main/java/javino/cli", ".java").stream()
+        Stream<String> commands = Repository.files("javino-cli/src/main/java/javino/cli", ".java").stream()
                 .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\);", Repository.text(file)));
-        Stream<String> page = Stream.of("live/src/main/java/live", "capture/src/main/java/capture")
+        Stream<String> page = Stream.of("optional/live/src/command/java/live", "optional/capture/src/main/java/capture")
                 .flatMap(folder -> Repository.files(folder, ".java").stream())
                 .flatMap(file -> texts("new (?:\\w+Exception|Refusal)\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);",
                         Repository.text(file)));
-        Stream<String> gateway = Repository.files("gateway/src/main/java/gateway", ".java").stream()
+        Stream<String> gateway = Repository.files("optional/gateway/src/main/java/gateway", ".java").stream()
                 .flatMap(file -> texts(
                         "new \\w+Exception\\(([^;]*)\\);|check\\([^\"]*([^;]*)\\);|(?m)(?:return|^ +[?:]) (\"[^;]*);",
                         Repository.text(file)));
-        Stream<String> strangers = Stream.of("CaCommand", "EnrollCommand", "Authority", "AuthorityKeys", "Entries",
-                "Identity", "Notice", "Request")
-                .flatMap(name -> texts("new \\w+Exception\\(([^;]*)\\)|wrongUsage\\(([^;]*)\\);",
-                        Repository.text("strangers/src/main/java/strangers/" + name + ".java")));
+        Stream<String> certificates = Repository.files("optional/key-agreement/src", ".java").stream()
+                .filter(file -> CERTIFICATES.contains(file.getFileName().toString()))
+                .flatMap(file -> texts("new \\w+Exception\\(([^;]*)\\)|wrongUsage\\(([^;]*)\\);",
+                        Repository.text(file)));
         Stream<String> session = texts("goOffline\\(([^;]*)\\);|String why = ([^;]*);",
-                Repository.text("javino-java/src/main/java/javino/board/Session.java"));
+                Repository.text("javino-board/src/main/java/javino/board/Session.java"));
         Stream<String> port = texts("(" + LITERAL + ")",
-                Repository.text("javino-java/src/main/java/javino/link/SerialLink.java"));
+                Repository.text("javino-board/src/main/java/javino/link/SerialLink.java"));
         Stream<String> highway = texts("new BrokenOffException\\(([^;]*)\\);|failure = ([^;]*);",
                 Repository.text("examples/highway/src/main/java/highway/Scenario.java"));
         Stream<String> project = texts("new GradleException\\((.*)\\)",
-                Repository.text("javino-java/src/main/resources/javino/cli/project/common/javino.gradle"));
+                Repository.text("javino-cli/src/main/resources/javino/cli/project/common/javino.gradle"));
         assertTexts("On the command line",
-                Stream.of(commands, page, gateway, strangers, session, port, highway, project).flatMap(texts -> texts));
+                Stream.of(commands, page, gateway, certificates, session, port, highway, project)
+                        .flatMap(texts -> texts));
     }
 
     @Test

@@ -61,7 +61,7 @@ class SpecTablesTest {
         for (String counter : counters()) {
             assertTrue(vectors.contains("\"" + counter + "\""),
                     counter + " is not in the vectors: write it in CommandVectors,"
-                            + " and call gradle :javino-java:vectors");
+                            + " and call gradle :javino-protocol:vectors");
         }
     }
 

@@ -3,8 +3,8 @@ package fuzz;
 import diffuser.GateTarget;
 import java.nio.file.Path;
 import java.util.List;
-import javino.cli.KeyringTarget;
-import strangers.StrangersTarget;
+import javino.keyring.KeyringTarget;
+import keyagreement.KeyAgreementTarget;
 
 /**
  * Something that takes any bytes and fails where it finds a fault.
@@ -17,7 +17,7 @@ public record Target(String name, List<String> command) {
     private static final List<Class<?>> JAVA =
             List.of(FrameTarget.class, ContentTarget.class, PacketDecoderTarget.class,
                     ReplyTarget.class, RequestTarget.class, KeyringTarget.class, GateTarget.class,
-                    StrangersTarget.class);
+                    KeyAgreementTarget.class);
     private static final List<String> FIRMWARE =
             List.of("packet_decoder", "arguments", "radio", "reed_solomon", "board");
 

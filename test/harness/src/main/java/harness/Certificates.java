@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import picocli.CommandLine;
-import strangers.CaCommand;
-import strangers.EnrollCommand;
+import keyagreement.CaCommand;
+import keyagreement.EnrollCommand;
 
 /** An authority, and the certificates that it gives, made by the commands that a user has. */
 public final class Certificates {

@@ -23,7 +23,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Word;
-import strangers.BoardMeetings;
+import keyagreement.BoardMeetings;
 
 /** A host that finds keys for strangers as an agent's does, without an agent. */
 public final class Stranger implements KeyService.Host, BoardListener, AutoCloseable {

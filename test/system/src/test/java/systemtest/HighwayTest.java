@@ -200,7 +200,7 @@ class HighwayTest {
 
         assertEquals(List.of(
                 "highway: there is no option -Pspeed; there is -PradioBitErrorRate, -PradioRange, -Pseed, -Ptimeout, "
-                        + "-Plive, -Pheadless, -Pstrangers, -Pcells"),
+                        + "-Plive, -Pheadless, -Pcertificates, -Pcells"),
                 run.lines);
         assertEquals(2, run.status);
     }

@@ -13,9 +13,9 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import strangers.BoardMeetings;
+import keyagreement.BoardMeetings;
 
-/** {@code docs/how-to/meet-strangers.md}, done as it says. */
+/** {@code docs/how-to/agree-on-keys.md}, done as it says. */
 @Tag("verify")
 class MeetStrangersTest {
 
@@ -29,7 +29,7 @@ class MeetStrangersTest {
 
     @Test
     void page_doneWithEmulatedBoards_printsWhatItSays() throws Exception {
-        String page = Files.readString(ROOT.resolve("docs/how-to/meet-strangers.md"));
+        String page = Files.readString(ROOT.resolve("docs/how-to/agree-on-keys.md"));
         Files.createDirectory(folder.resolve("agents"));
         Matcher files = FILE.matcher(page);
         while (files.find()) {

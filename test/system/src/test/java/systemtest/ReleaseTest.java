@@ -37,7 +37,7 @@ class ReleaseTest {
 
     @Test
     void libraries_haveSourcesJavadocAndPom() throws Exception {
-        for (String library : List.of("javino-java-", "diffuser-arch-", "mobility-")) {
+        for (String library : List.of("javino-protocol-", "javino-board-", "diffuser-arch-", "mobility-")) {
             for (String end : List.of("\\.jar", "-sources\\.jar", "-javadoc\\.jar", "\\.pom")) {
                 assertTrue(Files.size(Release.file(library, end)) > 0);
             }

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import strangers.BoardMeetings;
+import keyagreement.BoardMeetings;
 
 /** Agents on devices that have never met: a bus (ROMA) has a message for the police (SUPO). No board has a key. */
 class StrangersTest {
@@ -150,11 +150,11 @@ class StrangersTest {
     @Tag("verify")
     void stranger_whoseHostIsAwayOrRefuses_doesNotAnswer() throws Exception {
         authority.enroll("SUPO", identities);
-        try (AgentProcess bus = bus("!call(1); .strangers(refuse); !call(2)")) {
+        try (AgentProcess bus = bus("!call(1); .keyAgreement(refuse); !call(2)")) {
             bus.await("failed no_answer");
             bus.await("failed no_key");
         }
-        try (AgentProcess police = police(".strangers(refuse)"); AgentProcess bus = bus("!call(1)")) {
+        try (AgentProcess police = police(".keyAgreement(refuse)"); AgentProcess bus = bus("!call(1)")) {
             bus.await("failed no_answer");
             assertTrue(police.lines().stream().noneMatch(line -> line.contains("says")));
         }
@@ -164,7 +164,7 @@ class StrangersTest {
     void agent_withoutACertificate_hasNoKey() throws Exception {
         Path none = folder.resolve("none");
         try (AgentProcess bus = start("bus", BUS + "-!start[error(E)] <- .print(\"start \", E).",
-                "!call(1); .strangers(certified)", none)) {
+                "!call(1); .keyAgreement(certified)", none)) {
             bus.await("failed no_key");
             bus.await("start no_certificate");
         }

@@ -1,0 +1,186 @@
+package keyagreement;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.KeyPair;
+import java.security.SecureRandom;
+import java.security.interfaces.ECPrivateKey;
+import java.security.interfaces.ECPublicKey;
+import javino.JavinoException;
+import javino.cli.AddressOption;
+import javino.cli.FurtherCommand;
+import javino.keyring.PrivateFile;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.P256;
+
+/** {@code javino enroll}: has a device certified. */
+@Command(name = "enroll", description = {"Has a device certified by an authority, so that strangers can trust it.",
+        "First it writes a request. javino ca issue makes a certificate of it, which --certificate then takes in. The "
+                + "device's secret stays in a file that only you can read."})
+public final class EnrollCommand implements FurtherCommand {
+
+    /** The secret of a request that waits for its certificate. */
+    private static final String REQUEST_SECRET = "request-secret";
+
+    @Option(names = "--id", required = true, paramLabel = "ADDRESS", converter = AddressOption.Device.class,
+            description = "The device's address, such as SUPO.")
+    private Address id;
+
+    @Option(names = "--folder", paramLabel = "FOLDER",
+            description = "Where the identities of devices are; default: .javino in your home.")
+    private Path folder = Identity.defaultFolder();
+
+    @ArgGroup
+    private What what = new What();
+
+    @Option(names = "--authority", paramLabel = "FINGERPRINT",
+            description = "With --certificate: trust this authority beside those that the device trusts already; as "
+                    + "javino ca init or list says it.")
+    private String authority;
+
+    @Spec
+    private CommandSpec spec;
+
+    /** What to do; nothing stands for {@code --request}. */
+    private static final class What {
+
+        @Option(names = "--request", paramLabel = "FILE",
+                description = "Write a request; default: ADDRESS.request here.")
+        private Path request;
+
+        @Option(names = "--certificate", paramLabel = "FILE", description = "Take in what javino ca issue has written.")
+        private Path certificate;
+
+        @Option(names = "--notice", paramLabel = "FILE", description = "Take in what javino ca revoke has written.")
+        private Path notice;
+    }
+
+    @Override
+    public Integer call() throws IOException, JavinoException, InterruptedException {
+        if (what.certificate != null) {
+            certify(Entries.read(what.certificate));
+        } else if (what.notice != null) {
+            take();
+        } else {
+            request(what.request == null ? Path.of(id.toString().replace('/', '-') + ".request") : what.request);
+        }
+        return 0;
+    }
+
+    private Path file() {
+        return Identity.file(folder, id);
+    }
+
+    private void say(String line) {
+        spec.commandLine().getOut().println(line);
+    }
+
+    private void request(Path out) throws IOException, JavinoException, InterruptedException {
+        if (!Files.isDirectory(folder)) {
+            Files.createDirectories(folder);
+            if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+                Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
+            }
+        }
+        if (!Files.exists(file())) {
+            PrivateFile.create(file(), "");
+        }
+        Entries entries = Entries.parse(PrivateFile.change(file(), this::withRequest), file());
+        Request request = Request.decode(entries.get(Request.NAME).orElseThrow());
+        Files.writeString(out, new Entries().add(Request.NAME, request.toBytes()).format());
+        say("request " + request.fingerprint() + " of " + id + " written to " + out
+                + "; javino ca issue on it, which must name the same number");
+    }
+
+    /** One that waits for its certificate already is written again: a new one would make that certificate useless. */
+    private String withRequest(String text) {
+        Entries entries = Entries.parse(text, file());
+        if (entries.get(Request.NAME).isEmpty()) {
+            KeyPair pair = P256.generate(new SecureRandom());
+            Bytes point = P256.compress((ECPublicKey) pair.getPublic());
+            entries.set(REQUEST_SECRET, P256.bytes(((ECPrivateKey) pair.getPrivate()).getS()))
+                    .set(Request.NAME, new Request(id, point).toBytes());
+        }
+        return entries.format();
+    }
+
+    private void certify(Entries answer) throws IOException, JavinoException, InterruptedException {
+        if (!Files.exists(file())) {
+            throw new JavinoException(file() + ": there is no request of " + id + "; javino enroll --id " + id
+                    + " first");
+        }
+        String text = PrivateFile.change(file(), before -> certified(Entries.parse(before, file()), answer).format());
+        Identity identity = Identity.of(file(), Entries.parse(text, file()));
+        AuthorityKeys keys = AuthorityKeys.decode(answer.get(Identity.AUTHORITY).orElseThrow());
+        say(identity.certificate() + " is in " + file() + "; its authority is " + keys.fingerprint());
+    }
+
+    /**
+     * The secret is {@code e · request's secret + contribution} (SEC 4 section 3.6). It is computed once, here, on the
+     * device's own computer; the time that this takes reaches nobody.
+     */
+    private Entries certified(Entries own, Entries answer) throws JavinoException {
+        Bytes encoded = answer.get(Identity.CERTIFICATE).orElseThrow(() -> new JavinoException(
+                what.certificate + " has no certificate; javino ca issue writes one"));
+        Certificate certificate = Certificate.decode(encoded);
+        if (!certificate.address().equals(id)) {
+            throw new JavinoException(what.certificate + " is for " + certificate.address() + ", not for " + id);
+        }
+        Bytes requestSecret = own.get(REQUEST_SECRET).orElseThrow(() -> new JavinoException(
+                "no request of " + id + " waits for a certificate; javino enroll --id " + id + " first"));
+        trust(own, answer);
+        Bytes secret = P256.bytes(certificate.hash().multiply(P256.number(requestSecret))
+                .add(P256.number(answer.get(Identity.CONTRIBUTION).orElse(Bytes.EMPTY))).mod(P256.ORDER));
+        own.set(Identity.SECRET, secret).set(Identity.CERTIFICATE, encoded).remove(REQUEST_SECRET)
+                .remove(Request.NAME);
+        for (Bytes notice : answer.all(Identity.NOTICE)) {
+            Identity.keep(Notice.decode(notice), own);
+        }
+        try {
+            Identity.of(file(), own).check(certificate);
+        } catch (IllegalArgumentException e) {
+            throw new JavinoException(what.certificate + " is not for the last request of " + id + ", or damaged: "
+                    + "javino ca issue --replace on the request, once more", e);
+        }
+        return own;
+    }
+
+    /** The first authority is trusted as it comes: its file came by hand. Another needs a word. */
+    private void trust(Entries own, Entries answer) throws JavinoException {
+        AuthorityKeys keys = AuthorityKeys.decode(answer.get(Identity.AUTHORITY).orElseThrow(
+                () -> new JavinoException(what.certificate + " has no authority; javino ca issue writes one")));
+        for (Bytes each : own.all(Identity.AUTHORITY)) {
+            AuthorityKeys known = AuthorityKeys.decode(each);
+            if (known.equals(keys)) {
+                return;
+            }
+            if (known.id() == keys.id()) {
+                throw new JavinoException("authority " + keys.fingerprint() + " has the same first digits as "
+                        + known.fingerprint() + ", which the device trusts; make another by javino ca init");
+            }
+        }
+        if (!own.all(Identity.AUTHORITY).isEmpty() && !keys.fingerprint().hex().equals(authority)) {
+            throw new JavinoException("authority " + keys.fingerprint() + " is not the one that " + id
+                    + " trusts; to trust it too, add --authority " + keys.fingerprint());
+        }
+        own.add(Identity.AUTHORITY, keys.toBytes());
+    }
+
+    private void take() throws IOException, JavinoException, InterruptedException {
+        Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
+                HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
+        Bytes notice = Entries.read(what.notice).get(Identity.NOTICE).orElseThrow(
+                () -> new JavinoException(what.notice + " has no notice; javino ca revoke writes one"));
+        boolean isNew = identity.take(notice);
+        say(Notice.decode(notice) + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
+    }
+}

@@ -1,0 +1,173 @@
+package keyagreement;
+
+import java.math.BigInteger;
+import java.security.KeyPair;
+import java.security.SecureRandom;
+import java.security.interfaces.ECPrivateKey;
+import java.security.interfaces.ECPublicKey;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import javino.JavinoException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.P256;
+
+/**
+ * An authority with its secrets: it gives certificates and makes notices. It has one key for each of the two. What it
+ * has given is in its file, and nowhere else.
+ */
+final class Authority {
+
+    private static final String CERTIFICATES = "certificates-secret";
+    private static final String NOTICES = "notices-secret";
+    private static final String KEYS = "authority";
+    private static final String ISSUED = "issued";
+    private static final String NOTICE = "notice";
+
+    private final Entries entries;
+    private final AuthorityKeys keys;
+
+    private Authority(Entries entries) {
+        this.entries = entries;
+        keys = AuthorityKeys.decode(one(KEYS));
+    }
+
+    /** A new one, which has made its first notice. */
+    static Authority create(LocalDate today, SecureRandom random) {
+        KeyPair certificates = P256.generate(random);
+        KeyPair notices = P256.generate(random);
+        AuthorityKeys keys = new AuthorityKeys(point(certificates), point(notices));
+        Authority authority = new Authority(new Entries().set(CERTIFICATES, number(certificates))
+                .set(NOTICES, number(notices)).set(KEYS, keys.toBytes()));
+        authority.publish(0, today, today, List.of());
+        return authority;
+    }
+
+    /** @throws IllegalArgumentException naming the file, if it is none. */
+    static Authority parse(String text, Object file) {
+        try {
+            return new Authority(Entries.parse(text, file));
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(file + " is no authority: " + e.getMessage(), e);
+        }
+    }
+
+    private static Bytes point(KeyPair pair) {
+        return P256.compress((ECPublicKey) pair.getPublic());
+    }
+
+    private static Bytes number(KeyPair pair) {
+        return P256.bytes(((ECPrivateKey) pair.getPrivate()).getS());
+    }
+
+    private Bytes one(String name) {
+        return entries.get(name).orElseThrow(() -> new IllegalArgumentException("it has no " + name));
+    }
+
+    String format() {
+        return entries.format();
+    }
+
+    AuthorityKeys keys() {
+        return keys;
+    }
+
+    /** All that it has ever given, in the order of their serials. */
+    List<Certificate> issued() {
+        try {
+            List<Certificate> issued = new ArrayList<>();
+            for (Bytes each : entries.all(ISSUED)) {
+                issued.add(Certificate.decode(each));
+            }
+            return issued;
+        } catch (HandshakeException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    Notice notice() {
+        try {
+            return Notice.decode(one(NOTICE));
+        } catch (HandshakeException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    /** The certificate of a device that is valid on a day. */
+    Optional<Certificate> valid(Address device, LocalDate today) {
+        return issued().stream().filter(certificate -> certificate.address().equals(device)
+                && !certificate.until().isBefore(today) && !notice().revokes(certificate)).findFirst();
+    }
+
+    /**
+     * Gives a certificate (SEC 4 section 3.4: the point is R_U + kG, and the contribution r = ek + d).
+     *
+     * @return what the device needs: the certificate, its contribution, the keys and the last notice.
+     * @throws JavinoException if the device has a valid one, or all serials are given.
+     */
+    Entries issue(Request request, LocalDate until, boolean keeper, LocalDate today, SecureRandom random)
+            throws JavinoException {
+        Optional<Certificate> before = valid(request.address(), today);
+        if (before.isPresent()) {
+            throw new JavinoException(before.get() + " is valid; --replace revokes it");
+        }
+        int serial = entries.all(ISSUED).size();
+        if (serial > 0xFFFF) {
+            throw new JavinoException("all 65536 serials are given; make another authority");
+        }
+        KeyPair own = P256.generate(random);
+        ECPublicKey point = P256.combine(BigInteger.ONE, P256.decompress(request.point()),
+                (ECPublicKey) own.getPublic());
+        Certificate certificate = new Certificate(request.address(), serial, keeper, until, keys.id(),
+                P256.compress(point));
+        BigInteger contribution = certificate.hash().multiply(P256.number(number(own)))
+                .add(P256.number(one(CERTIFICATES))).mod(P256.ORDER);
+        entries.add(ISSUED, certificate.toBytes());
+        return new Entries().add(Identity.AUTHORITY, keys.toBytes()).add(Identity.CERTIFICATE, certificate.toBytes())
+                .add(Identity.CONTRIBUTION, P256.bytes(contribution)).add(Identity.NOTICE, one(NOTICE));
+    }
+
+    /**
+     * Makes a new notice. It names again what is revoked and not past.
+     *
+     * @param today      not before the last notice's day.
+     * @param leastUntil null for the last notice's, or today.
+     * @throws JavinoException if there is no room for so many.
+     */
+    Notice revoke(Collection<Integer> revoked, LocalDate leastUntil, LocalDate today) throws JavinoException {
+        Notice last = notice();
+        if (today.isBefore(last.day())) {
+            throw new JavinoException("the last notice is of " + last.day() + ", and this computer's clock says "
+                    + today + "; set the clock");
+        }
+        LocalDate least = latest(today, last.leastUntil(), leastUntil);
+        TreeSet<Integer> serials = new TreeSet<>(revoked);
+        serials.addAll(last.serials());
+        issued().stream().filter(certificate -> certificate.until().isBefore(least))
+                .forEach(certificate -> serials.remove(certificate.serial()));
+        if (serials.size() > Notice.MAX_SERIALS) {
+            throw new JavinoException("a notice names up to " + Notice.MAX_SERIALS + " certificates, not "
+                    + serials.size() + "; --least-until revokes all that end before a day");
+        }
+        if (last.sequence() == 0xFFFF) {
+            throw new JavinoException("all 65536 notices are made; make another authority");
+        }
+        publish(last.sequence() + 1, today, least, List.copyOf(serials));
+        return notice();
+    }
+
+    private static LocalDate latest(LocalDate one, LocalDate other, LocalDate perhaps) {
+        LocalDate later = one.isAfter(other) ? one : other;
+        return perhaps != null && perhaps.isAfter(later) ? perhaps : later;
+    }
+
+    private void publish(int sequence, LocalDate day, LocalDate leastUntil, List<Integer> serials) {
+        ECPrivateKey secret = P256.secret(P256.number(one(NOTICES)));
+        entries.set(NOTICE, Notice.sign(keys, secret, sequence, day, leastUntil, serials).toBytes());
+    }
+}

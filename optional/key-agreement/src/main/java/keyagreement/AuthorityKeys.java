@@ -1,0 +1,47 @@
+package keyagreement;
+
+import javino.protocol.Bytes;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.Kdf;
+import keyagreement.edhoc.P256;
+
+/**
+ * The public keys of an authority.
+ *
+ * @param certificates the key of certificates, 33 bytes, compressed.
+ * @param notices      the key of notices, 33 bytes, compressed.
+ */
+public record AuthorityKeys(Bytes certificates, Bytes notices) {
+
+    private static final int LENGTH = 2 * P256.POINT_LENGTH;
+
+    /** @throws IllegalArgumentException if they are not two points. */
+    static AuthorityKeys decode(Bytes bytes) {
+        try {
+            if (bytes.length() != LENGTH) {
+                throw new IllegalArgumentException("an authority's keys have " + LENGTH + " bytes");
+            }
+            AuthorityKeys keys = new AuthorityKeys(bytes.slice(0, P256.POINT_LENGTH), bytes.from(P256.POINT_LENGTH));
+            P256.decompress(keys.certificates);
+            P256.decompress(keys.notices);
+            return keys;
+        } catch (HandshakeException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    /** 66 bytes. */
+    Bytes toBytes() {
+        return Bytes.join(certificates, notices);
+    }
+
+    /** The first byte of {@link #fingerprint}: what certificates and notices call this authority. */
+    public int id() {
+        return fingerprint().at(0);
+    }
+
+    /** By which people compare authorities: 8 bytes. */
+    public Bytes fingerprint() {
+        return Kdf.hash(toBytes()).slice(0, 8);
+    }
+}

@@ -1,0 +1,543 @@
+package keyagreement;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.ArrayDeque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.function.Consumer;
+import java.util.logging.Level;
+import java.util.stream.Stream;
+
+import jason.JasonException;
+
+import diffuser.BoardService;
+import diffuser.Cast;
+import diffuser.Diffuser;
+import diffuser.Failure;
+import diffuser.KeyService;
+import diffuser.Policy;
+import diffuser.Provenance;
+
+import javino.JavinoException;
+import javino.board.RequestFailedException;
+import javino.board.Transmission;
+import javino.keyring.PrivateFile;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import javino.protocol.PollReply;
+import javino.protocol.Reply;
+import javino.protocol.Status;
+import javino.protocol.Word;
+
+/**
+ * Keys with strangers for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
+ * certificate for the board's address, or the agent refuses strangers, it does nothing.
+ */
+public final class BoardMeetings implements KeyService, Meetings.Outside {
+
+    /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
+    public static final String FOLDER_PROPERTY = "javino.identities";
+
+    /** Messages to the own group that wait for its key, and how long in ms: a keeper needs some seconds. */
+    private static final int MOST_FOR_GROUP = 8;
+    private static final long GROUP_MILLIS = 30_000;
+    private static final long NEVER = Long.MAX_VALUE;
+    /** Between two questions for the key of the group. */
+    private static final long GROUP_AGAIN_MILLIS = 10_000;
+
+    /** The time, and the one thread on which all is done. */
+    public interface Clock {
+
+        /** Never goes back. */
+        long millis();
+
+        /** Has something done as soon as that time has passed; not if all has been closed. */
+        void after(long millis, Runnable step);
+
+        /** Nothing more is done. */
+        void close();
+    }
+
+    private final Path folder;
+    private final Clock clock;
+    private final Consumer<RuntimeException> failed;
+
+    // All that follows is used on the clock's thread only, but for what is volatile.
+    private Host host;
+    private Address self;
+    private int bootEpoch;
+    private Set<Address> stored = Set.of();
+    private boolean refuses;
+    private boolean keepsGroup;
+    /** Null while nothing is done. */
+    private Meetings meetings;
+    /** To whom the board was given session keys; maybe it has lost some. */
+    private final Set<Address> given = new HashSet<>();
+    private final Set<Address> met = new HashSet<>();
+    private final Map<Long, Errand> errands = new LinkedHashMap<>();
+    private final Queue<Errand> forGroup = new ArrayDeque<>();
+    private final Map<Address, Throwable> failures = new HashMap<>();
+    private long alarm = NEVER;
+    private long groupWanted = -GROUP_AGAIN_MILLIS;
+    /** Until it is known that this device has no certificate, and where that cannot be known. */
+    private volatile boolean sharesGroup = true;
+    private volatile Map<Event, Long> events = Map.of();
+    private volatile long ignored;
+
+    /** Found by Java's {@link java.util.ServiceLoader}. */
+    public static final class Maker implements BoardService.Maker {
+
+        @Override
+        public KeyService of(Diffuser diffuser) {
+            return new BoardMeetings(folder(), new WallClock("key agreement of " + diffuser.getAgName()),
+                    thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
+                            "a step towards a stranger has failed: " + thrown, thrown));
+        }
+
+        private static Path folder() {
+            String named = System.getProperty(FOLDER_PROPERTY);
+            return named == null ? Identity.defaultFolder() : Path.of(named);
+        }
+    }
+
+    /**
+     * @param folder where the identities of devices are, as {@code javino enroll} puts them.
+     * @param failed is told of what must not be.
+     */
+    public BoardMeetings(Path folder, Clock clock, Consumer<RuntimeException> failed) {
+        this.folder = folder;
+        this.clock = clock;
+        this.failed = failed;
+    }
+
+    /**
+     * The one of an agent with a board.
+     *
+     * @throws JasonException if it has none.
+     */
+    public static BoardMeetings of(Diffuser diffuser) throws JasonException {
+        return diffuser.service(BoardMeetings.class).orElseThrow(() -> new Failure("no_certificate",
+                "another library finds keys for strangers here").toException());
+    }
+
+    // What the agent wants
+
+    /**
+     * Welcomes strangers with certificates, or refuses all.
+     *
+     * @return completes when it is so; fails with what {@link Failure#of} reads if there is no certificate. Completes
+     *         at once where there is no board with an address yet.
+     */
+    public CompletableFuture<Void> welcome(boolean certified) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        execute(() -> {
+            refuses = !certified;
+            if (refuses) {
+                close();
+            } else if (meetings == null && host != null) {
+                open();
+            }
+            if (certified && meetings == null && host != null) {
+                done.completeExceptionally(new Failure("no_certificate",
+                        "there is no certificate for " + self + " in " + folder + "; javino enroll --id " + self)
+                        .toException());
+            } else {
+                done.complete(null);
+            }
+        });
+        return done;
+    }
+
+    @Override
+    public Transmission transmit(Host board, Address to, Content content) {
+        Errand errand = new Errand(to, content);
+        execute(() -> begin(board, errand));
+        return errand.transmission();
+    }
+
+    private void begin(Host board, Errand errand) {
+        boolean isMet = meetings != null && board == host;
+        if (isMet && errand.to().kind() == Address.Kind.DEVICE && !errand.to().equals(self)) {
+            meet(errand);
+        } else if (isMet && errand.to().equals(group()) && !stored.contains(group())) {
+            awaitGroupKey(errand);
+        } else {
+            errand.follow(board.transmitAsIs(errand.to(), errand.content()));
+        }
+    }
+
+    private void meet(Errand errand) {
+        try {
+            Optional<Long> ticket = meetings.send(errand.to(), errand.content(), millis());
+            ticket.ifPresentOrElse(number -> errands.put(number, errand), () -> errand.fail("queue_full",
+                    "too many messages wait for a key with " + errand.to() + " or with others"));
+        } catch (IllegalArgumentException e) {
+            errand.fail("too_long", "a message to a device without a stored key has at most 490 bytes; this one has "
+                    + errand.content().encode().length());
+        }
+    }
+
+    private Address group() {
+        return Address.multicast(self.group());
+    }
+
+    private void awaitGroupKey(Errand errand) {
+        if (forGroup.size() == MOST_FOR_GROUP) {
+            errand.fail("queue_full", MOST_FOR_GROUP + " messages wait for the key of " + group() + " already");
+            return;
+        }
+        forGroup.add(errand);
+        wantGroupKey();
+        // The board may have it and wait for the air.
+        after(Peer.MOST_MILLIS, () -> errand.end(Outcome.UNDELIVERED));
+        after(GROUP_MILLIS, () -> {
+            if (forGroup.remove(errand)) {
+                errand.fail("no_key", "the board has no key for " + errand.to() + ", and no keeper of the group has"
+                        + " given one within " + GROUP_MILLIS / 1000 + " s");
+            }
+        });
+    }
+
+    private void wantGroupKey() {
+        long now = millis();
+        if (meetings != null && now - groupWanted >= GROUP_AGAIN_MILLIS) {
+            groupWanted = now;
+            meetings.wantGroupKey(now);
+        }
+    }
+
+    // What the board tells
+
+    @Override
+    public void online(Host board, Address address, int epoch, List<Reply.StoredKey> keys) {
+        execute(() -> {
+            boolean same = board == host && address.equals(self);
+            boolean booted = epoch != bootEpoch;
+            if (!same) {
+                close();
+            }
+            host = board;
+            self = address;
+            bootEpoch = epoch;
+            Set<Address> inEeprom = new HashSet<>();
+            keys.stream().filter(key -> key.role() != Reply.Role.SESSION).forEach(key -> inEeprom.add(key.address()));
+            stored = inEeprom;
+            if (meetings == null) {
+                keys.stream().filter(key -> key.role() == Reply.Role.SESSION)
+                        .forEach(key -> host.deleteKey(key.address()));
+                open();
+            } else {
+                if (booted) {
+                    meetings.booted(millis());
+                }
+                host.met(met);
+            }
+        });
+    }
+
+    private void open() {
+        sharesGroup = true;
+        try {
+            Optional<Identity> identity = Identity.read(folder, self);
+            if (identity.isPresent() && !identity.get().certificate().address().equals(self)) {
+                throw new IllegalArgumentException("the identity of " + self + " in " + folder + " is that of "
+                        + identity.get().certificate().address());
+            }
+            sharesGroup = identity.isPresent();
+            if (identity.isPresent() && !refuses) {
+                keepsGroup = identity.get().certificate().keeper();
+                Optional<Key> groupKey = keepsGroup ? keptGroupKey() : Optional.empty();
+                meetings = new Meetings(identity.get(), groupKey, this, new SecureRandom());
+                if (keepsGroup) {
+                    groupKey.filter(key -> !stored.contains(group())).ifPresent(key -> giveGroupKey(group(), key));
+                } else if (!stored.contains(group())) {
+                    wantGroupKey();
+                }
+            }
+        } catch (IOException | IllegalArgumentException e) {
+            host.warn("keys are agreed on with nobody: " + e.getMessage());
+        }
+    }
+
+    /** Forgets all strangers, and has the board forget them. */
+    private void close() {
+        if (meetings == null) {
+            return;
+        }
+        meetings = null;
+        Stream.concat(errands.values().stream(), forGroup.stream()).forEach(errand -> errand.fail("no_key",
+                "the board has no key for " + errand.to() + ", and no strangers are met by it any more"));
+        errands.clear();
+        forGroup.clear();
+        given.forEach(host::deleteKey);
+        given.clear();
+        met.clear();
+        host.met(met);
+    }
+
+    @Override
+    public void word(Address from, Address to, Word word) {
+        execute(() -> {
+            Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.TrustLevel.PROVISIONED
+                    : diffuser.TrustLevel.CERTIFIED);
+            if (meetings != null && Policy.decide(Policy.Act.HOST_MESSAGE, of).isAllowed()) {
+                meetings.received(from, word, millis());
+            } else if (meetings != null && Policy.decide(Policy.Act.HANDSHAKE, of).isAllowed()) {
+                meetings.heard(from, word, millis());
+            } else {
+                ignored++;
+            }
+        });
+    }
+
+    @Override
+    public void noKey(PollReply.NoKey frame) {
+        execute(() -> {
+            if (meetings == null || stored.contains(frame.origin())) {
+                ignored++;
+            } else if (frame.destination().kind() == Address.Kind.DEVICE) {
+                meetings.noKey(frame.origin(), millis());
+            } else {
+                wantGroupKey();
+            }
+        });
+    }
+
+    @Override
+    public boolean sharesGroup() {
+        return sharesGroup;
+    }
+
+    @Override
+    public Map<String, Object> status() {
+        Map<String, Object> status = new LinkedHashMap<>();
+        Map<Event, Long> counted = events;
+        for (Event event : Event.values()) {
+            StringBuilder name = new StringBuilder("keyAgreement");
+            for (String part : event.name().split("_")) {
+                name.append(part.charAt(0)).append(part.substring(1).toLowerCase(Locale.ROOT));
+            }
+            status.put(name.toString(), counted.getOrDefault(event, 0L));
+        }
+        status.put("keyAgreementIgnored", ignored);
+        return status;
+    }
+
+    @Override
+    public void stop() {
+        execute(clock::close);
+    }
+
+    // What the meetings want done
+
+    @Override
+    public void broadcast(Word word) {
+        host.transmit(Address.BROADCAST, word).end()
+                .whenComplete((outcome, thrown) -> execute(() -> inMeetings(all -> all.said(millis()))));
+    }
+
+    @Override
+    public void unicast(Address to, Word word) {
+        Transmission transmission = host.transmit(to, word);
+        boolean ofAgent = HostWord.opened(word).filter(read -> read.kind() == HostWord.Kind.CONTENT).isPresent();
+        // Messages to one device go one after the other.
+        Optional<Errand> errand = ofAgent
+                ? errands.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();
+        transmission.taken().thenRun(() -> errand.ifPresent(Errand::take));
+        transmission.end().whenComplete((outcome, thrown) -> execute(() -> {
+            if (thrown != null) {
+                failures.put(to, thrown);
+            }
+            inMeetings(all -> all.sent(to, how(outcome, thrown), millis()));
+        }));
+    }
+
+    private static Meetings.Sent how(Outcome outcome, Throwable thrown) {
+        if (thrown != null) {
+            return isRefused(thrown, Status.NO_KEY) ? Meetings.Sent.NO_KEY : Meetings.Sent.FAILED;
+        }
+        return outcome == Outcome.DELIVERED ? Meetings.Sent.DELIVERED : Meetings.Sent.UNDELIVERED;
+    }
+
+    private static boolean isRefused(Throwable thrown, Status status) {
+        Throwable cause = thrown instanceof CompletionException ? thrown.getCause() : thrown;
+        return cause instanceof RequestFailedException refused && refused.status() == status;
+    }
+
+    @Override
+    public void setSessionKey(Address device, Key key) {
+        given.add(device);
+        host.setSessionKey(device, key).whenComplete((done, thrown) -> execute(() -> {
+            if (thrown != null) {
+                Throwable why = isRefused(thrown, Status.UNKNOWN_COMMAND) ? noPlace(device) : thrown;
+                failures.put(device, why);
+                host.warn(Failure.of(why).message());
+            }
+            inMeetings(all -> all.keySet(device, thrown == null, millis()));
+        }));
+    }
+
+    private static Throwable noPlace(Address device) {
+        return new Failure("no_place", "the board has no place for the key with the stranger " + device
+                + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more").toException();
+    }
+
+    @Override
+    public void deleteKey(Address device) {
+        given.remove(device);
+        host.deleteKey(device);
+    }
+
+    @Override
+    public void setGroupKey(Address group, Key key) {
+        // Meetings calls this when it is made, too.
+        execute(() -> inMeetings(all -> {
+            if (keepsGroup) {
+                keep(key);
+            }
+            giveGroupKey(group, key);
+        }));
+    }
+
+    private void giveGroupKey(Address group, Key key) {
+        host.setGroupKey(group, key).whenComplete((done, thrown) -> execute(() -> {
+            if (thrown == null) {
+                stored.add(group);
+                forGroup.forEach(errand -> errand.follow(host.transmitAsIs(errand.to(), errand.content())));
+                forGroup.clear();
+            } else {
+                host.warn(Failure.of(thrown).message());
+            }
+        }));
+    }
+
+    @Override
+    public void met(Address peer, Certificate certificate) {
+        met.add(peer);
+        host.met(met);
+    }
+
+    @Override
+    public void received(Address from, Content content) {
+        host.received(from, content);
+    }
+
+    @Override
+    public void ended(long ticket, Ending how) {
+        Errand errand = errands.remove(ticket);
+        if (errand == null) {
+            return;
+        }
+        String to = errand.to().toString();
+        switch (how) {
+            case DELIVERED -> errand.end(Outcome.DELIVERED);
+            case UNDELIVERED -> errand.end(Outcome.UNDELIVERED);
+            case NO_ANSWER -> errand.fail(how.atom(), "the board has no key for " + to + ", and nobody has proved to "
+                    + "be " + to + ": it is out of reach, takes no part, or has no certificate that is trusted here");
+            case REVOKED -> errand.fail(how.atom(), "the authority has revoked the certificate of " + to);
+            case EXPIRED -> errand.fail(how.atom(), "the certificate of " + to + " has expired");
+            case NOT_SENT -> Optional.ofNullable(failures.remove(errand.to())).ifPresentOrElse(errand::fail,
+                    () -> errand.fail(how.atom(), "the board has not sent the message to " + to));
+        }
+    }
+
+    @Override
+    public void warn(String what) {
+        host.warn(what);
+    }
+
+    // The key of the group, of its keeper
+
+    private Path groupFile() {
+        return folder.resolve(self.toString().replace('/', '-') + ".group");
+    }
+
+    private void keep(Key key) {
+        try {
+            if (Files.exists(groupFile())) {
+                PrivateFile.change(groupFile(), before -> key.bytes().hex());
+            } else {
+                PrivateFile.create(groupFile(), key.bytes().hex());
+            }
+        } catch (IOException | JavinoException | IllegalArgumentException e) {
+            host.warn("the key of " + group() + " could not be kept, and will be another at the next start: "
+                    + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private Optional<Key> keptGroupKey() throws IOException {
+        return Files.exists(groupFile()) ? Optional.of(Key.of(Bytes.ofHex(PrivateFile.read(groupFile()).strip())))
+                : Optional.empty();
+    }
+
+    // The thread
+
+    private interface InMeetings {
+
+        void with(Meetings all);
+    }
+
+    /** Nothing, if the meetings have ended meanwhile. */
+    private void inMeetings(InMeetings step) {
+        if (meetings != null) {
+            step.with(meetings);
+        }
+    }
+
+    private long millis() {
+        return clock.millis();
+    }
+
+    private void execute(Runnable step) {
+        after(0, step);
+    }
+
+    private void after(long millis, Runnable step) {
+        clock.after(millis, () -> carefully(step));
+    }
+
+    private void carefully(Runnable step) {
+        try {
+            step.run();
+            follow();
+        } catch (RuntimeException e) {
+            failed.accept(e);
+        }
+    }
+
+    /** What follows from each step: when the next is due, and with whom there are keys. */
+    private void follow() {
+        if (meetings == null) {
+            return;
+        }
+        events = meetings.events();
+        if (met.removeIf(peer -> !meetings.isSecure(peer))) {
+            host.met(met);
+        }
+        long next = meetings.next();
+        if (next < alarm) {
+            alarm = next;
+            after(Math.max(0, next - millis()), () -> {
+                alarm = NEVER;
+                inMeetings(all -> all.tick(millis()));
+            });
+        }
+    }
+}

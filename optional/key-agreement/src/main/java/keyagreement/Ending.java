@@ -1,0 +1,24 @@
+package keyagreement;
+
+import java.util.Locale;
+
+/** What became of a message to a stranger. */
+public enum Ending {
+    /** The stranger's host has taken it. */
+    DELIVERED,
+    /** There is no proof of that; it may have arrived all the same. */
+    UNDELIVERED,
+    /** Nobody of that address has proved a certificate that counts here. */
+    NO_ANSWER,
+    /** A notice of the authority names the certificate. */
+    REVOKED,
+    /** The certificate's last day is past. */
+    EXPIRED,
+    /** The board does not take the key, or the message. */
+    NOT_SENT;
+
+    /** The error as an atom of AgentSpeak, such as {@code no_answer}. */
+    public String atom() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,52 @@
+package keyagreement;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import javino.protocol.Bytes;
+
+/**
+ * What has come of a message. Nothing shows whether a fragment is genuine, and a forged one must not displace the
+ * genuine one: so the last two that differ are kept of each.
+ */
+final class Fragments {
+
+    private static final int VARIANTS = 2;
+
+    private final List<List<Bytes>> parts = new ArrayList<>();
+
+    Fragments(int count) {
+        for (int i = 0; i < count; i++) {
+            parts.add(new ArrayList<>());
+        }
+    }
+
+    /** Takes a fragment, and gives all messages that can be made with it; none if it is known already. */
+    List<Bytes> add(int index, Bytes fragment) {
+        List<Bytes> known = parts.get(index);
+        if (known.contains(fragment)) {
+            return List.of();
+        }
+        if (known.size() == VARIANTS) {
+            known.remove(0);
+        }
+        known.add(fragment);
+        List<Bytes> whole = List.of(Bytes.EMPTY);
+        for (int i = 0; i < parts.size(); i++) {
+            List<Bytes> choices = i == index ? List.of(fragment) : parts.get(i);
+            whole = whole.stream().flatMap(begun -> choices.stream().map(next -> Bytes.join(begun, next))).toList();
+        }
+        return whole;
+    }
+
+    /** The fragment that lacks, if others are here. */
+    OptionalInt lacking() {
+        boolean some = parts.stream().anyMatch(known -> !known.isEmpty());
+        for (int i = 0; some && i < parts.size(); i++) {
+            if (parts.get(i).isEmpty()) {
+                return OptionalInt.of(i);
+            }
+        }
+        return OptionalInt.empty();
+    }
+}

@@ -1,0 +1,231 @@
+package keyagreement;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.interfaces.ECPrivateKey;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javino.JavinoException;
+import javino.keyring.PrivateFile;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+import keyagreement.edhoc.Credential;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.HandshakeException.Reason;
+import keyagreement.edhoc.P256;
+import keyagreement.edhoc.Party;
+import keyagreement.edhoc.Secret;
+
+/** What a device is to strangers: its certificate and secret, the authorities that it trusts, their last notices. */
+public final class Identity {
+
+    // Lines of a device's file, and of what an authority answers.
+    static final String SECRET = "secret";
+    static final String CERTIFICATE = "certificate";
+    static final String AUTHORITY = "authority";
+    static final String NOTICE = "notice";
+    static final String CONTRIBUTION = "contribution";
+
+    private static final int KEY_LABEL = 32768;
+
+    private final Path file;
+    private final Certificate certificate;
+    private final ECPrivateKey secret;
+    private final Credential credential;
+    private final List<AuthorityKeys> authorities = new ArrayList<>();
+    private final List<Notice> notices = new ArrayList<>();
+
+    private Identity(Path file, Entries entries) throws HandshakeException {
+        this.file = file;
+        entries.all(AUTHORITY).forEach(keys -> authorities.add(AuthorityKeys.decode(keys)));
+        certificate = Certificate.decode(entries.get(CERTIFICATE).orElse(Bytes.EMPTY));
+        secret = P256.secret(P256.number(entries.get(SECRET).orElse(Bytes.EMPTY)));
+        credential = certificate.credential(authority(certificate.authority()));
+        if (!P256.publicX(secret).equals(P256.x(credential.key()))) {
+            throw new HandshakeException(Reason.NOT_CERTIFIED, "the secret is not that of the certificate");
+        }
+        for (Bytes notice : entries.all(NOTICE)) {
+            verified(notice);
+            notices.add(Notice.decode(notice));
+        }
+    }
+
+    /** Where {@code javino enroll} puts identities unless told otherwise: {@code ~/.javino}. */
+    public static Path defaultFolder() {
+        return Path.of(System.getProperty("user.home"), ".javino");
+    }
+
+    /** Where the identity of a device is. */
+    static Path file(Path folder, Address device) {
+        // A slash is a digit of addresses, and no letter of a file's name.
+        return folder.resolve(device.toString().replace('/', '-') + ".identity");
+    }
+
+    /**
+     * Reads the identity of a device, which {@code javino enroll} wrote.
+     *
+     * @return nothing where the device has no certificate.
+     * @throws IllegalArgumentException if the file is damaged, or others may read it.
+     */
+    public static Optional<Identity> read(Path folder, Address device) throws IOException {
+        Path file = file(folder, device);
+        if (!Files.exists(file)) {
+            return Optional.empty();
+        }
+        Entries entries = Entries.parse(PrivateFile.read(file), file);
+        return entries.get(CERTIFICATE).isEmpty() ? Optional.empty() : Optional.of(of(file, entries));
+    }
+
+    static Identity of(Path file, Entries entries) {
+        try {
+            return new Identity(file, entries);
+        } catch (HandshakeException | IllegalArgumentException e) {
+            throw new IllegalArgumentException(file + " is damaged: " + e.getMessage(), e);
+        }
+    }
+
+    /** Its own certificate. */
+    public Certificate certificate() {
+        return certificate;
+    }
+
+    /**
+     * This device in a handshake with another.
+     *
+     * @param other whom it wants, or whose address the frame has. Only a certificate for this address is accepted, and
+     *              only one that passes {@link #check}.
+     */
+    public Party with(Address other) {
+        return new Party() {
+            @Override
+            public Credential own() {
+                return credential;
+            }
+
+            @Override
+            public ECPrivateKey secret() {
+                return secret;
+            }
+
+            @Override
+            public Credential find(Bytes kid) throws HandshakeException {
+                Certificate theirs = Certificate.decode(kid);
+                if (!theirs.address().equals(other)) {
+                    throw refused("the " + theirs + " is not that of " + other);
+                }
+                if (theirs.address().equals(certificate.address())) {
+                    throw refused("the " + theirs + " is for this device's own address");
+                }
+                return theirs.credential(authority(theirs.authority()));
+            }
+
+            @Override
+            public void admit(Credential proved) throws HandshakeException {
+                check(Certificate.decode(proved.kid()));
+            }
+        };
+    }
+
+    /**
+     * Whether a certificate may be believed now: its authority is trusted, its day not past, and no notice names it. To
+     * be asked again before a renewal.
+     */
+    public synchronized void check(Certificate other) throws HandshakeException {
+        authority(other.authority());
+        if (other.until().isBefore(today())) {
+            throw new HandshakeException(Reason.EXPIRED, "the " + other + " is past: it is " + today() + " by "
+                    + (today().equals(noticedDay()) ? "the authority's notice" : "this computer's clock"));
+        }
+        for (Notice notice : notices) {
+            if (notice.authority() == other.authority() && notice.revokes(other)) {
+                throw new HandshakeException(Reason.REVOKED, "the " + other + " is revoked by " + notice);
+            }
+        }
+    }
+
+    /**
+     * The latest day ever seen in a notice, or that of the clock if that is later. The clock's is not kept: one that
+     * was years ahead once would end all certificates for ever.
+     */
+    private LocalDate today() {
+        LocalDate clock = LocalDate.now();
+        return clock.isAfter(noticedDay()) ? clock : noticedDay();
+    }
+
+    private LocalDate noticedDay() {
+        return notices.stream().map(Notice::day).max(LocalDate::compareTo).orElse(LocalDate.EPOCH);
+    }
+
+    private AuthorityKeys authority(int id) throws HandshakeException {
+        return authorities.stream().filter(keys -> keys.id() == id).findFirst()
+                .orElseThrow(() -> refused("authority " + id + " is not trusted here"));
+    }
+
+    private static HandshakeException refused(String what) {
+        return new HandshakeException(Reason.NOT_CERTIFIED, what);
+    }
+
+    /** The newest notice of each authority that was trusted, to be handed on. */
+    public synchronized List<Notice> notices() {
+        return List.copyOf(notices);
+    }
+
+    /**
+     * Takes a notice that came from anybody, and keeps it in the file.
+     *
+     * @return whether it is newer than all before.
+     * @throws HandshakeException if it is forged or of no trusted authority.
+     */
+    public synchronized boolean take(Bytes bytes) throws IOException, JavinoException, InterruptedException {
+        Notice notice = verified(bytes);
+        if (!isNewer(notice, notices)) {
+            return false;
+        }
+        PrivateFile.change(file, text -> keep(notice, Entries.parse(text, file)).format());
+        notices.removeIf(each -> each.authority() == notice.authority());
+        notices.add(notice);
+        return true;
+    }
+
+    private Notice verified(Bytes bytes) throws HandshakeException {
+        Notice notice = Notice.decode(bytes);
+        if (!notice.isOf(authority(notice.authority()))) {
+            throw refused("the " + notice + " is not signed by its authority");
+        }
+        return notice;
+    }
+
+    private static boolean isNewer(Notice notice, List<Notice> than) {
+        return than.stream().noneMatch(each -> each.authority() == notice.authority()
+                && each.sequence() >= notice.sequence());
+    }
+
+    /** Puts a notice in the place of an older one of its authority. */
+    static Entries keep(Notice notice, Entries entries) throws HandshakeException {
+        List<Notice> kept = new ArrayList<>();
+        for (Bytes bytes : entries.all(NOTICE)) {
+            kept.add(Notice.decode(bytes));
+        }
+        if (isNewer(notice, kept)) {
+            entries.remove(NOTICE);
+            kept.removeIf(each -> each.authority() == notice.authority());
+            kept.forEach(each -> entries.add(NOTICE, each.toBytes()));
+            entries.add(NOTICE, notice.toBytes());
+        }
+        return entries;
+    }
+
+    /** The key of a session, for the boards of both: the same at both sides (SPEC 11.1). */
+    public static Key key(Secret secret, Address initiator, Address responder) {
+        return Key.of(secret.export(KEY_LABEL, pair(initiator, responder), Key.LENGTH));
+    }
+
+    /** 6 bytes. */
+    static Bytes pair(Address initiator, Address responder) {
+        return Bytes.join(Bytes.ofNumber(initiator.value(), 3), Bytes.ofNumber(responder.value(), 3));
+    }
+}

@@ -1,0 +1,339 @@
+package keyagreement;
+
+import java.io.IOException;
+import java.security.SecureRandom;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javino.JavinoException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import javino.protocol.Word;
+import keyagreement.edhoc.HandshakeException;
+
+/**
+ * How a host comes to a key with hosts that it has never met (SPEC 11.3): handshakes, the messages that wait for them,
+ * notices, the keys of groups. It opens nothing and has no thread: it is told what happens, and tells an
+ * {@link Outside} what to do.
+ *
+ * <p>A caller with a {@link javino.board.Board}
+ * <ul>
+ * <li>calls all methods on one thread that is neither the board's nor the agent's (a handshake computes for some
+ * milliseconds), with the same clock in ms, which never goes back;
+ * <li>deletes at its start the session keys that the board still has ({@link javino.protocol.Reply.Role#SESSION}): they
+ * are of an earlier run;
+ * <li>passes on {@link javino.board.BoardListener#word} to {@link #heard} or {@link #received}, {@code noKey} to
+ * {@link #noKey}, and {@code online} with another boot epoch than before to {@link #booted};
+ * <li>calls {@link #tick} when {@link #next} has come.
+ * </ul>
+ * It makes no object of this class for a board whose RF id is not that of the certificate.
+ */
+public final class Meetings {
+
+    /** Hosts that were met, and others of which something came or for which something waits. */
+    static final int MOST_MET = 64;
+    static final int MOST_UNKNOWN = 16;
+
+    private final Shared shared;
+    private final Map<Address, Peer> peers = new LinkedHashMap<>(MOST_MET, 0.75f, true);
+    private final Address self;
+    private boolean open = true;
+    private long lastTicket;
+
+    /** What the meetings have done. Each call returns at once; no method of the meetings may be called within. */
+    public interface Outside {
+
+        /**
+         * Sends {@code board.transmit(Address.BROADCAST, word)}; when that has ended, however it has,
+         * {@link Meetings#said} is called. There is one at a time.
+         */
+        void broadcast(Word word);
+
+        /**
+         * Sends {@code board.transmit(to, word)}; then {@link Meetings#sent} is called. There is one at a time for each
+         * address.
+         */
+        void unicast(Address to, Word word);
+
+        /** Calls {@code board.setSessionKey(device, key)}, and then {@link Meetings#keySet}. */
+        void setSessionKey(Address device, Key key);
+
+        /** Calls {@code board.deleteKey(device)}: of a session key. */
+        void deleteKey(Address device);
+
+        /**
+         * Calls {@code board.setKey(group, key)}: it is kept in EEPROM. The keeper also keeps it itself, for
+         * {@link Meetings#Meetings}.
+         */
+        void setGroupKey(Address group, Key key);
+
+        /** There is a fresh key with the peer, which has shown a certificate that counts. */
+        void met(Address peer, Certificate certificate);
+
+        /** A content came from a peer with a certificate, sealed. */
+        void received(Address from, Content content);
+
+        /** What became of a message of {@link Meetings#send}. */
+        void ended(long ticket, Ending how);
+
+        /** @param what one line for the user. */
+        void warn(String what);
+    }
+
+    /** How a unicast ended, as far as the board knows. */
+    public enum Sent {
+        /** {@link Outcome#DELIVERED}. */
+        DELIVERED,
+        /** {@link Outcome#UNDELIVERED}. */
+        UNDELIVERED,
+        /** The board has not sent it: {@link javino.protocol.Status#NO_KEY}. */
+        NO_KEY,
+        /** The board has not sent it, for another reason. */
+        FAILED
+    }
+
+    /**
+     * @param identity the device's own.
+     * @param groupKey of a keeper, what {@link Outside#setGroupKey} had it keep last; else nothing.
+     * @param random   for keys, nonces and waits.
+     */
+    public Meetings(Identity identity, Optional<Key> groupKey, Outside outside, SecureRandom random) {
+        shared = new Shared(identity, outside, random);
+        self = identity.certificate().address();
+        groupKey.ifPresent(shared::setGroupKey);
+        if (identity.certificate().keeper() && groupKey.isEmpty()) {
+            makeGroupKey();
+        }
+    }
+
+    /** Whether this host takes part in handshakes that others begin; it does unless told otherwise. */
+    public void setOpen(boolean wanted) {
+        open = wanted;
+    }
+
+    // What the agent wants.
+
+    /**
+     * Sends a content to a device with which there is no stored key; where there is no session key, hosts agree on one
+     * first. A message ends within {@value Peer#MOST_MILLIS} ms, as {@link Outside#ended} tells, whatever happens.
+     *
+     * @param content up to 490 bytes.
+     * @return the ticket, by which its end is told; nothing if there are too many messages, which is told nowhere else.
+     * @throws IllegalArgumentException if the address is no other device's, or the content is too long.
+     */
+    public Optional<Long> send(Address to, Content content, long now) {
+        if (to.kind() != Address.Kind.DEVICE || to.equals(self)) {
+            throw new IllegalArgumentException("a message to a stranger goes to another device, not to " + to);
+        }
+        long ticket = lastTicket + 1;
+        Optional<Peer> peer = peer(to);
+        if (peer.isEmpty() || !peer.get().send(ticket, content, now)) {
+            return Optional.empty();
+        }
+        lastTicket = ticket;
+        return Optional.of(ticket);
+    }
+
+    /**
+     * Asks the keeper of the own group for its key, by one broadcast that may be lost; what comes of it is
+     * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
+     */
+    public void wantGroupKey(long now) {
+        shared.speech().say(new HostWord(HostWord.Kind.GROUP, 0, Bytes.EMPTY), Address.multicast(self.group()), now,
+                (then, took) -> {
+                });
+    }
+
+    /** Whether there is a session key with a device, as far as is known. */
+    public boolean isSecure(Address device) {
+        return peers.containsKey(device) && peers.get(device).isSecure();
+    }
+
+    // What the board tells.
+
+    /** A plain word came. */
+    public void heard(Address from, Word word, long now) {
+        Optional<HostWord> read = HostWord.plain(word);
+        Optional<Address> to = HostWord.addressee(word);
+        if (from.equals(self) || read.isEmpty()) {
+            shared.count(Event.MALFORMED);
+        } else if (read.get().kind() == HostWord.Kind.GROUP) {
+            groupWanted(from, to.orElseThrow(), now);
+        } else if (!to.get().equals(self)) {
+            shared.count(Event.OVERHEARD);
+            peers.values().forEach(peer -> peer.giveWay(now));
+        } else {
+            heard(from, read.get(), now);
+        }
+    }
+
+    private void heard(Address from, HostWord word, long now) {
+        switch (word.kind()) {
+            case MESSAGE_1 -> first(from, word, Talk.Round.FULL, now);
+            case RENEWAL_1 -> first(from, word, Talk.Round.RENEWAL, now);
+            case MESSAGE_2, RENEWAL_2 -> known(from).ifPresent(peer -> peer.second(word, now));
+            case MESSAGE_3, RENEWAL_3 -> known(from).ifPresent(peer -> peer.third(word, now));
+            case WANT -> known(from).ifPresent(peer -> peer.wanted(word.body().at(0), now));
+            case GROUP, CONTENT, SEQUENCES, NOTICE, GROUP_KEY ->
+                throw new IllegalArgumentException("not from a stranger: " + word);
+        }
+    }
+
+    private void first(Address from, HostWord word, Talk.Round round, long now) {
+        if (!open) {
+            shared.count(Event.LIMITED);
+            return;
+        }
+        peer(from).ifPresent(peer -> peer.first(word, round, now));
+    }
+
+    private Optional<Peer> known(Address from) {
+        Optional<Peer> peer = Optional.ofNullable(peers.get(from));
+        if (peer.isEmpty()) {
+            shared.count(Event.STRAY);
+        }
+        return peer;
+    }
+
+    /** The peer, who may be new; nothing if there are too many. */
+    private Optional<Peer> peer(Address address) {
+        if (!peers.containsKey(address) && !leavesRoom(false, MOST_UNKNOWN)) {
+            shared.count(Event.LIMITED);
+            return Optional.empty();
+        }
+        return Optional.of(peers.computeIfAbsent(address, unknown -> new Peer(shared, unknown)));
+    }
+
+    /**
+     * Forgets who was not heard of for longest, where there are too many of those that were met, or of the others: so
+     * nobody is forgotten for whoever sends in the name of many.
+     */
+    private boolean leavesRoom(boolean met, int most) {
+        List<Peer> alike = peers.values().stream().filter(peer -> met == (peer.kept() != null)).toList();
+        Optional<Peer> idle = alike.stream().filter(Peer::isIdle).findFirst();
+        if (alike.size() >= most && idle.isPresent()) {
+            idle.get().forget();
+            peers.remove(idle.get().address());
+        }
+        return alike.size() < most || idle.isPresent();
+    }
+
+    private void groupWanted(Address from, Address group, long now) {
+        if (!open || !shared.identity().certificate().keeper() || !group.equals(Address.multicast(self.group()))
+                || !from.group().equals(self.group())) {
+            shared.count(Event.OVERHEARD);
+            return;
+        }
+        Optional<Peer> member = shared.hints().take(now) ? peer(from) : Optional.empty();
+        member.ifPresent(peer -> {
+            peer.forgetGroupKeyGiven();
+            if (peer.isSecure()) {
+                peer.giveGroupKey(now);
+            } else {
+                peer.meet(now);
+            }
+        });
+    }
+
+    /** A word came sealed, in a unicast. */
+    public void received(Address from, Word word, long now) {
+        Optional<HostWord> read = HostWord.opened(word);
+        if (read.isEmpty()) {
+            shared.count(Event.MALFORMED);
+            return;
+        }
+        Optional<Peer> peer = Optional.ofNullable(peers.get(from)).filter(Peer::isMet);
+        if (peer.isEmpty()) {
+            shared.count(Event.STRAY);
+            return;
+        }
+        switch (read.get().kind()) {
+            case NOTICE -> notice(read.get().body(), now);
+            case GROUP_KEY -> groupKey(peer.get(), read.get().body());
+            default -> peer.get().opened(read.get(), now);
+        }
+    }
+
+    private void notice(Bytes notice, long now) {
+        try {
+            if (shared.identity().take(notice)) {
+                shared.count(Event.NOTICES);
+                peers.values().forEach(Peer::check);
+                if (shared.identity().certificate().keeper()) {
+                    // Whoever it names has the key of the group.
+                    makeGroupKey();
+                    List.copyOf(peers.values()).forEach(peer -> peer.giveGroupKey(now));
+                }
+            }
+        } catch (HandshakeException e) {
+            shared.count(Event.REFUSED);
+        } catch (IOException | JavinoException e) {
+            shared.outside().warn("a notice of the authority could not be kept: " + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void makeGroupKey() {
+        Key key = Key.random(shared.random());
+        shared.setGroupKey(key);
+        shared.outside().setGroupKey(Address.multicast(self.group()), key);
+    }
+
+    private void groupKey(Peer from, Bytes key) {
+        if (from.isKeeper()) {
+            shared.outside().setGroupKey(Address.multicast(self.group()), Key.of(key));
+        } else {
+            shared.count(Event.REFUSED);
+        }
+    }
+
+    /** The board has heard a sealed frame for itself, and has no key for its origin. */
+    public void noKey(Address origin, long now) {
+        if (open) {
+            peer(origin).ifPresent(peer -> peer.noKey(now));
+        }
+    }
+
+    /** The board has booted: all session keys are gone. */
+    public void booted(long now) {
+        List.copyOf(peers.values()).forEach(peer -> peer.booted(now));
+    }
+
+    /** {@link Outside#broadcast} has ended. */
+    public void said(long now) {
+        shared.speech().sent(now);
+    }
+
+    /** {@link Outside#unicast} has ended. */
+    public void sent(Address to, Sent how, long now) {
+        Optional.ofNullable(peers.get(to)).ifPresent(peer -> peer.sent(how, now));
+    }
+
+    /** {@link Outside#setSessionKey} has ended. */
+    public void keySet(Address device, boolean done, long now) {
+        Optional.ofNullable(peers.get(device)).ifPresent(peer -> peer.keySet(done, now));
+        leavesRoom(true, MOST_MET + 1);
+    }
+
+    // Time.
+
+    /** When {@link #tick} is to be called, unless something happens before. {@link Long#MAX_VALUE} for never. */
+    public long next() {
+        return peers.values().stream().mapToLong(Peer::next).min().orElse(Long.MAX_VALUE);
+    }
+
+    /** Does what is due. */
+    public void tick(long now) {
+        List.copyOf(peers.values()).forEach(peer -> peer.tick(now));
+    }
+
+    /** How often each has happened; what has not is absent. */
+    public Map<Event, Long> events() {
+        return shared.events();
+    }
+}

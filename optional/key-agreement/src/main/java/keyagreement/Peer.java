@@ -1,0 +1,606 @@
+package keyagreement;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Content;
+import javino.protocol.Key;
+import javino.protocol.ProtocolException;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.Secret;
+
+/** Another host: what is kept of it, the handshakes under way with it, and the messages for it. */
+final class Peer {
+
+    /** Messages that wait for a peer. */
+    static final int MOST_WAITING = 8;
+    /** How long a message waits, or is under way, in ms: then it ends. */
+    static final int MOST_MILLIS = 60_000;
+    /** The ids of contents that came last. */
+    private static final int IDS = 8;
+    private static final int ID_LENGTH = 3;
+    /** Agreements for one message: then it fails. */
+    private static final int MOST_AGREEMENTS = 3;
+    /** Who began has said what notices it has, if it has any; the other waits for that. */
+    private static final long NOTICES_MILLIS = 3000;
+    private static final int SEQUENCE_LENGTH = 2;
+    /** What the board tells so soon after it has got a key may be older than that. */
+    private static final long LATE_MILLIS = 1000;
+
+    private final Shared shared;
+    private final Address address;
+
+    private Certificate certificate;
+    private Secret kept;
+
+    /** What is known of the session key. */
+    private enum Session {
+        /** The board has none for this peer. */
+        NONE,
+        /** The board has it; whether the peer has it too is not known. */
+        UNPROVEN,
+        /** Something sealed with it has come, or was delivered. */
+        PROVEN
+    }
+
+    private Session session = Session.NONE;
+    private int keysSet;
+    private long keySetAt = Long.MIN_VALUE / 2;
+    private Begun begun;
+    /** Whose key the board is being given. */
+    private Talk setting;
+
+    private final Deque<Mail> waiting = new ArrayDeque<>();
+    private Mail underWay;
+    private int keysThen;
+    private final Deque<Integer> ids = new ArrayDeque<>();
+
+    private final Map<Integer, Integer> sequences = new LinkedHashMap<>();
+    private long noticesDue = Talk.NEVER;
+    private boolean noticesSaid;
+    private Key groupKeyGiven;
+
+    /** A message for the peer; of an agent's if it has a ticket. */
+    private static final class Mail {
+
+        private static final long NO_TICKET = -1;
+
+        private final long ticket;
+        private final HostWord word;
+        private final long end;
+        private int agreements;
+        private boolean over;
+
+        Mail(long ticket, HostWord word, long now) {
+            this.ticket = ticket;
+            this.word = word;
+            end = now + MOST_MILLIS;
+        }
+
+        long deadline() {
+            return over ? Talk.NEVER : end;
+        }
+    }
+
+    Peer(Shared shared, Address address) {
+        this.shared = shared;
+        this.address = address;
+    }
+
+    Address address() {
+        return address;
+    }
+
+    Secret kept() {
+        return kept;
+    }
+
+    Certificate certificate() {
+        return certificate;
+    }
+
+    private Stream<Answered> answered() {
+        return shared.halfOpen().stream().filter(run -> run.peer() == this);
+    }
+
+    private boolean isHalfOpen() {
+        return answered().findAny().isPresent();
+    }
+
+    /** Whether it has shown a certificate that counts: what comes sealed is its own. */
+    boolean isMet() {
+        return certificate != null;
+    }
+
+    boolean isSecure() {
+        return session != Session.NONE;
+    }
+
+    /** Whether it may be forgotten: what others have begun without a proof counts for nothing. */
+    boolean isIdle() {
+        return begun == null && setting == null && waiting.isEmpty() && underWay == null;
+    }
+
+    boolean isWaiting() {
+        return !waiting.isEmpty();
+    }
+
+    private List<Talk> talks() {
+        return Stream.concat(Stream.ofNullable(begun), answered()).toList();
+    }
+
+    long next() {
+        LongStream ofMails = Stream.of(underWay, waiting.peek()).filter(Objects::nonNull).mapToLong(Mail::deadline);
+        return LongStream.concat(talks().stream().mapToLong(Talk::deadline), ofMails)
+                .reduce(noticesDue, Math::min);
+    }
+
+    void tick(long now) {
+        talks().stream().filter(talk -> now >= talk.deadline()).forEach(talk -> talk.late(now));
+        if (now >= noticesDue) {
+            noticesDue = Talk.NEVER;
+            sayNotices(now);
+        }
+        while (isWaiting() && now >= waiting.peek().deadline()) {
+            end(waiting.poll(), session != Session.NONE ? Ending.UNDELIVERED
+                    : setting != null ? Ending.NOT_SENT : Ending.NO_ANSWER);
+        }
+        if (underWay != null && now >= underWay.deadline()) {
+            end(underWay, Ending.UNDELIVERED);
+        }
+    }
+
+    /** Others were on the air. */
+    void giveWay(long now) {
+        talks().forEach(talk -> talk.giveWay(now));
+    }
+
+    // What the agent wants.
+
+    /** Takes a message, unless too many wait. */
+    boolean send(long ticket, Content content, long now) {
+        if (waiting.size() >= MOST_WAITING) {
+            return false;
+        }
+        Bytes id = Bytes.ofNumber(shared.nextId(), ID_LENGTH);
+        waiting.add(new Mail(ticket,
+                HostWord.sealed(HostWord.Kind.CONTENT, Bytes.join(id, content.encode())), now));
+        advance(now);
+        return true;
+    }
+
+    /** Does the next that can be done for what waits. */
+    void advance(long now) {
+        if (waiting.isEmpty() || underWay != null || setting != null) {
+            return;
+        }
+        if (session == Session.UNPROVEN && begun != null && !begun.isOpen() && !begun.hasSaidThird()) {
+            return;
+        }
+        if (session != Session.NONE) {
+            underWay = waiting.poll();
+            keysThen = keysSet;
+            shared.outside().unicast(address, underWay.word.sealed());
+        } else if (begun == null) {
+            begin(now);
+        }
+    }
+
+    // Handshakes.
+
+    /** Begins a handshake, unless one is under way. */
+    void meet(long now) {
+        if (begun == null && setting == null) {
+            begin(now);
+        }
+    }
+
+    private void begin(long now) {
+        Talk.Round round = mayRenew() ? Talk.Round.RENEWAL : Talk.Round.FULL;
+        begun = new Begun(shared, this, round, now);
+        if (isHalfOpen()) {
+            // The other side's comes first, if it is genuine; nothing proves that yet, so not for long.
+            begun.setDeadline(now + round.thirdMillis + shared.random().nextInt((int) round.thirdMillis));
+        } else {
+            begun.start(now);
+        }
+    }
+
+    private boolean mayRenew() {
+        try {
+            if (kept != null) {
+                shared.identity().check(certificate);
+            }
+            return kept != null;
+        } catch (HandshakeException e) {
+            return false;
+        }
+    }
+
+    /** A message 1. */
+    void first(HostWord word, Talk.Round round, long now) {
+        Optional<Answered> same = answered().filter(run -> run.answers(word)).findAny();
+        if (same.isPresent()) {
+            same.get().answer(now);
+            return;
+        }
+        if (setting != null || begun != null && begun.isOpen() && hasPrecedence()) {
+            shared.count(Event.CROSSED);
+            return;
+        }
+        try {
+            if (round == Talk.Round.RENEWAL && !mayRenew()) {
+                throw new HandshakeException(HandshakeException.Reason.NOT_CERTIFIED, "nothing is kept of " + address);
+            }
+            if (!shared.answers().take(now)) {
+                return;
+            }
+            Answered run = new Answered(shared, this, round, word.body());
+            shared.open(run);
+            run.answer(now);
+            if (begun != null) {
+                // The other side's comes first, if it is genuine.
+                begun.giveWay(now);
+            }
+        } catch (HandshakeException e) {
+            shared.count(Event.REFUSED);
+            if (round == Talk.Round.RENEWAL && shared.hints().take(now)) {
+                shared.speech().say(new HostWord(HostWord.Kind.WANT, 0, Bytes.of(HostWord.Kind.MESSAGE_1.first(0))),
+                        address, now, (then, took) -> {
+                        });
+            }
+        }
+    }
+
+    private boolean hasPrecedence() {
+        return shared.identity().certificate().address().value() < address.value();
+    }
+
+    /** A part of a message 2. */
+    void second(HostWord word, long now) {
+        pass(Stream.ofNullable(begun), word, now);
+    }
+
+    /** A message 3. */
+    void third(HostWord word, long now) {
+        pass(answered(), word, now);
+    }
+
+    private void pass(Stream<? extends Talk> runs, HostWord word, long now) {
+        List<? extends Talk> fitting = runs.filter(talk -> setting == null
+                && (word.kind() == talk.round().second || word.kind() == talk.round().third)).toList();
+        if (fitting.isEmpty()) {
+            shared.count(Event.STRAY);
+        }
+        // One of them may have said it; when that is found, the others are over.
+        fitting.stream().takeWhile(talk -> setting == null).forEach(talk -> talk.heard(word, now));
+    }
+
+    /** The other side lacks a fragment; or it lacks what it would need for a renewal. */
+    void wanted(int first, long now) {
+        if (first == HostWord.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
+                && begun.round() == Talk.Round.RENEWAL) {
+            beginFull(now);
+        } else if (talks().stream().filter(talk -> talk.wanted(first, now)).toList().isEmpty()) {
+            shared.count(Event.STRAY);
+        }
+    }
+
+    private void beginFull(long now) {
+        kept = null;
+        begin(now);
+    }
+
+    /** A handshake that this side began has no message 2. */
+    void unanswered(Begun talk, Ending why, long now) {
+        if (talk.round() == Talk.Round.RENEWAL) {
+            beginFull(now);
+            return;
+        }
+        finished(talk);
+        shared.count(Event.FAILED);
+        if (isHalfOpen()) {
+            advance(now);
+        } else {
+            failAll(why);
+        }
+    }
+
+    /** A handshake has the other side verified: the board gets the key, once. */
+    void agreed(Talk talk, Secret secret, Certificate whose, Key key) {
+        certificate = whose;
+        kept = secret;
+        setting = talk;
+        begun = talk == begun ? begun : null;
+        shared.halfOpen().removeIf(run -> run.peer() == this);
+        shared.outside().setSessionKey(address, key);
+    }
+
+    void keySet(boolean done, long now) {
+        Talk talk = setting;
+        if (talk == null) {
+            return;
+        }
+        setting = null;
+        if (!done) {
+            session = Session.NONE;
+            finished(talk);
+            failOrAgain(Ending.NOT_SENT, now);
+            return;
+        }
+        shared.count(Event.KEYS_SET);
+        keysSet++;
+        keySetAt = now;
+        session = talk == begun ? Session.UNPROVEN : Session.PROVEN;
+        noticesSaid = false;
+        shared.outside().met(address, certificate);
+        boolean initiator = talk == begun;
+        talk.keyIsSet(now);
+        handOn(initiator, now);
+    }
+
+    /** A handshake is over. */
+    void finished(Talk talk) {
+        begun = talk == begun ? null : begun;
+        shared.halfOpen().remove(talk);
+    }
+
+    /** The board has heard a sealed frame of the peer, and has no key for it. */
+    void noKey(long now) {
+        if (setting != null || now - keySetAt < LATE_MILLIS) {
+            return;
+        }
+        answered().toList().forEach(run -> run.askForThird(now));
+        if (begun != null && begun.isOpen()) {
+            begun.isThere();
+            return;
+        }
+        session = Session.NONE;
+        if (shared.hints().take(now)) {
+            begin(now);
+        }
+    }
+
+    /** The board has booted: its session keys are gone. */
+    void booted(long now) {
+        session = Session.NONE;
+        if (begun != null && !begun.isOpen()) {
+            begun = null;
+        }
+        advance(now);
+    }
+
+    // Messages.
+
+    /** What became of the message under way. */
+    void sent(Meetings.Sent how, long now) {
+        Mail mail = underWay;
+        underWay = null;
+        if (mail == null) {
+            return;
+        }
+        boolean sameKey = keysThen == keysSet && setting == null;
+        switch (how) {
+            case DELIVERED -> {
+                if (sameKey) {
+                    prove();
+                }
+                end(mail, Ending.DELIVERED);
+                advance(now);
+            }
+            case UNDELIVERED -> {
+                if (sameKey && session == Session.PROVEN) {
+                    // Perhaps it is only far away; if not, the next one shows it.
+                    session = Session.UNPROVEN;
+                    end(mail, Ending.UNDELIVERED);
+                    advance(now);
+                } else {
+                    // Perhaps the other side lacks message 3.
+                    if (sameKey && (mail.agreements > 0 || begun == null
+                            || !begun.wanted(begun.round().third.first(0), now))) {
+                        session = Session.NONE;
+                        kept = null;
+                        begun = null;
+                    }
+                    again(mail, Ending.UNDELIVERED, now);
+                }
+            }
+            case NO_KEY -> {
+                session = sameKey ? Session.NONE : session;
+                again(mail, Ending.NOT_SENT, now);
+            }
+            case FAILED -> {
+                end(mail, Ending.NOT_SENT);
+                advance(now);
+            }
+        }
+    }
+
+    private void again(Mail mail, Ending why, long now) {
+        shared.count(Event.RESENT);
+        waiting.addFirst(mail);
+        failOrAgain(why, now);
+    }
+
+    private void failOrAgain(Ending why, long now) {
+        Mail mail = waiting.peek();
+        if (mail != null && (mail.over || mail.agreements++ == MOST_AGREEMENTS)) {
+            end(waiting.poll(), why);
+        }
+        advance(now);
+    }
+
+    private void prove() {
+        session = Session.PROVEN;
+        if (begun != null && !begun.isOpen()) {
+            begun = null;
+        }
+    }
+
+    private void end(Mail mail, Ending how) {
+        if (mail.ticket != Mail.NO_TICKET && !mail.over) {
+            shared.outside().ended(mail.ticket, how);
+        }
+        mail.over = true;
+    }
+
+    private void failAll(Ending why) {
+        List<Mail> all = new ArrayList<>(waiting);
+        waiting.clear();
+        all.forEach(mail -> end(mail, why));
+    }
+
+    /** A sealed word of the peer. */
+    void opened(HostWord word, long now) {
+        if (session != Session.NONE) {
+            prove();
+        }
+        switch (word.kind()) {
+            case CONTENT -> content(word.body());
+            case SEQUENCES -> sequences(word.body(), now);
+            default -> throw new IllegalArgumentException("not for a peer: " + word);
+        }
+    }
+
+    private void content(Bytes body) {
+        try {
+            if (body.length() <= ID_LENGTH) {
+                shared.count(Event.MALFORMED);
+                return;
+            }
+            Content content = Content.decode(body.from(ID_LENGTH));
+            int id = (int) body.number(0, ID_LENGTH);
+            if (ids.contains(id)) {
+                shared.count(Event.DUPLICATES);
+                return;
+            }
+            if (ids.size() == IDS) {
+                ids.poll();
+            }
+            ids.add(id);
+            shared.outside().received(address, content);
+        } catch (ProtocolException e) {
+            shared.count(Event.MALFORMED);
+        }
+    }
+
+    // What is handed on.
+
+    private void handOn(boolean initiator, long now) {
+        giveGroupKey(now);
+        if (initiator) {
+            noticesDue = Talk.NEVER;
+            sayNotices(now);
+        } else {
+            noticesDue = now + NOTICES_MILLIS;
+        }
+    }
+
+    private void hand(HostWord word, long now) {
+        if (waiting.size() < 2 * MOST_WAITING) {
+            waiting.add(new Mail(Mail.NO_TICKET, word, now));
+            advance(now);
+        } else {
+            shared.count(Event.LIMITED);
+        }
+    }
+
+    /** Gives a member of the own group the group's key, if this host is its keeper. */
+    void giveGroupKey(long now) {
+        Optional<Key> key = shared.groupKey();
+        Certificate own = shared.identity().certificate();
+        if (own.keeper() && key.isPresent() && !key.get().equals(groupKeyGiven)
+                && address.group().equals(own.address().group()) && session != Session.NONE) {
+            groupKeyGiven = key.get();
+            hand(HostWord.sealed(HostWord.Kind.GROUP_KEY, key.get().bytes()), now);
+        }
+    }
+
+    /** The member asks for the key: what was given is lost. */
+    void forgetGroupKeyGiven() {
+        groupKeyGiven = null;
+    }
+
+    /** Whether the peer may give the key of this host's group. */
+    boolean isKeeper() {
+        return certificate != null && certificate.keeper()
+                && address.group().equals(shared.identity().certificate().address().group());
+    }
+
+    private Map<Integer, Integer> ownSequences() {
+        Map<Integer, Integer> own = new LinkedHashMap<>();
+        shared.identity().notices().forEach(notice -> own.put(notice.authority(), notice.sequence()));
+        return own;
+    }
+
+    private void sayNotices(long now) {
+        Map<Integer, Integer> own = ownSequences();
+        if (session != Session.NONE && !noticesSaid && !own.equals(sequences)) {
+            noticesSaid = true;
+            Bytes body = own.entrySet().stream()
+                    .map(entry -> Bytes.join(Bytes.of(entry.getKey()),
+                            Bytes.ofNumber(entry.getValue(), SEQUENCE_LENGTH)))
+                    .reduce(Bytes.EMPTY, Bytes::join);
+            hand(HostWord.sealed(HostWord.Kind.SEQUENCES, body), now);
+        }
+    }
+
+    private void sequences(Bytes body, long now) {
+        int length = 1 + SEQUENCE_LENGTH;
+        if (body.length() % length != 0) {
+            shared.count(Event.MALFORMED);
+            return;
+        }
+        noticesDue = Talk.NEVER;
+        sequences.clear();
+        for (int at = 0; at < body.length(); at += length) {
+            sequences.put(body.at(at), (int) body.number(at + 1, at + length));
+        }
+        Map<Integer, Integer> own = ownSequences();
+        for (Notice notice : shared.identity().notices()) {
+            if (notice.sequence() > sequences.getOrDefault(notice.authority(), 0)) {
+                sequences.put(notice.authority(), notice.sequence());
+                hand(HostWord.sealed(HostWord.Kind.NOTICE, notice.toBytes()), now);
+            }
+        }
+        if (sequences.entrySet().stream()
+                .anyMatch(entry -> entry.getValue() > own.getOrDefault(entry.getKey(), 0))) {
+            sayNotices(now);
+        }
+    }
+
+    /** A notice has come: whoever is not valid any more is forgotten. */
+    void check() {
+        if (certificate == null) {
+            return;
+        }
+        try {
+            shared.identity().check(certificate);
+        } catch (HandshakeException e) {
+            forget();
+            failAll(Ending.valueOf(e.reason().name()));
+        }
+    }
+
+    /** Forgets all that is kept of the peer, and has the board forget it. */
+    void forget() {
+        if (session != Session.NONE || setting != null) {
+            shared.outside().deleteKey(address);
+        }
+        session = Session.NONE;
+        setting = null;
+        kept = null;
+        certificate = null;
+        begun = null;
+        shared.halfOpen().removeIf(run -> run.peer() == this);
+    }
+}

@@ -1,0 +1,59 @@
+package keyagreement;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import javino.protocol.Address;
+import javino.protocol.Word;
+
+/** What waits to be broadcast: the board gets one at a time, so that it is known how long each took. */
+final class Speech {
+
+    private static final int MOST = 16;
+
+    private final Shared shared;
+    private final Deque<Line> waiting = new ArrayDeque<>();
+    private Line underWay;
+
+    /** Told when a word has been on the air. */
+    interface Sent {
+
+        /** @param took since it was to be said. */
+        void at(long now, long took);
+    }
+
+    private record Line(Word word, long asked, Sent sent) {
+    }
+
+    Speech(Shared shared) {
+        this.shared = shared;
+    }
+
+    /** Says it, unless it waits already or too many do; tells whether. */
+    boolean say(HostWord word, Address to, long now, Sent sent) {
+        Line line = new Line(word.to(to), now, sent);
+        if (waiting.size() == MOST || waiting.stream().anyMatch(other -> other.word.equals(line.word))) {
+            shared.count(Event.LIMITED);
+            return false;
+        }
+        waiting.add(line);
+        next();
+        return true;
+    }
+
+    /** The board has sent what was under way, or will not. */
+    void sent(long now) {
+        Line line = underWay;
+        underWay = null;
+        if (line != null) {
+            line.sent.at(now, now - line.asked);
+        }
+        next();
+    }
+
+    private void next() {
+        if (underWay == null && !waiting.isEmpty()) {
+            underWay = waiting.poll();
+            shared.outside().broadcast(underWay.word);
+        }
+    }
+}

@@ -1,0 +1,224 @@
+package keyagreement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import diffuser.KeyService;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.PriorityQueue;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
+import javino.board.BoardOfflineException;
+import javino.board.Transmission;
+import javino.protocol.Address;
+import javino.protocol.Content;
+import javino.protocol.Performative;
+import javino.protocol.Key;
+import javino.protocol.Outcome;
+import javino.protocol.PollReply;
+import javino.protocol.Word;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Messages of an agent whose board goes off, or cannot get anything on the air. */
+class BoardMeetingsTest {
+
+    private static final int MINUTE = 60_000;
+    private static final Content CONTENT = new Content(Performative.TELL, "x");
+    private static final Address BUSA = Address.parse("BUSA");
+    private static final Address GROUP = Address.multicast(BUSA.group());
+
+    @TempDir
+    Path folder;
+    private final Time time = new Time();
+    private final List<RuntimeException> failures = new ArrayList<>();
+    private final FalseBoard board = new FalseBoard();
+    private BoardMeetings meetings;
+
+    /** A time of its own. */
+    private static final class Time implements BoardMeetings.Clock {
+
+        private record Step(long at, long order, Runnable what) {
+        }
+
+        private final PriorityQueue<Step> steps =
+                new PriorityQueue<>(Comparator.comparingLong(Step::at).thenComparingLong(Step::order));
+        private long now;
+        private long order;
+
+        @Override
+        public long millis() {
+            return now;
+        }
+
+        @Override
+        public void after(long millis, Runnable step) {
+            steps.add(new Step(now + millis, order++, step));
+        }
+
+        @Override
+        public void close() {
+            steps.clear();
+        }
+
+        void run(long millis) {
+            long end = now + millis;
+            while (!steps.isEmpty() && steps.peek().at() <= end) {
+                now = Math.max(now, steps.peek().at());
+                steps.poll().what().run();
+            }
+            now = end;
+        }
+    }
+
+    /** What a board does of all that it is asked: it takes it, and never has it on the air; or it is not there. */
+    private static final class FalseBoard implements KeyService.Host {
+
+        private boolean off;
+        private Supplier<CompletableFuture<?>> groupKeys = CompletableFuture::new;
+        private final List<Address> asked = new ArrayList<>();
+
+        private Transmission transmission(Address to) {
+            asked.add(to);
+            BoardOfflineException gone = new BoardOfflineException("transmit", "it is off");
+            return off ? new Transmission(CompletableFuture.failedFuture(gone), CompletableFuture.failedFuture(gone))
+                    : new Transmission(CompletableFuture.completedFuture(null), new CompletableFuture<>());
+        }
+
+        @Override
+        public Transmission transmit(Address to, Word word) {
+            return transmission(to);
+        }
+
+        @Override
+        public Transmission transmitAsIs(Address to, Content content) {
+            return transmission(to);
+        }
+
+        @Override
+        public CompletableFuture<?> setSessionKey(Address device, Key key) {
+            return new CompletableFuture<>();
+        }
+
+        @Override
+        public CompletableFuture<?> setGroupKey(Address group, Key key) {
+            return groupKeys.get();
+        }
+
+        @Override
+        public CompletableFuture<?> deleteKey(Address device) {
+            return new CompletableFuture<>();
+        }
+
+        @Override
+        public void met(Set<Address> peers) {
+            // Nobody asks.
+        }
+
+        @Override
+        public void received(Address from, Content content) {
+            throw new AssertionError("nobody has sent anything");
+        }
+
+        @Override
+        public void warn(String what) {
+            // Nobody reads.
+        }
+    }
+
+    @BeforeEach
+    void start() throws Exception {
+        new Town(folder).certified("BUSB");
+        meetings = new BoardMeetings(folder, time, failures::add);
+        meetings.online(board, Address.parse("BUSB"), 1, List.of());
+        time.run(1);
+    }
+
+    private List<Transmission> say(Address to, int count) {
+        List<Transmission> said = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            said.add(meetings.transmit(board, to, CONTENT));
+            time.run(1);
+        }
+        return said;
+    }
+
+    private void assertEnded(List<Transmission> said) {
+        time.run(MINUTE);
+        assertTrue(said.stream().allMatch(each -> each.taken().isDone() && each.end().isDone()));
+        assertEquals(List.of(), failures);
+    }
+
+    /** Then a multicast counts as certified. */
+    @Test
+    void sharesGroup_unlessItIsKnownThatThereIsNoCertificate() throws Exception {
+        assertTrue(meetings.sharesGroup());
+        BoardMeetings other = new BoardMeetings(folder, time, failures::add);
+        assertTrue(other.sharesGroup(), "nothing is known yet");
+        other.online(board, BUSA, 1, List.of());
+        time.run(1);
+        assertFalse(other.sharesGroup());
+        Files.writeString(Identity.file(folder, Address.parse("BUSB")), "damaged");
+        other.online(board, Address.parse("BUSB"), 1, List.of());
+        time.run(1);
+        assertTrue(other.sharesGroup());
+        assertEquals(List.of(), failures);
+    }
+
+    @Test
+    void messages_theAirIsNeverFree_endWithinAMinute() {
+        List<Transmission> said = say(BUSA, 20);
+        said.addAll(say(GROUP, 20));
+        assertFalse(said.get(0).end().isDone());
+        assertEnded(said);
+    }
+
+    @Test
+    void messages_theBoardGoesOff_endWithinAMinute() {
+        List<Transmission> said = say(BUSA, 3);
+        said.addAll(say(GROUP, 3));
+        board.off = true;
+        said.addAll(say(BUSA, 3));
+        assertEnded(said);
+        assertEnded(say(BUSA, 3));
+    }
+
+    @Test
+    void messages_anotherBoardTakesItsPlace_endAtOnce() {
+        List<Transmission> said = say(BUSA, 3);
+        said.addAll(say(GROUP, 3));
+        meetings.online(new FalseBoard(), Address.parse("BUSB"), 1, List.of());
+        time.run(1);
+        assertTrue(said.stream().allMatch(each -> each.end().isCompletedExceptionally()));
+    }
+
+    @Test
+    void groupMessage_theKeyComesAndTheAirIsNeverFree_isUndelivered() {
+        Transmission said = say(GROUP, 1).get(0);
+        board.groupKeys = () -> CompletableFuture.completedFuture(null);
+        meetings.setGroupKey(GROUP, Key.ofHex("00112233445566778899aabbccddeeff"));
+        time.run(MINUTE / 2);
+        assertTrue(board.asked.contains(GROUP));
+        assertFalse(said.end().isDone());
+        time.run(MINUTE / 2);
+        assertEquals(Outcome.UNDELIVERED, said.end().join());
+    }
+
+    /** As long as anything else comes, too. */
+    @Test
+    void messages_whileSealedFramesWithoutAKeyCome_endWithinAMinute() {
+        List<Transmission> said = say(BUSA, 3);
+        for (int i = 0; i < MINUTE / 300; i++) {
+            meetings.noKey(new PollReply.NoKey(Address.parse("BUSB"), BUSA));
+            time.run(300);
+        }
+        assertEnded(said);
+    }
+}

@@ -1,0 +1,194 @@
+package keyagreement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.List;
+import java.util.Optional;
+import javino.JavinoException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Key;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.HandshakeException.Reason;
+import keyagreement.edhoc.Initiator;
+import keyagreement.edhoc.Responder;
+
+/** Handshakes of devices with certificates, genuine and not. */
+class IdentityTest {
+
+    private static final SecureRandom RANDOM = new SecureRandom();
+
+    @TempDir
+    private Path folder;
+
+    @TempDir
+    private Path elsewhere;
+
+    private Town town;
+    private Identity supo;
+    private Identity roma;
+
+    @BeforeEach
+    void certify() throws IOException, JavinoException {
+        town = new Town(folder);
+        supo = town.certified("SUPO");
+        roma = town.certified("ROMA");
+    }
+
+    private static Address address(Identity identity) {
+        return identity.certificate().address();
+    }
+
+    /** Both ends, each believing that it talks to the other. */
+    private static Key agree(Identity one, Identity other) throws HandshakeException {
+        Initiator initiator = new Initiator(one.with(address(other)), RANDOM);
+        Responder responder = new Responder(other.with(address(one)), initiator.message1(), RANDOM);
+        Bytes message3 = initiator.message3(responder.message2());
+        assertEquals(List.of(37, 88, 63), List.of(initiator.message1().length(), responder.message2().length(),
+                message3.length()));
+        Key key = Identity.key(responder.finish(message3), address(one), address(other));
+        assertEquals(key, Identity.key(initiator.secret(), address(one), address(other)));
+        assertEquals(other.certificate().toBytes(), initiator.peer().kid());
+        assertEquals(one.certificate().toBytes(), responder.peer().kid());
+        return key;
+    }
+
+    private static String refused(Reason reason, Identity one, Identity other) {
+        HandshakeException e = assertThrows(HandshakeException.class, () -> agree(one, other));
+        assertEquals(reason, e.reason(), e.getMessage());
+        assertEquals(1, e.getMessage().lines().count());
+        return e.getMessage();
+    }
+
+    @Test
+    void strangers_withCertificatesOfOneAuthority_agreeOnAKeyThatIsNewEachTime() throws HandshakeException {
+        Key key = agree(supo, roma);
+        assertNotEquals(key, agree(supo, roma));
+        assertNotEquals(key, agree(roma, supo));
+    }
+
+    @Test
+    void stranger_ofAnotherAuthority_isRefused() throws IOException, JavinoException {
+        Identity other = new Town(elsewhere).certified("BUSA");
+        assertTrue(refused(Reason.NOT_CERTIFIED, supo, other).contains("is not trusted here"));
+        assertTrue(refused(Reason.NOT_CERTIFIED, other, supo).contains("is not trusted here"));
+    }
+
+    /** Who claims the right authority's number has a certificate of it, or none that anybody has the secret of. */
+    @Test
+    void stranger_withAForgedCertificate_isRefused() throws IOException, JavinoException {
+        Identity busa = town.certified("BUSA");
+        Path file = Identity.file(folder, address(busa));
+        Entries forged = Entries.parse(Files.readString(file), file);
+        byte[] bytes = busa.certificate().toBytes().toArray();
+        bytes[5] = 1;
+        forged.set(Identity.CERTIFICATE, Bytes.copyOf(bytes));
+        assertThrows(IllegalArgumentException.class, () -> Identity.of(file, forged));
+    }
+
+    @Test
+    void stranger_withAnotherAddress_isRefused() throws IOException, JavinoException {
+        Identity busa = town.certified("BUSA");
+        Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
+        Responder impostor = new Responder(busa.with(address(supo)), initiator.message1(), RANDOM);
+        assertThrows(HandshakeException.class, () -> initiator.message3(impostor.message2()));
+        Initiator caller = new Initiator(busa.with(address(roma)), RANDOM);
+        Responder called = new Responder(roma.with(address(supo)), caller.message1(), RANDOM);
+        Bytes message3 = caller.message3(called.message2());
+        HandshakeException e = assertThrows(HandshakeException.class, () -> called.finish(message3));
+        assertTrue(e.getMessage().contains("certificate 2 of BUSA"), e.getMessage());
+    }
+
+    /** A twin, or this device's own messages come back. */
+    @Test
+    void stranger_withTheOwnAddress_isRefused() {
+        assertTrue(refused(Reason.NOT_CERTIFIED, supo, supo).contains("own address"));
+    }
+
+    @Test
+    void stranger_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
+        Notice notice = town.revoke(roma);
+        agree(supo, roma);
+        assertTrue(supo.take(notice.toBytes()));
+        assertTrue(refused(Reason.REVOKED, supo, roma).contains("notice 1"));
+        refused(Reason.REVOKED, roma, supo);
+        assertFalse(supo.take(notice.toBytes()), "it is known");
+        Identity again = Identity.read(folder, address(supo)).orElseThrow();
+        assertEquals(List.of(notice), again.notices());
+        refused(Reason.REVOKED, again, roma);
+        assertThrows(HandshakeException.class, () -> again.check(roma.certificate()));
+        agree(supo, town.certified("ROMA"));
+    }
+
+    @Test
+    void stranger_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
+        Identity busa = town.certified("BUSA", Town.TODAY);
+        agree(supo, busa);
+        supo.take(town.authority.revoke(List.of(), null, Town.TODAY.plusDays(1)).toBytes());
+        assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's notice"));
+        refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);
+        agree(supo, roma);
+    }
+
+    @Test
+    void stranger_whoseDayIsBeforeTheLeast_isRefused() throws Exception {
+        supo.take(town.authority.revoke(List.of(), Town.TODAY.plusDays(101), Town.TODAY).toBytes());
+        refused(Reason.REVOKED, supo, roma);
+    }
+
+    @Test
+    void notice_thatIsForgedOlderOrOfAStranger_isNotTaken() throws Exception {
+        Notice first = town.revoke();
+        Notice second = town.revoke(roma);
+        assertTrue(supo.take(second.toBytes()));
+        assertFalse(supo.take(first.toBytes()));
+        byte[] forged = town.revoke().toBytes().toArray();
+        forged[2]++;
+        assertThrows(HandshakeException.class, () -> supo.take(Bytes.copyOf(forged)));
+        Notice foreign = new Town(elsewhere).revoke();
+        assertThrows(HandshakeException.class, () -> supo.take(foreign.toBytes()));
+        assertEquals(List.of(second), supo.notices());
+    }
+
+    /** Another could have its certificate reported as expired by sending a copy of it. */
+    @Test
+    void stranger_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
+        supo.take(town.revoke(roma).toBytes());
+        Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
+        Bytes message2 = new Responder(roma.with(address(supo)), initiator.message1(), RANDOM).message2();
+        byte[] changed = message2.toArray();
+        changed[changed.length - 1] ^= 1;
+        HandshakeException e = assertThrows(HandshakeException.class,
+                () -> initiator.message3(Bytes.copyOf(changed)));
+        assertEquals(Reason.NOT_CERTIFIED, e.reason());
+        assertEquals(Reason.REVOKED,
+                assertThrows(HandshakeException.class, () -> initiator.message3(message2)).reason());
+    }
+
+    @Test
+    void identity_thatIsMissingDamagedOrReadableByOthers_isNotUsed() throws IOException {
+        assertEquals(Optional.empty(), Identity.read(folder, Address.parse("BUSA")));
+        Path file = Identity.file(folder, address(supo));
+        String text = Files.readString(file);
+        Files.writeString(file, text.replaceAll("secret ..", "secret " + (text.contains("secret 00") ? "01" : "00")));
+        String said = assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)))
+                .getMessage();
+        assertTrue(said.startsWith(file + " is damaged: "), said);
+        assertFalse(said.contains(text.substring(7, 20)), said);
+        Files.writeString(file, text.replaceAll("secret .*\n", ""));
+        assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)));
+        file.toFile().setReadable(true, false);
+        assertThrows(IllegalArgumentException.class, () -> Identity.read(folder, address(supo)));
+    }
+}

@@ -1,0 +1,144 @@
+package keyagreement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.math.BigInteger;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.List;
+import java.util.stream.StreamSupport;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Word;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.P256;
+import keyagreement.edhoc.Secret;
+import keyagreement.edhoc.Secrets;
+
+/** SPEC 11, by vectors that another implementation has made. */
+class VectorsTest {
+
+    static List<JsonObject> certificates() throws IOException {
+        return vectors("certificates");
+    }
+
+    static List<JsonObject> notices() throws IOException {
+        return vectors("notices");
+    }
+
+    static List<JsonObject> renewals() throws IOException {
+        return vectors("renewals");
+    }
+
+    static List<JsonObject> words() throws IOException {
+        return vectors("words");
+    }
+
+    private static List<JsonObject> vectors(String list) throws IOException {
+        Path file = Path.of(System.getProperty("javino.vectors"), "key-agreement.json");
+        return all(JsonParser.parseString(Files.readString(file)).getAsJsonObject(), list).stream()
+                .map(JsonElement::getAsJsonObject).toList();
+    }
+
+    private static List<JsonElement> all(JsonObject of, String list) {
+        return StreamSupport.stream(of.getAsJsonArray(list).spliterator(), false).toList();
+    }
+
+    private static String text(JsonObject vector, String name) {
+        return vector.get(name).getAsString();
+    }
+
+    private static Bytes bytes(JsonObject vector, String name) {
+        return Bytes.ofHex(text(vector, name));
+    }
+
+    private static LocalDate day(JsonObject vector, String name) {
+        return LocalDate.parse(text(vector, name));
+    }
+
+    private static Address address(JsonObject vector, String name) {
+        return Address.parse(text(vector, name));
+    }
+
+    @ParameterizedTest
+    @MethodSource("certificates")
+    void certificate_isReadWrittenAndGivesTheKey(JsonObject vector) throws HandshakeException {
+        AuthorityKeys keys = AuthorityKeys.decode(bytes(vector, "authority"));
+        Certificate certificate = Certificate.decode(bytes(vector, "certificate"));
+        assertEquals(new Certificate(address(vector, "address"), vector.get("serial").getAsInt(),
+                vector.get("keeper").getAsBoolean(), day(vector, "until"), keys.id(), certificate.point()),
+                certificate);
+        assertEquals(bytes(vector, "certificate"), certificate.toBytes());
+        assertEquals(bytes(vector, "publicKey"), P256.compress(certificate.key(keys)));
+        assertEquals(bytes(vector, "cred"), certificate.credential(keys).encoded());
+    }
+
+    @ParameterizedTest
+    @MethodSource("certificates")
+    void device_hasTheSecretOfItsCertificate(JsonObject vector) throws HandshakeException {
+        Certificate certificate = Certificate.decode(bytes(vector, "certificate"));
+        BigInteger secret = certificate.hash().multiply(P256.number(bytes(vector, "requestSecret")))
+                .add(P256.number(bytes(vector, "contribution"))).mod(P256.ORDER);
+        assertEquals(bytes(vector, "secret"), P256.bytes(secret));
+        assertEquals(bytes(vector, "publicKey").from(1), P256.publicX(P256.secret(secret)));
+        Request request = Request.decode(bytes(vector, "request"));
+        assertEquals(certificate.address(), request.address());
+        assertEquals(P256.publicX(P256.secret(P256.number(bytes(vector, "requestSecret")))), request.point().from(1));
+    }
+
+    @ParameterizedTest
+    @MethodSource("notices")
+    void notice_isReadWrittenAndSigned(JsonObject vector) throws HandshakeException {
+        AuthorityKeys keys = AuthorityKeys.decode(bytes(vector, "authority"));
+        Notice notice = Notice.decode(bytes(vector, "notice"));
+        assertEquals(bytes(vector, "notice"), notice.toBytes());
+        assertEquals(vector.get("sequence").getAsInt(), notice.sequence());
+        assertEquals(day(vector, "day"), notice.day());
+        assertEquals(day(vector, "leastUntil"), notice.leastUntil());
+        assertEquals(all(vector, "serials").stream().map(JsonElement::getAsInt).toList(), notice.serials());
+        assertTrue(notice.isOf(keys));
+    }
+
+    @ParameterizedTest
+    @MethodSource("renewals")
+    void renewal_hasTheMessagesAndKeys(JsonObject vector) throws HandshakeException {
+        Secret kept = Secrets.of(bytes(vector, "kept"));
+        Address initiator = address(vector, "initiator");
+        Address responder = address(vector, "responder");
+        assertEquals(bytes(vector, "key").hex(), key(kept, initiator, responder));
+        Renewal renewal = new Renewal(kept, Identity.pair(initiator, responder));
+        Bytes first = Renewal.nonce(bytes(vector, "message1"));
+        assertEquals(bytes(vector, "message1"), renewal.message1(first));
+        Renewal.Updated updated = renewal.updated(first, Renewal.nonce(bytes(vector, "message2")));
+        assertEquals(bytes(vector, "message2"), updated.message2());
+        assertEquals(bytes(vector, "message3"), updated.message3());
+        assertEquals(Secrets.of(bytes(vector, "updated")), updated.secret());
+        assertEquals(bytes(vector, "updatedKey").hex(), key(updated.secret(), initiator, responder));
+    }
+
+    private static String key(Secret secret, Address initiator, Address responder) {
+        return Identity.key(secret, initiator, responder).bytes().hex();
+    }
+
+    @ParameterizedTest
+    @MethodSource("words")
+    void word_isReadAndWritten(JsonObject vector) {
+        Word word = new Word(bytes(vector, "word"));
+        boolean isPlain = !vector.get("to").isJsonNull();
+        HostWord read = (isPlain ? HostWord.plain(word) : HostWord.opened(word)).orElseThrow();
+        assertEquals(new HostWord(HostWord.Kind.valueOf(text(vector, "kind")), vector.get("fragment").getAsInt(),
+                bytes(vector, "body")), read);
+        assertEquals(word, isPlain ? read.to(address(vector, "to")) : read.sealed());
+        assertTrue((isPlain ? HostWord.opened(word) : HostWord.plain(word)).isEmpty());
+        Bytes cut = word.bytes().slice(0, word.bytes().length() - 1);
+        assertTrue(!isPlain || cut.length() == 0 || HostWord.plain(new Word(cut)).isEmpty());
+    }
+}

@@ -1,5 +1,0 @@
-/**
- * EDHOC (RFC 9528) with method 3 and cipher suite 2: two parties with static Diffie-Hellman keys agree on a secret in
- * three messages. No I/O; it knows nothing of boards, and of certificates only what {@link strangers.edhoc.Party} says.
- */
-package strangers.edhoc;

@@ -1,0 +1,114 @@
+package keyagreement;
+
+import java.security.KeyPair;
+import java.security.SecureRandom;
+import java.security.interfaces.ECPrivateKey;
+import java.security.interfaces.ECPublicKey;
+import java.time.LocalDate;
+import javino.protocol.Bytes;
+import javino.protocol.Word;
+import keyagreement.edhoc.Credential;
+import keyagreement.edhoc.HandshakeException;
+import keyagreement.edhoc.Initiator;
+import keyagreement.edhoc.P256;
+import keyagreement.edhoc.Party;
+import keyagreement.edhoc.Responder;
+
+/**
+ * The same bytes as each thing that a stranger may say. A word, certificate or notice that can be read is written as it
+ * was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is taken, since nobody here
+ * has made one.
+ */
+public final class KeyAgreementTarget {
+
+    private static final int MESSAGE_2_LENGTH = 88;
+    private static final SecureRandom RANDOM = new SecureRandom();
+    private static final Host HOST = new Host();
+    private static final Responder ANSWERED = answered();
+
+    private KeyAgreementTarget() {
+    }
+
+    /** Something that may refuse what it is given. */
+    private interface Reading {
+        void run() throws HandshakeException;
+    }
+
+    /** A host with a certificate, whose authority it asks for the keys of others. */
+    private static final class Host implements Party {
+        private final Authority authority = Authority.create(LocalDate.EPOCH, RANDOM);
+        private final KeyPair keys = P256.generate(RANDOM);
+
+        @Override
+        public Credential own() {
+            Bytes kid = Bytes.copyOf(new byte[Certificate.LENGTH]);
+            return new Credential(kid, kid, (ECPublicKey) keys.getPublic());
+        }
+
+        @Override
+        public ECPrivateKey secret() {
+            return (ECPrivateKey) keys.getPrivate();
+        }
+
+        @Override
+        public Credential find(Bytes kid) throws HandshakeException {
+            return Certificate.decode(kid).credential(authority.keys());
+        }
+
+        @Override
+        public void admit(Credential proved) {
+            // Nobody is past or revoked.
+        }
+    }
+
+    public static void fuzzerTestOneInput(byte[] data) {
+        Bytes bytes = Bytes.copyOf(data);
+        if (Word.isWord(bytes)) {
+            Word word = new Word(bytes);
+            HostWord.plain(word).ifPresent(plain -> holds(
+                    plain.to(HostWord.addressee(word).orElseThrow()).equals(word), "a plain word"));
+            HostWord.opened(word).ifPresent(opened -> holds(opened.sealed().equals(word), "a sealed word"));
+        }
+        reads(() -> {
+            Certificate certificate = Certificate.decode(bytes);
+            holds(certificate.toBytes().equals(bytes), "a certificate");
+            certificate.credential(HOST.authority.keys());
+        });
+        reads(() -> {
+            Notice notice = Notice.decode(bytes);
+            holds(notice.toBytes().equals(bytes), "a notice");
+            holds(!notice.isOf(HOST.authority.keys()), "nobody has signed it");
+        });
+        reads(() -> holds(new Responder(HOST, bytes, RANDOM).message2().length() == MESSAGE_2_LENGTH, "message 2"));
+        reads(() -> {
+            new Initiator(HOST, RANDOM).message3(bytes);
+            throw new AssertionError("a message 2 that nobody has made is taken");
+        });
+        reads(() -> {
+            ANSWERED.finish(bytes);
+            throw new AssertionError("a message 3 that nobody has made is taken");
+        });
+    }
+
+    private static void reads(Reading reading) {
+        try {
+            reading.run();
+        } catch (HandshakeException refused) {
+            holds(!refused.getMessage().isEmpty(), "a refusal says why");
+        }
+    }
+
+    private static void holds(boolean condition, String what) {
+        if (!condition) {
+            throw new AssertionError(what + " is not as it must be");
+        }
+    }
+
+    private static Responder answered() {
+        try {
+            return new Responder(HOST, new Initiator(HOST, RANDOM).message1(), RANDOM);
+        } catch (HandshakeException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+}
