@@ -7,7 +7,7 @@ using javinolib::Address;
 
 namespace {
 
-std::string nameOf(Address::Class addressClass) {
+std::string classNameOf(Address::Class addressClass) {
   switch (addressClass) {
     case Address::DEVICE: return "device";
     case Address::SERIAL_LINE: return "serial";
@@ -32,7 +32,7 @@ TEST(Address, reads_all_valid_vectors) {
     Address address;
     ASSERT_TRUE(Address::parse(bytesOf(vector.text("text")).data(), address));
     EXPECT_EQ(std::stoul(vector.text("value"), nullptr, 16), address.value());
-    EXPECT_EQ(vector.text("class"), nameOf(address.classOf()));
+    EXPECT_EQ(vector.text("class"), classNameOf(address.classOf()));
     EXPECT_EQ(half(vector.text("group")), address.group());
     EXPECT_EQ(half(vector.text("member")), address.member());
   }

@@ -10,11 +10,9 @@ using javinolib::Status;
 
 namespace {
 
-const uint8_t REPLY_LOST = 4;
-const uint8_t REPLY_COMING = 8;
 const Bytes ON = {1};
 const Bytes OFF = {0};
-const size_t LONGEST = 77;
+const size_t LONGEST_PACKET = 77;
 const size_t RECORD = 2 + 4 + 1;  // beside the payload
 
 // A record `O` of a poll reply.
@@ -136,8 +134,8 @@ TEST_F(BoardOverhearing, tells_again_after_a_hello) {
 }
 
 TEST_F(BoardOverhearing, counts_what_does_not_fit) {
-  const size_t fit = javinolib::config::OVERHEARD_BYTES / (RECORD + LONGEST);
-  const Bytes packet = plain("////", "ROMA", std::string(LONGEST - 10, 'x'));
+  const size_t fit = javinolib::config::OVERHEARD_BYTES / (RECORD + LONGEST_PACKET);
+  const Bytes packet = plain("////", "ROMA", std::string(LONGEST_PACKET - 10, 'x'));
   for (size_t i = 0; i < fit + 2; i++) board.receive(packet);
   EXPECT_EQ(2u, board.counter(Counter::RADIO_OVERHEARD_DROPPED));
 }

@@ -8,25 +8,19 @@ using javinolib::Status;
 
 namespace {
 
-const uint8_t NO_PERCEPTS = 0;
-const uint8_t PERCEPTS = 1;
-const uint8_t PERCEPTS_NOW = 3;
-const uint8_t REPLY_LOST = 4;
-const uint8_t REPLY_COMING = 8;
-
 // What the sensors show, and how often they were read.
-int level;
+int shown;
 int readings;
 
 void readLevel(javinolib::Percepts &percepts) {
   readings++;
-  percepts.add(F("level"), level);
+  percepts.add(F("level"), shown);
 }
 
 class BoardPolling : public testing::Test {
  protected:
   BoardPolling() {
-    level = 0;
+    shown = 0;
     readings = 0;
     board.start("ROMA");
     board.board->onPercepts(readLevel);
@@ -58,7 +52,7 @@ class BoardPolling : public testing::Test {
   // The host has a reading.
   void tellOne() {
     board.hold(PERCEPTS, 0);
-    expectReading(level);
+    expectReading(shown);
   }
 
   TestBoard board;
@@ -140,7 +134,7 @@ TEST_F(BoardPolling, a_byte_from_the_host_ends_a_hold_without_a_reading) {
   tellOne();
   board.hold(PERCEPTS, 60000);
   const int before = readings;
-  level = 1;
+  shown = 1;
   board.port.arrive({0});
   EXPECT_FALSE(board.board->isIdle());
   board.clock.millis += 20;
@@ -160,7 +154,7 @@ TEST_F(BoardPolling, a_byte_ends_a_hold_whenever_it_comes) {
 
 TEST_F(BoardPolling, a_request_after_the_byte_that_ends_a_hold_is_performed_at_once) {
   board.board->action(F("raise"), [](const javinolib::Arguments &) {
-    level++;
+    shown++;
     return true;
   });
   tellOne();
@@ -169,7 +163,7 @@ TEST_F(BoardPolling, a_request_after_the_byte_that_ends_a_hold_is_performed_at_o
   const std::vector<Bytes> replies = board.sendRaw(Bytes{0} + request);
   ASSERT_EQ(2u, replies.size());
   EXPECT_EQ(200, reference::cobsDecoded(replies[1])[0]);
-  EXPECT_EQ(1, level);
+  EXPECT_EQ(1, shown);
 }
 
 TEST_F(BoardPolling, requests_behind_a_poll_end_its_hold) {
@@ -194,7 +188,7 @@ TEST_F(BoardPolling, tells_a_reading_when_it_differs_from_the_last_one_told) {
   board.hold(PERCEPTS, 60000);
   board.pass(5000);
   EXPECT_FALSE(board.replies());
-  level = 7;
+  shown = 7;
   EXPECT_LE(untilReply(), 20u);
   expectReading(7);
   board.hold(PERCEPTS, 60000);
@@ -249,24 +243,24 @@ TEST_F(BoardPolling, reads_the_sensors_once_more_when_the_hold_is_over) {
   board.board->sampleEvery(1000);
   board.hold(PERCEPTS, 30);
   board.pass(29);
-  level = 3;
+  shown = 3;
   board.pass(1);
   expectReading(3);
   board.hold(PERCEPTS, 0);
   expectNothing();
-  level = 4;
+  shown = 4;
   board.hold(PERCEPTS, 0);
   expectReading(4);
 }
 
 TEST_F(BoardPolling, leaves_the_least_time_between_two_readings_told) {
   tellOne();
-  for (level = 1; level < 5; level++) {
+  for (shown = 1; shown < 5; shown++) {
     board.hold(PERCEPTS, 60000, 300);
     EXPECT_EQ(300u, untilReply());
-    expectReading(level);
+    expectReading(shown);
   }
-  level = 9;
+  shown = 9;
   board.hold(PERCEPTS, 100, 300);
   EXPECT_EQ(100u, untilReply()) << "the hold is over before the least time";
   expectNothing();
@@ -277,7 +271,7 @@ TEST_F(BoardPolling, leaves_the_least_time_between_two_readings_told) {
   board.pollTaking(0);
   board.hold(PERCEPTS, 60000, 0xFFFFFF);
   expectReading(9);
-  level = 10;
+  shown = 10;
   board.hold(PERCEPTS, 60000, 0xFFFFFF);
   EXPECT_EQ(60000u, untilReply());
   expectNothing();
@@ -326,7 +320,7 @@ TEST_F(BoardPolling, works_on_while_the_clock_goes_around) {
   board.clock.millis = UINT32_MAX - 5;
   board.hold(PERCEPTS_NOW, 0);
   expectReading(0);
-  level = 1;
+  shown = 1;
   board.hold(PERCEPTS, 100, 10);
   EXPECT_EQ(20u, untilReply());
   expectReading(1);
@@ -335,7 +329,7 @@ TEST_F(BoardPolling, works_on_while_the_clock_goes_around) {
 TEST_F(BoardPolling, tells_a_change_after_a_month_without_one) {
   tellOne();
   board.clock.millis += 30u * 24 * 3600 * 1000;
-  level = 1;
+  shown = 1;
   board.hold(PERCEPTS, 1000, 500);
   EXPECT_EQ(0u, untilReply());
   expectReading(1);
@@ -374,7 +368,7 @@ TEST_F(BoardPolling, tells_again_what_a_lost_reply_told) {
   expectNothing();
   tellOne();
   board.hold(PERCEPTS | REPLY_LOST, 1000);
-  expectReading(level);
+  expectReading(shown);
 }
 
 TEST_F(BoardPolling, neither_forgets_nor_tells_again_what_a_reply_told_that_is_coming) {

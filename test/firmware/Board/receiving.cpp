@@ -7,8 +7,6 @@ using javinolib::Counter;
 
 namespace {
 
-Bytes nonce(uint8_t epoch, uint8_t counter) { return {0, 0, epoch, 0, 0, counter}; }
-
 // A board SUHO that shares a key with SUPP and one with its group.
 class BoardReceiving : public testing::Test {
  protected:

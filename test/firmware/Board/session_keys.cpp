@@ -12,8 +12,6 @@ namespace {
 
 const uint8_t PLACES = javinolib::config::SESSION_KEYS;
 
-Bytes nonce(uint8_t counter) { return {0, 0, 1, 0, 0, counter}; }
-
 Bytes keyOf(uint8_t number) { return Bytes(16, number); }
 
 // SUAA, SUAB, …
@@ -41,7 +39,7 @@ class BoardSessionKeys : public testing::Test {
 
   // Whether a frame from a device is accepted; its host takes it.
   bool accepts(const std::string &device, const Bytes &key, uint8_t counter) {
-    board.receive(sealed(key, "SUHO", device, nonce(counter), "tell;x"));
+    board.receive(sealed(key, "SUHO", device, nonce(1, counter), "tell;x"));
     const std::vector<PolledMessage> messages = board.messages();
     if (!messages.empty()) board.pollTaking(messages.back().number);
     board.passSending(50);
@@ -65,12 +63,12 @@ TEST_F(BoardSessionKeys, seal_open_and_acknowledge_and_write_nothing) {
   EXPECT_EQ(Status::NO_KEY, board.transmit("SUPP", "SUHO", "tell;x").status);
   EXPECT_EQ(Status::OK, set("SUPP", KEY));
   EXPECT_EQ("SUPP3 ", list());
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;hello"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;hello"));
   const std::vector<PolledMessage> messages = board.messages();
   ASSERT_EQ(1u, messages.size());
   EXPECT_EQ("tell;hello", messages[0].content);
   board.pollTaking(messages[0].number);
-  EXPECT_EQ(acknowledgement(KEY, "SUPP", "SUHO", nonce(1), 6), board.sendNext());
+  EXPECT_EQ(acknowledgement(KEY, "SUPP", "SUHO", nonce(1, 1), 6), board.sendNext());
 
   EXPECT_EQ(Status::OK, board.transmit("SUPP", "SUHO", "tell;answer").status);
   const Bytes sent = board.sendNext();
@@ -171,12 +169,12 @@ TEST_F(BoardSessionKeys, stay_where_the_key_store_is_full) {
 TEST_F(BoardSessionKeys, have_places_of_their_own_in_the_replay_memory) {
   ASSERT_EQ(Status::OK, board.setKey("//SU", KEY).status);
   for (uint8_t i = 0; i < javinolib::config::REPLAY_ENTRIES; i++) {
-    board.receive(sealed(KEY, "//SU", std::string("ROA") + static_cast<char>('A' + i), nonce(1), "tell;x"));
+    board.receive(sealed(KEY, "//SU", std::string("ROA") + static_cast<char>('A' + i), nonce(1, 1), "tell;x"));
     const std::vector<PolledMessage> messages = board.messages();
     ASSERT_EQ(1u, messages.size());
     board.pollTaking(messages[0].number);
   }
-  board.receive(sealed(KEY, "//SU", "ROBA", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "//SU", "ROBA", nonce(1, 1), "tell;x"));
   EXPECT_EQ(1u, board.counter(Counter::RADIO_REPLAY_FULL)) << "the group cannot take them";
   fill();
   EXPECT_EQ(Status::STORE_FULL, board.setKey(device(0), THIRD_KEY).status) << "a pair in EEPROM cannot either";
@@ -251,7 +249,7 @@ TEST_F(BoardSessionKeys, that_made_room_leave_their_messages_undelivered) {
 // What was sealed under one key must not be acknowledged under the next one in its place.
 TEST_F(BoardSessionKeys, that_are_replaced_acknowledge_no_more) {
   ASSERT_EQ(Status::OK, set("SUPP", KEY));
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(200), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 200), "tell;x"));
   const std::vector<PolledMessage> messages = board.messages();
   ASSERT_EQ(1u, messages.size());
   ASSERT_EQ(Status::OK, set("SUPP", OTHER_KEY));
@@ -271,14 +269,14 @@ TEST_F(BoardSessionKeys, answer_a_repeated_request_from_memory) {
 }
 
 TEST_F(BoardSessionKeys, without_one_the_host_is_told_once_for_each_origin) {
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
-  board.receive(sealed(KEY, "//SU", "SUPO", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
+  board.receive(sealed(KEY, "//SU", "SUPO", nonce(1, 1), "tell;x"));
   const std::vector<std::string> both = {"SUHOSUPP", "//SUSUPO"};
   EXPECT_EQ(both, withoutKey());
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
   EXPECT_EQ(3u, board.counter(Counter::RADIO_NO_KEY));
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
   EXPECT_EQ(std::vector<std::string>{"SUHOSUPP"}, withoutKey());
 }
 
@@ -286,13 +284,13 @@ TEST_F(BoardSessionKeys, without_one_a_poll_that_is_held_is_answered) {
   board.hold(0, 2000);
   board.pass(10);
   EXPECT_FALSE(board.replies());
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
   board.pass(1);
   EXPECT_EQ(std::vector<std::string>{"SUHOSUPP"}, board.takeReply().texts('N'));
 }
 
 TEST_F(BoardSessionKeys, without_one_what_was_told_is_told_again_if_the_reply_is_lost) {
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
   EXPECT_EQ(std::vector<std::string>{"SUHOSUPP"}, withoutKey());
   board.hold(4, 0);
   EXPECT_EQ(std::vector<std::string>{"SUHOSUPP"}, board.takeReply().texts('N'));
@@ -302,7 +300,7 @@ TEST_F(BoardSessionKeys, without_one_what_was_told_is_told_again_if_the_reply_is
 }
 
 TEST_F(BoardSessionKeys, without_one_a_first_piece_is_told_too) {
-  const std::vector<Bytes> pieces = cut(sealed(KEY, "SUHO", "SUPP", nonce(1), std::string(90, 'x')), 5);
+  const std::vector<Bytes> pieces = cut(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), std::string(90, 'x')), 5);
   board.receive(pieces[1]);
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
   board.receive(pieces[0]);
@@ -310,15 +308,15 @@ TEST_F(BoardSessionKeys, without_one_a_first_piece_is_told_too) {
 }
 
 TEST_F(BoardSessionKeys, without_one_nothing_is_told_of_what_is_not_for_the_board) {
-  board.receive(sealed(KEY, "SUPP", "SUPO", nonce(1), "tell;x"));
-  board.receive(sealed(KEY, "//RO", "SUPO", nonce(1), "tell;x"));
-  board.receive(sealed(KEY, "SUHO", "SUHO", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUPP", "SUPO", nonce(1, 1), "tell;x"));
+  board.receive(sealed(KEY, "//RO", "SUPO", nonce(1, 1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUHO", nonce(1, 1), "tell;x"));
   board.receive(plain("////", "SUPO", "tell;x"));
   board.request('R', {0});
-  board.receive(sealed(KEY, "SUHO", "SUPO", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPO", nonce(1, 1), "tell;x"));
   ASSERT_EQ(Status::OK, set("SUPP", KEY));
   board.request('R', {1});
-  board.receive(sealed(OTHER_KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
+  board.receive(sealed(OTHER_KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
   EXPECT_EQ(1u, board.counter(Counter::RADIO_BAD_TAG)) << "it has a key, though another";
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
 }
@@ -331,9 +329,9 @@ TEST_F(BoardSessionKeys, without_one_a_flood_crowds_out_nothing) {
   for (uint32_t origin = 0; origin < 1000; origin++) {
     Bytes text(4);
     javinolib::Address(0x100000 + origin).write(text.data());
-    board.receive(sealed(OTHER_KEY, "SUHO", textOf(text), nonce(1), "tell;x"));
+    board.receive(sealed(OTHER_KEY, "SUHO", textOf(text), nonce(1, 1), "tell;x"));
   }
-  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1), "tell;x"));
+  board.receive(sealed(KEY, "SUHO", "SUPP", nonce(1, 1), "tell;x"));
   const PollReply reply = board.poll();
   std::string types;
   for (const PollRecord &record : reply.records) types += record.type;

@@ -10,8 +10,6 @@ using javinolib::Counter;
 
 namespace {
 
-const Bytes NONCE = {0, 0, 5, 0, 1, 2};
-
 // A board SUHO that hears SUPP.
 class Acknowledging : public testing::Test {
  protected:

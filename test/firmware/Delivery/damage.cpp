@@ -15,8 +15,8 @@ using javinolib::Trailer;
 
 namespace {
 
-const uint8_t DELIVERED = 0x06;
-const uint8_t PIECES = 0x07;
+const uint8_t TYPE_DELIVERED = 0x06;
+const uint8_t TYPE_PIECES = 0x07;
 const uint8_t ASKS_PARITY = 0x10;
 
 // Bits of an acknowledgement: of its count, of its header, and of its proof.
@@ -30,7 +30,7 @@ std::set<size_t> wrongSymbols(size_t from, size_t count) {
   return bits;
 }
 
-std::set<size_t> operator+(std::set<size_t> one, const std::set<size_t> &other) {
+std::set<size_t> both(std::set<size_t> one, const std::set<size_t> &other) {
   one.insert(other.begin(), other.end());
   return one;
 }
@@ -53,7 +53,7 @@ class DamagedAnswers : public testing::Test {
     return packet;
   }
 
-  Bytes answer(uint8_t type = DELIVERED, const Bytes &body = Bytes()) {
+  Bytes answer(uint8_t type = TYPE_DELIVERED, const Bytes &body = Bytes()) {
     return acknowledgement(KEY, "SUPP", "SUHO", nonce, type, body);
   }
 
@@ -99,7 +99,7 @@ class DamagedMessages : public testing::Test {
     return sent;
   }
 
-  Bytes delivered(uint8_t type = DELIVERED) { return acknowledgement(KEY, "SUPP", "SUHO", nonce, type); }
+  Bytes delivered(uint8_t type = TYPE_DELIVERED) { return acknowledgement(KEY, "SUPP", "SUHO", nonce, type); }
 
   const Bytes nonce = {0, 0, 5, 0, 1, 2};
   const Bytes frame = sealed(KEY, "SUHO", "SUPP", nonce, "tell;x");
@@ -144,8 +144,8 @@ TEST(ProofWithWrongBits, is_guessed_with_less_than_two_to_the_minus_43_9) {
 
 TEST_F(DamagedAnswers, fifteen_wrong_bits_of_the_header_are_borne_beside) {
   for (size_t bits : {15, 16}) {
-    board.radio.arrive(
-        answer(), wrongSymbols(HEADER_AT, 10) + wrongSymbols(HEADER_AT + 6, bits - 10) + wrongSymbols(PROOF_AT, 7));
+    board.radio.arrive(answer(), both(both(wrongSymbols(HEADER_AT, 10), wrongSymbols(HEADER_AT + 6, bits - 10)),
+                                      wrongSymbols(PROOF_AT, 7)));
     board.pass(1);
     EXPECT_EQ(bits == 15, isDelivered()) << bits;
     if (bits == 15) send("tell;y");
@@ -153,9 +153,9 @@ TEST_F(DamagedAnswers, fifteen_wrong_bits_of_the_header_are_borne_beside) {
 }
 
 TEST_F(DamagedAnswers, all_of_one_that_is_another_s_are_refused) {
-  const Bytes others[] = {acknowledgement(OTHER_KEY, "SUPP", "SUHO", nonce, DELIVERED),
-                          acknowledgement(KEY, "SUPP", "SUHA", nonce, DELIVERED),
-                          acknowledgement(KEY, "SUHO", "SUHO", nonce, DELIVERED), answer(PIECES, {1})};
+  const Bytes others[] = {acknowledgement(OTHER_KEY, "SUPP", "SUHO", nonce, TYPE_DELIVERED),
+                          acknowledgement(KEY, "SUPP", "SUHA", nonce, TYPE_DELIVERED),
+                          acknowledgement(KEY, "SUHO", "SUHO", nonce, TYPE_DELIVERED), answer(TYPE_PIECES, {1})};
   for (const Bytes &other : others) hear(other, wrongSymbols(PROOF_AT, 7));
   EXPECT_FALSE(isDelivered());
 }
@@ -178,7 +178,7 @@ TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_pieces_is_borne_too) {
   board.sendNext();
   const Bytes third = board.sendNext();
   EXPECT_EQ(3u, board.radio.sent.size() - 1);
-  hear(answer(PIECES, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
+  hear(answer(TYPE_PIECES, {3}), both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1)));
   EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_BORNE));
   EXPECT_EQ(third, board.sendNext()) << "the one that is lacking";
 }
@@ -189,7 +189,8 @@ TEST_F(DamagedAnswers, what_is_borne_is_no_guess) {
   send("tell;" + std::string(150, 'x'));
   board.sendNext();
   board.sendNext();
-  for (int i = 0; i < 40; i++) hear(answer(PIECES, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
+  const std::set<size_t> wrong = both(wrongSymbols(PROOF_AT + 12, 7), wrongSymbols(PROOF_AT, 1));
+  for (int i = 0; i < 40; i++) hear(answer(TYPE_PIECES, {3}), wrong);
   EXPECT_EQ(40u, board.counter(Counter::RADIO_ANSWERS_BORNE));
 }
 
@@ -197,7 +198,7 @@ TEST_F(DamagedAnswers, packets_sent_again_have_a_mark_and_parity_once_it_was_ask
   EXPECT_EQ(Trailer::NONE, lastTrailer());
   EXPECT_EQ(first, board.sendNext());
   EXPECT_EQ(Trailer::MARK, lastTrailer());
-  hear(answer(DELIVERED | ASKS_PARITY), {});
+  hear(answer(TYPE_DELIVERED | ASKS_PARITY), {});
   EXPECT_TRUE(isDelivered());
 
   send("tell;y");
@@ -212,10 +213,10 @@ TEST_F(DamagedAnswers, packets_sent_again_have_a_mark_and_parity_once_it_was_ask
 }
 
 TEST_F(DamagedAnswers, one_that_asks_for_parity_is_borne_where_a_trailer_was_sent) {
-  hear(answer(DELIVERED | ASKS_PARITY), wrongSymbols(PROOF_AT, 7));
+  hear(answer(TYPE_DELIVERED | ASKS_PARITY), wrongSymbols(PROOF_AT, 7));
   EXPECT_FALSE(isDelivered()) << "nobody asks for what he cannot know of";
   board.sendNext();
-  hear(answer(DELIVERED | ASKS_PARITY), wrongSymbols(PROOF_AT, 7));
+  hear(answer(TYPE_DELIVERED | ASKS_PARITY), wrongSymbols(PROOF_AT, 7));
   EXPECT_TRUE(isDelivered());
   send("tell;y");
   EXPECT_EQ(Trailer::PARITY, lastTrailer());
@@ -224,7 +225,7 @@ TEST_F(DamagedAnswers, one_that_asks_for_parity_is_borne_where_a_trailer_was_sen
 TEST_F(DamagedAnswers, a_message_under_another_key_has_no_parity) {
   board.setKey("ROMA", OTHER_KEY);
   board.sendNext();
-  hear(answer(DELIVERED | ASKS_PARITY), {});
+  hear(answer(TYPE_DELIVERED | ASKS_PARITY), {});
   board.transmit("ROMA", "SUPP", "tell;x");
   board.sendNext();
   EXPECT_EQ(Trailer::NONE, lastTrailer());
@@ -232,11 +233,11 @@ TEST_F(DamagedAnswers, a_message_under_another_key_has_no_parity) {
 
 TEST_F(DamagedMessages, parity_is_asked_for_where_a_mark_or_parity_shows_that_it_is_understood) {
   hear({}, Trailer::MARK);
-  EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers());
+  EXPECT_EQ(std::vector<Bytes>{delivered(TYPE_DELIVERED | ASKS_PARITY)}, answers());
   hear(wrongSymbols(50, 3), Trailer::PARITY);
-  EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers());
+  EXPECT_EQ(std::vector<Bytes>{delivered(TYPE_DELIVERED | ASKS_PARITY)}, answers());
   hear({2}, Trailer::MARK);
-  EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers()) << "though its count was damaged";
+  EXPECT_EQ(std::vector<Bytes>{delivered(TYPE_DELIVERED | ASKS_PARITY)}, answers()) << "though its count was damaged";
   hear({}, Trailer::PARITY);
   EXPECT_EQ(std::vector<Bytes>{delivered()}, answers()) << "it was not needed";
   hear({});
@@ -247,14 +248,14 @@ TEST_F(DamagedMessages, a_damaged_repeat_without_a_trailer_is_acknowledged_twice
   hear(wrongSymbols(50, 1));
   EXPECT_EQ((std::vector<Bytes>{delivered(), delivered()}), answers());
   hear(wrongSymbols(50, 1), Trailer::MARK);
-  EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers());
+  EXPECT_EQ(std::vector<Bytes>{delivered(TYPE_DELIVERED | ASKS_PARITY)}, answers());
   hear({});
   EXPECT_EQ(std::vector<Bytes>{delivered()}, answers());
 }
 
 TEST_F(DamagedMessages, a_damaged_repeat_is_known_by_its_likeness) {
   hear(wrongSymbols(14, 20), Trailer::MARK);
-  EXPECT_EQ(std::vector<Bytes>{delivered(DELIVERED | ASKS_PARITY)}, answers());
+  EXPECT_EQ(std::vector<Bytes>{delivered(TYPE_DELIVERED | ASKS_PARITY)}, answers());
   EXPECT_TRUE(board.messages().empty());
 }
 
@@ -299,7 +300,7 @@ TEST_F(DamagedMessages, another_packet_s_mark_says_nothing_of_a_message_that_wai
   board.pass(1);
   board.messages();
   board.pollTaking(1);
-  EXPECT_EQ(std::vector<Bytes>{acknowledgement(KEY, "SUPP", "SUHO", {0, 0, 5, 0, 1, 3}, DELIVERED)}, answers());
+  EXPECT_EQ(std::vector<Bytes>{acknowledgement(KEY, "SUPP", "SUHO", {0, 0, 5, 0, 1, 3}, TYPE_DELIVERED)}, answers());
 }
 
 TEST_F(DamagedMessages, a_broadcast_is_taken_only_where_there_is_no_doubt) {

@@ -14,10 +14,6 @@ using testing::ElementsAre;
 
 namespace {
 
-const std::string DELIVERED = "\1";
-const std::string UNDELIVERED = "\2";
-const std::string SENT(1, '\0');
-
 // A board SUPP with keys for devices of which nobody is there, unless a test says so.
 class Partners : public testing::Test {
  protected:
@@ -45,8 +41,8 @@ class Partners : public testing::Test {
   // Numbers and outcomes, as the board tells them now.
   std::vector<std::string> outcomes() { return board.poll().texts('T'); }
 
-  static std::string outcome(int number, const std::string &how) {
-    return std::string(1, static_cast<char>(number)) + how;
+  static std::string outcome(int number, Station::End end) {
+    return {static_cast<char>(number), static_cast<char>(end)};
   }
 
   TestBoard board;
@@ -64,7 +60,7 @@ TEST_F(Partners, take_turns_attempt_by_attempt) {
   }
   board.passSending(5000);
   EXPECT_EQ(16u, board.radio.sent.size());
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(0, UNDELIVERED), outcome(1, UNDELIVERED)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(0, Station::UNDELIVERED), outcome(1, Station::UNDELIVERED)));
 }
 
 TEST_F(Partners, a_message_to_one_who_is_there_does_not_wait_for_those_who_are_not) {
@@ -74,12 +70,13 @@ TEST_F(Partners, a_message_to_one_who_is_there_does_not_wait_for_those_who_are_n
   const Bytes packet = next();
   EXPECT_EQ("SUBB", textOf(packet).substr(0, 4));
   acknowledge(packet);
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(3, DELIVERED))) << "before the three that were given earlier";
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(3, Station::DELIVERED))) << "before the three that were given earlier";
   for (int i = 0; i < 3; i++) {
     for (int attempt = i == 0 ? 2 : 1; attempt <= 8; attempt++) EXPECT_EQ("SUAA", nextTo());
   }
   board.pass(1000);
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(0, UNDELIVERED), outcome(1, UNDELIVERED), outcome(2, UNDELIVERED)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(0, Station::UNDELIVERED), outcome(1, Station::UNDELIVERED),
+                                      outcome(2, Station::UNDELIVERED)));
 }
 
 TEST_F(Partners, each_gets_its_messages_in_order_with_rising_nonces) {
@@ -105,10 +102,10 @@ TEST_F(Partners, an_acknowledgement_that_comes_when_another_has_its_turn_is_take
   const Bytes first = next();
   const Bytes second = board.nextSent();
   acknowledge(first);
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(0, DELIVERED)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(0, Station::DELIVERED)));
   board.finishSending();
   acknowledge(second);
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, DELIVERED)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, Station::DELIVERED)));
   board.passSending(2000);
   EXPECT_EQ(2u, board.radio.sent.size());
   acknowledge(first);
@@ -137,7 +134,7 @@ TEST_F(Partners, a_record_that_is_not_the_first_leaves_the_others_as_they_were) 
   EXPECT_EQ(c, next());
   acknowledge(a);
   EXPECT_EQ(c, next());
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, DELIVERED), outcome(0, DELIVERED)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, Station::DELIVERED), outcome(0, Station::DELIVERED)));
 }
 
 TEST_F(Partners, four_are_under_way_and_a_fifth_has_the_place_of_the_one_that_ends_first) {
@@ -174,7 +171,7 @@ TEST_F(Partners, what_goes_to_many_keeps_its_order_and_waits_for_no_absent_devic
   for (int i = 0; i < 5; i++) rest.push_back(nextTo());
   rest.erase(std::remove(rest.begin(), rest.end(), "SUAA"), rest.end());
   EXPECT_THAT(rest, ElementsAre("////", "//RO", "//RO"));
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, SENT), outcome(2, SENT), outcome(3, SENT)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, Station::SENT), outcome(2, Station::SENT), outcome(3, Station::SENT)));
 }
 
 TEST_F(Partners, a_key_is_not_taken_into_use_while_a_message_under_it_waits_for_its_turn) {
@@ -201,7 +198,7 @@ TEST_F(Partners, a_key_that_is_deleted_no_longer_acknowledges_what_waits_for_its
   acknowledge(first);
   EXPECT_TRUE(outcomes().empty());
   acknowledge(second);
-  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, DELIVERED)));
+  EXPECT_THAT(outcomes(), ElementsAre(outcome(1, Station::DELIVERED)));
 }
 
 TEST_F(Partners, a_stale_notice_for_one_that_waits_for_its_turn_has_it_sealed_anew) {

@@ -12,8 +12,6 @@ using javinolib::Counter;
 
 namespace {
 
-const Bytes NONCE = {0, 0, 5, 0, 1, 2};
-
 // A board SUHO that hears SUPP and sends to it.
 class InPieces : public testing::Test {
  protected:

@@ -8,10 +8,6 @@ using javinolib::Counter;
 
 namespace {
 
-const Bytes NONCE = {0, 0, 2, 0, 0, 0};
-const std::string DELIVERED("\0\1", 2);
-const std::string UNDELIVERED("\0\2", 2);
-
 // A board SUPP that sends to SUHO, in its second boot.
 class Retrying : public testing::Test {
  protected:

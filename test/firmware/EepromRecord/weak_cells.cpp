@@ -10,15 +10,15 @@ using javinolib::EepromRecord;
 
 namespace {
 
-const uint8_t LENGTH = 6;
-const uint8_t AT = 3;
+const uint8_t DATA_LENGTH = 6;
+const uint8_t FIRST_CELL = 3;
 const int READINGS = 20;
 
-EepromRecord record() { return EepromRecord(AT, LENGTH); }
+EepromRecord record() { return EepromRecord(FIRST_CELL, DATA_LENGTH); }
 
 // What a boot finds; all later readings must be like it.
-Bytes boot() {
-  Bytes data(LENGTH);
+Bytes bootRecord() {
+  Bytes data(DATA_LENGTH);
   const Bytes found = record().begin(data.data(), 0) ? data : Bytes();
   for (int i = 0; i < READINGS; i++) EXPECT_EQ(!found.empty(), record().read(data.data()));
   return found;
@@ -31,7 +31,7 @@ void expectFirm(const Bytes &before, const std::function<void()> &change, const 
     cuts = 0;
     for (uint32_t seed = 1; seed < 400; seed++) {
       SimulatedEeprom eeprom;
-      record().write(Bytes(LENGTH, 0x33).data());
+      record().write(Bytes(DATA_LENGTH, 0x33).data());
       record().erase(0);
       if (!before.empty()) record().write(before.data());
       eeprom.cutPowerWeaklyAfter(cut, seed);
@@ -42,22 +42,22 @@ void expectFirm(const Bytes &before, const std::function<void()> &change, const 
       }
       eeprom.cutPowerWeaklyAfter(static_cast<int>(seed % 4), seed);
       try {
-        boot();
+        bootRecord();
       } catch (const PowerCut &) {
       }
       eeprom.restorePower();
-      const Bytes first = boot();
+      const Bytes first = bootRecord();
       ASSERT_NE(allowed.end(), std::find(allowed.begin(), allowed.end(), first))
           << cut << " " << seed << ": " << toHex(first);
       for (int i = 0; i < READINGS; i++) {
         eeprom.cutPowerWeaklyAfter(0, seed + static_cast<uint32_t>(i));
         try {
-          ASSERT_EQ(first, boot()) << "cut " << cut << " seed " << seed << " boot " << i;
+          ASSERT_EQ(first, bootRecord()) << "cut " << cut << " seed " << seed << " boot " << i;
         } catch (const PowerCut &) {
         }
         eeprom.restorePower();
       }
-      ASSERT_EQ(first, boot()) << cut << " " << seed;
+      ASSERT_EQ(first, bootRecord()) << cut << " " << seed;
     }
   }
 }
@@ -81,23 +81,23 @@ TEST(WeakRecord, that_was_being_erased_is_there_or_not_once_and_for_all) {
 }
 
 TEST(WeakRecord, is_mended_where_one_byte_of_its_seal_is_weak) {
-  for (uint16_t at = AT + LENGTH; at < AT + LENGTH + EepromRecord::CHECK_LENGTH; at++) {
+  for (uint16_t at = FIRST_CELL + DATA_LENGTH; at < FIRST_CELL + DATA_LENGTH + EepromRecord::CHECK_LENGTH; at++) {
     SimulatedEeprom eeprom;
     const Bytes data = fromHex("010203040506");
     record().write(data.data());
     eeprom.weaken(at, 0xFF);
-    for (int i = 0; i < READINGS; i++) EXPECT_EQ(data, boot()) << at;
+    for (int i = 0; i < READINGS; i++) EXPECT_EQ(data, bootRecord()) << at;
   }
 }
 
 TEST(WeakRecord, that_is_written_over_weak_cells_is_firm) {
   const Bytes data = fromHex("010203040506");
-  for (uint16_t at = AT; at < AT + LENGTH + EepromRecord::CHECK_LENGTH; at++) {
+  for (uint16_t at = FIRST_CELL; at < FIRST_CELL + DATA_LENGTH + EepromRecord::CHECK_LENGTH; at++) {
     SimulatedEeprom eeprom;
     record().write(data.data());
     record().erase(0);
     eeprom.weaken(at, 0x5A);
     ASSERT_TRUE(record().write(data.data()));
-    EXPECT_FALSE(eeprom.isWeak(at)) << "byte " << at - AT;
+    EXPECT_FALSE(eeprom.isWeak(at)) << "byte " << at - FIRST_CELL;
   }
 }

@@ -2,21 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "FrameErrors.h"
+#include "support/Addresses.h"
 #include "support/Vectors.h"
 
-using javinolib::Address;
 using javinolib::Frame;
 using javinolib::FrameError;
-
-namespace {
-
-Address addressOf(const std::string &text) {
-  Address address;
-  EXPECT_TRUE(Address::parse(bytesOf(text).data(), address));
-  return address;
-}
-
-}  // namespace
 
 TEST(Frame, reads_all_valid_vectors) {
   for (const Vector &vector : vectors("frames.json", "valid")) {

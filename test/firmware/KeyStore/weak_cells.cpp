@@ -28,7 +28,7 @@ std::string inventory(const KeyStore &store) {
   return all;
 }
 
-std::string boot() {
+std::string bootKeys() {
   KeyStore store;
   store.begin();
   return inventory(store);
@@ -45,7 +45,7 @@ void expectFirm(const std::function<void(KeyStore &)> &prepare, const std::funct
       store.begin();
       store.set(SUPP, THIRD_KEY.data());
       prepare(store);
-      const std::string before = boot();
+      const std::string before = bootKeys();
       eeprom.cutPowerWeaklyAfter(cut, seed);
       try {
         change(store);
@@ -54,28 +54,28 @@ void expectFirm(const std::function<void(KeyStore &)> &prepare, const std::funct
       }
       eeprom.cutPowerWeaklyAfter(static_cast<int>(seed % 8), seed);
       try {
-        boot();
+        bootKeys();
       } catch (const PowerCut &) {
       }
       eeprom.restorePower();
-      const std::string found = boot();
+      const std::string found = bootKeys();
       const bool isOld = found == before;
       for (int i = 0; i < BOOTS; i++) {
         eeprom.cutPowerWeaklyAfter(i % 3, seed + static_cast<uint32_t>(i));
         try {
-          boot();
+          bootKeys();
         } catch (const PowerCut &) {
         }
         eeprom.restorePower();
-        ASSERT_EQ(found, boot()) << "cut " << cut << " seed " << seed << " boot " << i;
+        ASSERT_EQ(found, bootKeys()) << "cut " << cut << " seed " << seed << " boot " << i;
       }
       KeyStore again;
       again.begin();
       change(again);
-      const std::string after = boot();
+      const std::string after = bootKeys();
       ASSERT_TRUE(isOld || found == after)
           << "cut " << cut << " seed " << seed << "\nold " << before << "\ngot " << found << "\nnew " << after;
-      for (int i = 0; i < BOOTS; i++) ASSERT_EQ(after, boot()) << "cut " << cut << " seed " << seed;
+      for (int i = 0; i < BOOTS; i++) ASSERT_EQ(after, bootKeys()) << "cut " << cut << " seed " << seed;
     }
   }
 }
@@ -129,7 +129,7 @@ TEST(WeakKeys, one_cell_that_reads_wrong_once_in_a_boot_loses_no_key) {
   const std::string before = inventory(store);
   for (uint16_t at = 0; at < 300; at++) {
     written.misreadOnce(at);
-    boot();
-    ASSERT_EQ(before, boot()) << at;
+    bootKeys();
+    ASSERT_EQ(before, bootKeys()) << at;
   }
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/Keys.h"
 #include "support/TestBoard.h"
 
 using javinolib::Counter;
@@ -13,7 +14,6 @@ using testing::NiceMock;
 
 namespace {
 
-const Bytes KEY(16, 7);
 const std::string ONE_PACKET(8, 'x');      // with header, nonce and tag 32 bytes
 const std::string EIGHT_PIECES(152, 'y');  // with header, nonce and tag 176 bytes, 22 in each piece
 
@@ -74,8 +74,6 @@ class LoopbackRadioTest : public testing::Test {
   LoopbackRadio romaRadio, supoRadio;
   TestBoard roma, supo;
 };
-
-const std::string DELIVERED("\0\1", 2);
 
 }  // namespace
 

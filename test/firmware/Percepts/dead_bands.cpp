@@ -9,8 +9,6 @@ using javinolib::Percepts;
 
 namespace {
 
-const uint8_t PERCEPTS = 1;
-
 typedef std::vector<std::string> Texts;
 
 long level;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <secure/Proof.h>
 
+#include "support/Addresses.h"
 #include "support/Vectors.h"
 
 using javinolib::Address;
@@ -17,12 +18,6 @@ Proof::Type typeOf(const Bytes &frame) {
     if (frame.size() == HEADER + Proof::bodyLength(type) + Proof::LENGTH) return type;
   }
   throw std::invalid_argument("no acknowledgement has this length: " + toHex(frame));
-}
-
-Address addressOf(const std::string &text) {
-  Address address;
-  EXPECT_TRUE(Address::parse(reinterpret_cast<const uint8_t *>(text.data()), address)) << text;
-  return address;
 }
 
 // An acknowledgement and what it answers.

@@ -9,7 +9,7 @@ using javinolib::RfId;
 
 namespace {
 
-Address boot() {
+Address bootId() {
   RfId id;
   id.begin();
   return id.address();
@@ -33,13 +33,13 @@ TEST(WeakRfId, is_the_old_or_the_new_once_and_for_all) {
       }
       eeprom.cutPowerWeaklyAfter(static_cast<int>(seed % 5), seed);
       try {
-        boot();
+        bootId();
       } catch (const PowerCut &) {
       }
       eeprom.restorePower();
-      const Address found = boot();
+      const Address found = bootId();
       ASSERT_TRUE(found == ROMA || found == SUPO) << cut << " " << seed;
-      for (int boots = 0; boots < 10; boots++) ASSERT_EQ(found, boot()) << cut << " " << seed << " " << boots;
+      for (int boots = 0; boots < 10; boots++) ASSERT_EQ(found, bootId()) << cut << " " << seed << " " << boots;
     }
   }
 }

@@ -27,6 +27,11 @@ Bytes bytesOf(const std::string &text) { return Bytes(text.begin(), text.end());
 
 std::string textOf(const Bytes &bytes) { return std::string(bytes.begin(), bytes.end()); }
 
+Bytes nonce(uint32_t epoch, uint32_t counter) {
+  return {static_cast<uint8_t>(epoch >> 16),   static_cast<uint8_t>(epoch >> 8),   static_cast<uint8_t>(epoch),
+          static_cast<uint8_t>(counter >> 16), static_cast<uint8_t>(counter >> 8), static_cast<uint8_t>(counter)};
+}
+
 Bytes operator+(const Bytes &head, const Bytes &tail) {
   Bytes whole = head;
   whole.insert(whole.end(), tail.begin(), tail.end());

@@ -16,6 +16,9 @@ Bytes bytesOf(const std::string &text);
 
 std::string textOf(const Bytes &bytes);
 
+/// A nonce's six bytes.
+Bytes nonce(uint32_t epoch, uint32_t counter);
+
 Bytes operator+(const Bytes &head, const Bytes &tail);
 
 /// Whether `part` occurs anywhere in `whole`.

@@ -2,20 +2,20 @@
 
 #include <support/Clock.h>
 
-static FakeClock *current = nullptr;
+static FakeClock *currentClock = nullptr;
 
 namespace javinolib {
 namespace clock {
 
-uint32_t millis() { return current->millis; }
+uint32_t millis() { return currentClock->millis; }
 
 }  // namespace clock
 }  // namespace javinolib
 
-FakeClock::FakeClock() : before_(current) { use(); }
+FakeClock::FakeClock() : before_(currentClock) { use(); }
 
 FakeClock::~FakeClock() {
-  if (current == this) current = before_;
+  if (currentClock == this) currentClock = before_;
 }
 
-void FakeClock::use() { current = this; }
+void FakeClock::use() { currentClock = this; }

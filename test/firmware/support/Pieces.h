@@ -7,6 +7,9 @@
 
 #include "Bytes.h"
 
+/// Of a message of another board.
+const Bytes NONCE = {0, 0, 5, 0, 1, 2};
+
 /// The pieces of a whole frame, all without a wish for an answer.
 /// @param id 0…63
 /// @param longest the most bytes of a piece

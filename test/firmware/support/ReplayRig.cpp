@@ -2,11 +2,6 @@
 
 using javinolib::ReplayMemory;
 
-Bytes nonce(uint32_t epoch, uint32_t counter) {
-  return {static_cast<uint8_t>(epoch >> 16),   static_cast<uint8_t>(epoch >> 8),   static_cast<uint8_t>(epoch),
-          static_cast<uint8_t>(counter >> 16), static_cast<uint8_t>(counter >> 8), static_cast<uint8_t>(counter)};
-}
-
 ReplayRig::ReplayRig() {
   keys.begin();
   for (uint8_t i = 0; i < KEYS; i++) keys.set(javinolib::Address(i), Bytes(16, i).data());

@@ -8,9 +8,6 @@
 #include "SimulatedEeprom.h"
 #include "SimulatedRam.h"
 
-/// A nonce's six bytes.
-Bytes nonce(uint32_t epoch, uint32_t counter);
-
 /// A replay memory with its keys, EEPROM and RAM, that can be reset and lose power.
 class ReplayRig {
  public:

@@ -4,27 +4,27 @@
 
 static const uint8_t ERASED = 0xFF;
 
-static SimulatedEeprom *current = nullptr;
+static SimulatedEeprom *currentEeprom = nullptr;
 
 namespace javinolib {
 namespace eeprom {
 
-uint8_t read(uint16_t at) { return current->read(at); }
-void write(uint16_t at, uint8_t value) { current->write(at, value); }
+uint8_t read(uint16_t at) { return currentEeprom->read(at); }
+void write(uint16_t at, uint8_t value) { currentEeprom->write(at, value); }
 
 }  // namespace eeprom
 }  // namespace javinolib
 
-SimulatedEeprom::SimulatedEeprom() : before_(current), random_(1) {
+SimulatedEeprom::SimulatedEeprom() : before_(currentEeprom), random_(1) {
   cells_.fill(0xFF);
   use();
 }
 
 SimulatedEeprom::~SimulatedEeprom() {
-  if (current == this) current = before_;
+  if (currentEeprom == this) currentEeprom = before_;
 }
 
-void SimulatedEeprom::use() { current = this; }
+void SimulatedEeprom::use() { currentEeprom = this; }
 
 uint8_t SimulatedEeprom::read(uint16_t at) {
   const uint8_t cell = cells_.at(at);

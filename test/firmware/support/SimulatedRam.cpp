@@ -2,28 +2,28 @@
 
 #include <cstring>
 
-static SimulatedRam *current = nullptr;
+static SimulatedRam *currentRam = nullptr;
 
 namespace javinolib {
 namespace retained {
 
-TakenNonces &takenNonces() { return current->takenNonces; }
+TakenNonces &takenNonces() { return currentRam->takenNonces; }
 
-bool isClear() { return current->isClear; }
+bool isClear() { return currentRam->isClear; }
 
 }  // namespace retained
 }  // namespace javinolib
 
-SimulatedRam::SimulatedRam() : before_(current), random_(20) {
+SimulatedRam::SimulatedRam() : before_(currentRam), random_(20) {
   losePower();
   use();
 }
 
 SimulatedRam::~SimulatedRam() {
-  if (current == this) current = before_;
+  if (currentRam == this) currentRam = before_;
 }
 
-void SimulatedRam::use() { current = this; }
+void SimulatedRam::use() { currentRam = this; }
 
 void SimulatedRam::losePower() { restore(random_.bytes(sizeof takenNonces)); }
 

@@ -10,8 +10,6 @@ using javinolib::Status;
 
 namespace {
 
-const uint8_t PERCEPTS_NOW = 3;
-
 // The body of a poll, as SPEC 4.3 defines it.
 Bytes pollBody(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
   return {'P',
@@ -107,9 +105,13 @@ BoardReply TestBoard::transmit(const std::string &destination, const std::string
   return exchange(plain(destination, origin, content));
 }
 
-PollReply TestBoard::poll(bool percepts) { return parsePoll(request(pollBody(percepts ? PERCEPTS_NOW : 0, 0, 0))); }
+PollReply TestBoard::poll(bool percepts) {
+  return parsePoll(request(pollBody(percepts ? PERCEPTS_NOW : NO_PERCEPTS, 0, 0)));
+}
 
-PollReply TestBoard::pollTaking(uint8_t taken) { return parsePoll(request(pollBody(0, 0, 0) + Bytes{taken})); }
+PollReply TestBoard::pollTaking(uint8_t taken) {
+  return parsePoll(request(pollBody(NO_PERCEPTS, 0, 0) + Bytes{taken}));
+}
 
 void TestBoard::hold(uint8_t flags, uint16_t holdMillis, uint32_t leastMillis) {
   port.arrive(packet(reference::frame("++++", "++++", pollBody(flags, holdMillis, leastMillis))));

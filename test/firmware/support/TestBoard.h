@@ -12,6 +12,17 @@
 #include "SimulatedEeprom.h"
 #include "SimulatedRam.h"
 
+/// Flags of a poll.
+const uint8_t NO_PERCEPTS = 0;
+const uint8_t PERCEPTS = 1;
+const uint8_t PERCEPTS_NOW = 3;
+const uint8_t REPLY_LOST = 4;
+const uint8_t REPLY_COMING = 8;
+
+/// How message 0 has ended, as a poll tells it.
+const std::string DELIVERED("\0\1", 2);
+const std::string UNDELIVERED("\0\2", 2);
+
 /// A record of a poll reply.
 struct PollRecord {
   char type;

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "radio/BitClock.h"
-#include "support/AirLine.h"
+#include "support/Modem.h"
 
 using javinolib::BitClock;
 
 namespace {
 
-const uint16_t BIT = 1000;
-
 Bits bitsOf(const AirLine &line, double startedOff) {
-  BitClock clock(BIT);
+  BitClock clock(Modem::BIT);
   Bits bits;
   bool bit;
   uint16_t ticks = static_cast<uint16_t>(startedOff);
@@ -32,8 +30,8 @@ bool endsWith(const Bits &bits, const Bits &end) {
 TEST(BitClock, locksWithinTheTrainingWhereverItsWindowsBegan) {
   const Bits packet = reference::packetBits({0x12, 0x34, 0x56, 0x78});
   const Bits afterTraining(packet.begin() + 30, packet.end());
-  for (double offset = 0; offset < BIT; offset += 10) {
-    EXPECT_TRUE(endsWith(bitsOf(AirLine().bits(packet, BIT).silence(BIT / 2), offset), afterTraining))
+  for (double offset = 0; offset < Modem::BIT; offset += 10) {
+    EXPECT_TRUE(endsWith(bitsOf(AirLine().bits(packet, Modem::BIT).silence(Modem::BIT / 2), offset), afterTraining))
         << "windows begin " << offset << " ticks before the packet";
   }
 }
@@ -41,7 +39,7 @@ TEST(BitClock, locksWithinTheTrainingWhereverItsWindowsBegan) {
 TEST(BitClock, followsAClockThatIsThreePercentOffThroughTheSparsestSymbols) {
   const Bits packet = reference::packetBits(Bytes(77, 0x88));  // symbol 0x23: changes every third bit
   for (double skew : {-0.03, 0.03}) {
-    const Bits received = bitsOf(AirLine().bits(packet, BIT * (1 + skew)).silence(BIT / 2), 0);
+    const Bits received = bitsOf(AirLine().bits(packet, Modem::BIT * (1 + skew)).silence(Modem::BIT / 2), 0);
     EXPECT_TRUE(std::equal(packet.begin(), packet.end(), received.begin())) << "skew " << skew;
   }
 }
@@ -49,7 +47,7 @@ TEST(BitClock, followsAClockThatIsThreePercentOffThroughTheSparsestSymbols) {
 TEST(BitClock, isNotSteeredByGlitches) {
   // Pulses of a tenth of a bit, always at the place where steering would hurt most, on a line without changes.
   const AirLine line = AirLine().hold(false, 450).hold(true, 100).hold(false, 450);
-  BitClock clock(BIT);
+  BitClock clock(Modem::BIT);
   bool bit;
   unsigned bits = 0;
   for (int i = 0; i < 100; i++) {

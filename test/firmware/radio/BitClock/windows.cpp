@@ -1,18 +1,17 @@
 #include <gtest/gtest.h>
 
 #include "radio/BitClock.h"
-#include "support/AirLine.h"
+#include "support/Modem.h"
 
 using javinolib::BitClock;
 
 namespace {
 
-const uint16_t BIT = 1000;
 const uint32_t WHOLE = 60000;  // longer than any level here
 
 // The bits of a line whose levels come in pieces: this long at least, and all of the rest where that would be shorter.
 Bits bitsOf(const AirLine &line, uint32_t piece) {
-  BitClock clock(BIT);
+  BitClock clock(Modem::BIT);
   Bits bits;
   for (const AirLine::Run &run : line.runs()) {
     uint32_t left = static_cast<uint32_t>(run.ticks);
@@ -37,15 +36,15 @@ Bits randomBits(size_t count, unsigned seed) {
 
 TEST(BitClock, givesEachBitOnce) {
   const Bits sent = randomBits(2000, 1);
-  EXPECT_EQ(bitsOf(AirLine().bits(sent, BIT), WHOLE), sent);
+  EXPECT_EQ(bitsOf(AirLine().bits(sent, Modem::BIT), WHOLE), sent);
 }
 
 TEST(BitClock, givesTheSameBitsWhenALevelComesInPieces) {
   std::mt19937 random(2);
   AirLine line;
-  line.bits(randomBits(300, 2), BIT * 1.01).jitter(150, random).quantise(1);
+  line.bits(randomBits(300, 2), Modem::BIT * 1.01).jitter(150, random).quantise(1);
   const Bits whole = bitsOf(line, WHOLE);
-  for (uint32_t piece = BIT / 4; piece <= 3 * BIT; piece += 13) {
+  for (uint32_t piece = Modem::BIT / 4; piece <= 3 * Modem::BIT; piece += 13) {
     EXPECT_EQ(bitsOf(line, piece), whole) << "pieces of " << piece;
   }
 }
@@ -54,9 +53,9 @@ TEST(BitClock, takesTheLevelOfMoreThanHalfOfABit) {
   // Twelve short pulses in one bit: none lasts long enough to steer.
   const auto bitWithHighTicks = [](double high) {
     AirLine line;
-    line.bits({true, false, true, false}, BIT);
-    for (int i = 0; i < 12; i++) line.hold(false, (BIT - high) / 12).hold(true, high / 12);
-    line.hold(false, BIT);
+    line.bits({true, false, true, false}, Modem::BIT);
+    for (int i = 0; i < 12; i++) line.hold(false, (Modem::BIT - high) / 12).hold(true, high / 12);
+    line.hold(false, Modem::BIT);
     return bool(bitsOf(line, WHOLE).at(4));
   };
   EXPECT_FALSE(bitWithHighTicks(480));

@@ -9,14 +9,10 @@ using namespace javinolib;
 
 namespace {
 
-const int PACKETS = 10000;
 const int ROUNDS = 100;
+const int PACKETS_OF_A_ROUND = 100;
 
-Bytes shortPayload(std::mt19937 &random) {
-  Bytes payload(1 + random() % 24);
-  for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
-  return payload;
-}
+Bytes shortPayload(std::mt19937 &random) { return randomBytes(1 + random() % 24, random); }
 
 Bits trailer(std::mt19937 &random) {
   Bytes bytes = {linecode::TRAILER_PARITY};
@@ -51,7 +47,7 @@ TEST(Trailer, isIgnoredByAPlainReceiver_whichHearsEachPacketBehindIt) {
   for (int round = 0; round < ROUNDS; round++) {
     AirLine line;
     std::vector<Bytes> sent;
-    for (int i = 0; i < PACKETS / ROUNDS; i++) {
+    for (int i = 0; i < PACKETS_OF_A_ROUND; i++) {
       sent.push_back(shortPayload(random));
       line.bits(after(reference::packetBits(sent.back()), trailer(random)), bitTicks(random)).silence(gap(random));
       sent.push_back(shortPayload(random));
@@ -67,7 +63,7 @@ TEST(Trailer, isNoStartForAPlainReceiverThatHearsItAlone) {
   for (int round = 0; round < ROUNDS; round++) {
     AirLine line;
     std::vector<Bytes> sent;
-    for (int i = 0; i < PACKETS / ROUNDS; i++) {
+    for (int i = 0; i < PACKETS_OF_A_ROUND; i++) {
       const Bits missed = reference::packetBits(shortPayload(random));
       const Bits end(missed.end() - static_cast<long>(random() % 7), missed.end());
       line.bits(after(end, trailer(random)), bitTicks(random)).silence(gap(random));

@@ -2,16 +2,6 @@
 
 #include "support/Damage.h"
 
-namespace {
-
-Bytes randomBytes(size_t length, std::mt19937 &random) {
-  Bytes bytes(length);
-  for (uint8_t &byte : bytes) byte = static_cast<uint8_t>(random());
-  return bytes;
-}
-
-}  // namespace
-
 TEST(Mender, mendsEachWrongBitOfPacketsOfEachLengthAndLeavesNoDoubtBehindTheCount) {
   std::mt19937 random(51);
   for (size_t length = 1; length <= 77; length++) {

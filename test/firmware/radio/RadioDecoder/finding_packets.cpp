@@ -5,12 +5,6 @@
 #include "support/Decoder.h"
 #include "support/Vectors.h"
 
-namespace {
-
-const Bytes GOOD = {'g', 'o', 'o', 'd'};
-
-}  // namespace
-
 TEST(RadioDecoder, decodesTheVectors) {
   for (const RadioVector &vector : radioVectors()) {
     Decoder decoder;

@@ -7,8 +7,6 @@
 
 namespace {
 
-const Bytes GOOD = {'g', 'o', 'o', 'd'};
-
 // What was refused is counted, is not queued, and does not cost the packet behind it.
 void expectRefused(const Bits &bits, const std::string &what) {
   Decoder decoder;

@@ -6,18 +6,11 @@
 #include "radio/ReedSolomon.h"
 #include "support/ReferencePacket.h"
 
-using javinolib::reedsolomon::Decoder;
 using javinolib::reedsolomon::PARITY_LENGTH;
 using javinolib::reedsolomon::Progress;
 
 // Steps after which a decoder that has not ended never will.
 const int MOST_STEPS = 40;
-
-inline Bytes randomBytes(size_t length, std::mt19937 &random) {
-  Bytes bytes(length);
-  for (uint8_t &byte : bytes) byte = static_cast<uint8_t>(random());
-  return bytes;
-}
 
 inline Bytes withParity(Bytes bytes) {
   Bytes parity(PARITY_LENGTH, 0xA5);  // what was there before
@@ -26,14 +19,14 @@ inline Bytes withParity(Bytes bytes) {
   return bytes;
 }
 
-inline Progress finish(Decoder &decoder) {
+inline Progress finish(javinolib::reedsolomon::Decoder &decoder) {
   Progress progress = Progress::PENDING;
   for (int i = 0; i < MOST_STEPS && progress == Progress::PENDING; i++) progress = decoder.step();
   return progress;
 }
 
 inline Progress mend(Bytes &codeword, const Bytes &erasures) {
-  Decoder decoder;
+  javinolib::reedsolomon::Decoder decoder;
   decoder.begin(codeword.data(), static_cast<uint8_t>(codeword.size()));
   for (uint8_t position : erasures) decoder.erase(position);
   return finish(decoder);

@@ -87,7 +87,7 @@ TEST(ReedSolomon, ignoresAnErasureBehindTheEnd) {
 TEST(ReedSolomon, beginsAnewAtAnyStep) {
   std::mt19937 random(9);
   for (int steps = 0; steps < MOST_STEPS / 2; steps++) {
-    Decoder decoder;
+    javinolib::reedsolomon::Decoder decoder;
     Bytes other = randomBytes(96, random);
     decoder.begin(other.data(), 96);
     decoder.erase(3);

@@ -90,7 +90,7 @@ TEST(ReedSolomon, bearsAnyCalls) {
   for (int i = 0; i < 5000; i++) {
     Bytes codeword = randomBytes(random() % 256, random);
     if (random() % 2) codeword = Bytes(codeword.size(), 0);
-    Decoder decoder;
+    javinolib::reedsolomon::Decoder decoder;
     decoder.begin(codeword.data(), static_cast<uint8_t>(codeword.size()));
     for (int calls = static_cast<int>(random() % 60); calls > 0; calls--) {
       if (random() % 2) {

@@ -3,6 +3,8 @@
 #include "radio/RadioDecoder.h"
 #include "support/ReferencePacket.h"
 
+const Bytes GOOD = {'g', 'o', 'o', 'd'};
+
 // A decoder, and what it has found.
 class Decoder {
  public:

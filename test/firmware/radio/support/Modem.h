@@ -43,8 +43,4 @@ inline AirLine packetLine(const Bytes &payload, double bitTicks = Modem::BIT) {
   return AirLine().bits(reference::packetBits(payload), bitTicks).silence(12 * bitTicks);
 }
 
-inline Bytes randomPayload(std::mt19937 &random) {
-  Bytes payload(random() % 77 + 1);
-  for (uint8_t &byte : payload) byte = static_cast<uint8_t>(random());
-  return payload;
-}
+inline Bytes randomPayload(std::mt19937 &random) { return randomBytes(random() % 77 + 1, random); }

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <vector>
 
 typedef std::vector<uint8_t> Bytes;
 typedef std::vector<bool> Bits;
+
+inline Bytes randomBytes(size_t length, std::mt19937 &random) {
+  Bytes bytes(length);
+  for (uint8_t &byte : bytes) byte = static_cast<uint8_t>(random());
+  return bytes;
+}
 
 // Radio packets made from SPEC 6 alone, without a line of the code under test.
 namespace reference {
