@@ -2,8 +2,6 @@
 // Two programs and the air between them, down to the pins.
 #include "support.h"
 
-static const char HELLO[] = "2f2f2f2f43414645417748656c6c6f21";
-
 static std::string two_boards(const std::string &radio = "", const std::string &more = "") {
   return R"({"radio":{)" + radio + R"(},"boards":[
         {"name":"sender","firmware":"@rf_send","position":[0,0],"watch":[{"pin":12,"name":"tx"}]},

@@ -11,8 +11,6 @@ extern "C" {
 
 namespace {
 
-const cycles_t BIT = 8000;
-
 struct Level {
   bool level;
   cycles_t at;

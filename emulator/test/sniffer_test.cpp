@@ -34,8 +34,6 @@ std::string line_bits(const std::string &payload) {
   return bits;
 }
 
-const cycles_t BIT = CYCLES_PER_SECOND / 2000;
-
 Event sniffed_bits(const std::string &bits) {
   static std::vector<std::unique_ptr<Emulation>> runs;  // events refer to them
   Scratch scratch;

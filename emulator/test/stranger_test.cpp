@@ -4,7 +4,6 @@
 
 static const char HEARER[] = R"({"boards":[{"name":"near","firmware":"@blink","position":[0,0]},
     {"name":"far","firmware":"@blink","position":[150,0]}]})";
-static const std::string HELLO = "2f2f2f2f43414645417748656c6c6f21";
 
 TEST(Stranger, a_packet_is_heard_in_range_of_where_it_stands) {
   Scratch scratch;

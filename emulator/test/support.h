@@ -19,6 +19,9 @@ extern "C" {
 #include "simulator_log.h"
 }
 
+const cycles_t BIT = CYCLES_PER_SECOND / 2000;  // on the air
+const std::string HELLO = "2f2f2f2f43414645417748656c6c6f21";
+
 // A folder that is gone at the end of the test.
 class Scratch {
  public:

@@ -136,14 +136,14 @@ TEST(World, has_room_for_so_many_obstacles) {
 }
 
 // The program's pin 5 goes high after 500 ms: the only motor that it turns.
-static const char CAR[] = R"({"boards":[{"name":"car","firmware":"@sensors","position":[1,1],
+static const char SENSING_CAR[] = R"({"boards":[{"name":"car","firmware":"@sensors","position":[1,1],
     "vehicle":{"heading":0,"speed":2,"radius":0.5,"forward":[5,5],"backward":[6,6]},"sensors":[
       {"type":"hc-sr04","trigger":22,"echo":2,"distance":"world"},{"type":"ldr","pin":"A0","light":"world"}]}],
     "world":{"light":321,"obstacles":[{"name":"rock","position":[4,1],"radius":0.5}]}})";
 
 TEST(World, a_board_drives_and_measures_what_is_ahead) {
   Scratch scratch;
-  Emulation run(scratch, CAR);
+  Emulation run(scratch, SENSING_CAR);
   run.run_until(2.5);
   auto lines = run.events("car", "uart");
   int cm = 0, light = 0;
@@ -196,7 +196,7 @@ TEST(World, a_move_ends_a_path) {
 
 TEST(World, a_reset_board_stands_still) {
   Scratch scratch;
-  Emulation run(scratch, CAR);
+  Emulation run(scratch, SENSING_CAR);
   run.run_until(0.7);
   EXPECT_EQ(run.command(R"({"do":"power-cut","board":"car","duration":5})"), "");
   run.run_until(0.8);
@@ -207,7 +207,7 @@ TEST(World, a_reset_board_stands_still) {
 
 TEST(World, the_trace_begins_with_the_scenario) {
   Scratch scratch;
-  Emulation run(scratch, CAR, 7);
+  Emulation run(scratch, SENSING_CAR, 7);
   std::string trace = run.trace_text();
   EXPECT_EQ(
       trace.substr(0, trace.find('\n')),
