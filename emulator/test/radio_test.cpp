@@ -81,13 +81,13 @@ TEST(Radio, packets_that_overlap_damage_each_other) {
 static std::string trace_with_errors(uint64_t seed) {
   Scratch scratch;
   Emulation run(scratch, two_boards(R"("bitErrorRate":0.003)"), seed);
-  run.run_until(12);
+  run.run_until(6);
   size_t received = run.events("rf-rx").size();
   size_t damaged = run.events("rf-damaged").size();
   EXPECT_EQ(received + damaged, run.events("rf-tx").size());
   // 276 bits at 0.003: 44 % get through, and some more as training may be damaged.
-  EXPECT_GT(received, 5u);
-  EXPECT_GT(damaged, 5u);
+  EXPECT_GT(received, 2u);
+  EXPECT_GT(damaged, 2u);
   return run.trace_text();
 }
 
