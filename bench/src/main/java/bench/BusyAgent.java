@@ -7,6 +7,10 @@ import java.time.Duration;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Timer;
+import java.util.TimerTask;
+import java.util.concurrent.atomic.AtomicInteger;
+import javino.fake.FakeBoard;
 import javino.link.LinkOpener;
 
 /** How fast an agent that always has something to do goes on reasoning, with boards of different quickness. */
@@ -34,16 +38,29 @@ public final class BusyAgent implements Subject {
     public static final class MemoryDiffuser extends Diffuser {
 
         private static final long serialVersionUID = 1L;
+        /** How often a sketch reads its sensors by default. */
+        private static final Duration SAMPLE = Duration.ofMillis(20);
         private static Kind kind;
 
         @Override
         protected LinkOpener link(String port) {
-            return switch (kind) {
-                case LATE -> MemoryBoard.answeringAfter(Duration.ofMillis(50));
-                case SILENT -> MemoryBoard.silent();
-                case CHANGING -> MemoryBoard.changing();
-                default -> MemoryBoard.answeringAfter(Duration.ZERO);
-            };
+            FakeBoard board = new FakeBoard("memory").perceive("light(1)");
+            switch (kind) {
+                case LATE -> board.line.setDelay(Duration.ofMillis(50));
+                case SILENT -> board.line.setSilent(true);
+                case CHANGING -> {
+                    AtomicInteger light = new AtomicInteger();
+                    new Timer("sensor", true).schedule(new TimerTask() {
+                        @Override
+                        public void run() {
+                            board.perceive("light(" + light.incrementAndGet() % 1024 + ")");
+                        }
+                    }, 0, SAMPLE.toMillis());
+                }
+                default -> {
+                }
+            }
+            return board.port;
         }
     }
 

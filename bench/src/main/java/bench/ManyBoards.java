@@ -8,6 +8,7 @@ import java.util.concurrent.CountDownLatch;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
+import javino.fake.FakeBoard;
 import javino.protocol.BoardInfo;
 
 /** What a hundred idle boards in one program take. */
@@ -69,7 +70,7 @@ public final class ManyBoards implements Subject {
         int boards = Integer.parseInt(count[0]);
         CountDownLatch online = new CountDownLatch(boards);
         for (int i = 0; i < boards; i++) {
-            Board.open(MemoryBoard.answeringAfter(Duration.ZERO), BoardConfig.create(), new BoardListener() {
+            Board.open(new FakeBoard().perceive("light(1)").port, BoardConfig.create(), new BoardListener() {
                 @Override
                 public void online(BoardInfo info) {
                     online.countDown();

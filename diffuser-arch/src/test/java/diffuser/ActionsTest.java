@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 
+import javino.fake.FakeBoard;
 import javino.protocol.Status;
 
 import org.junit.jupiter.api.Test;
@@ -32,7 +33,7 @@ class ActionsTest {
     void act_boardKnowsIt_performedAndIntentionGoesOn() {
         FakeBoard board = new FakeBoard("body");
         RunningAgent agent = RunningAgent.run(program(".act(speed(80,\"km/h\")[source(self)])"), board);
-        RunningAgent.asked(board, "A speed(80,\"km/h\")");
+        RunningAgent.asked(board, "act speed(80,\"km/h\")");
         agent.notes("done");
     }
 
@@ -40,14 +41,14 @@ class ActionsTest {
     void act_asString_sentAsItIs() {
         FakeBoard board = new FakeBoard("body");
         RunningAgent agent = RunningAgent.run(program(".act(\"speed( 80 )\")"), board);
-        RunningAgent.asked(board, "A speed( 80 )");
+        RunningAgent.asked(board, "act speed( 80 )");
         agent.notes("done");
     }
 
     @Test
     void act_boardRefuses_failsWithItsError() {
-        FakeBoard board = new FakeBoard("body").refusing("A fly", Status.UNKNOWN_ACTION)
-                .refusing("A jump", Status.ACTION_FAILED);
+        FakeBoard board = new FakeBoard("body").refuse("act fly", Status.UNKNOWN_ACTION)
+                .refuse("act jump", Status.ACTION_FAILED);
         RunningAgent agent = RunningAgent.run(program(".act(fly)"), board);
         agent.notes("unknown_action act fly failed: UNKNOWN_ACTION, the sketch has no action of this name");
         agent.close();
@@ -57,7 +58,7 @@ class ActionsTest {
 
     @Test
     void act_boardIsAway_failsWithPortOff() {
-        RunningAgent agent = RunningAgent.run(program(".act(stop)"), new FakeBoard("body").unplugged());
+        RunningAgent agent = RunningAgent.run(program(".act(stop)"), new FakeBoard("body").unplug());
         agent.notes("port_off");
     }
 
@@ -69,53 +70,53 @@ class ActionsTest {
                         + "-!do[error(E)] <- diffuser.note(E).";
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
-        board.swallow("A stop");
+        board.swallow("act stop");
         agent.achieve("do");
-        RunningAgent.asked(board, "A stop");
-        board.unplug();
+        RunningAgent.asked(board, "act stop");
+        board.port.unplug();
         agent.notes("outcome_unknown");
     }
 
     @Test
     void act_plainAction_goesToTheBoard() {
-        FakeBoard board = new FakeBoard("body").refusing("A jump", Status.ACTION_FAILED);
+        FakeBoard board = new FakeBoard("body").refuse("act jump", Status.ACTION_FAILED);
         RunningAgent agent = RunningAgent.run(program("stop; jump"), board);
-        RunningAgent.asked(board, "A stop");
-        RunningAgent.asked(board, "A jump");
+        RunningAgent.asked(board, "act stop");
+        RunningAgent.asked(board, "act jump");
         agent.notes("action_failed act jump failed: ACTION_FAILED, the sketch refused the action or its arguments");
     }
 
     @Test
     void act_plainActionNobodyKnows_failsWithUnknownAction() {
-        FakeBoard board = new FakeBoard("body").refusing("A fly", Status.UNKNOWN_ACTION);
+        FakeBoard board = new FakeBoard("body").refuse("act fly", Status.UNKNOWN_ACTION);
         RunningAgent agent = RunningAgent.run(program("fly"), board);
         agent.notes("unknown_action act fly failed: UNKNOWN_ACTION, the sketch has no action of this name");
     }
 
     @Test
     void act_plainActionWhileBoardIsAwayAndNothingElse_failsWithPortOff() {
-        RunningAgent agent = RunningAgent.run(program("stop"), new FakeBoard("body").unplugged());
+        RunningAgent agent = RunningAgent.run(program("stop"), new FakeBoard("body").unplug());
         agent.notes("port_off");
     }
 
     @Test
     void act_plainActionOfTheEnvironment_isNeverAskedOfTheBoard() throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("stop");
+        FakeBoard board = new FakeBoard("body").setActions("stop");
         RunningAgent agent = withEnvironment(program("paint(red); paint(blue); stop; stop(now)"), board);
         agent.notes("environment paint(red)");
         agent.notes("environment paint(blue)");
         agent.notes("done");
-        RunningAgent.asked(board, "A stop");
-        RunningAgent.asked(board, "A stop(now)");
+        RunningAgent.asked(board, "act stop");
+        RunningAgent.asked(board, "act stop(now)");
     }
 
     @Test
     void act_plainActionWithAVariable_goesToTheEnvironment() throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("paint", "stop");
+        FakeBoard board = new FakeBoard("body").setActions("paint", "stop");
         RunningAgent agent = withEnvironment(program("paint(Colour); stop"), board);
         agent.notes("environment paint(Colour)");
         agent.notes("done");
-        RunningAgent.asked(board, "A stop");
+        RunningAgent.asked(board, "act stop");
     }
 
     @ParameterizedTest
@@ -124,24 +125,24 @@ class ActionsTest {
                     "source(self),wsp(studio)"})
     void act_plainActionThatNamesAnArtifact_goesToTheEnvironmentWhateverTheBoardHas(String annotations)
             throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("paint");
+        FakeBoard board = new FakeBoard("body").setActions("paint");
         RunningAgent agent = withEnvironment(program("paint(red)[" + annotations + "]; paint(blue)"), board);
         agent.notes("environment paint(red)[" + annotations + "]");
         agent.notes("done");
-        RunningAgent.asked(board, "A paint(blue)");
+        RunningAgent.asked(board, "act paint(blue)");
     }
 
     @Test
     void act_plainActionWithAnotherAnnotation_goesToTheBoard() throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("paint");
+        FakeBoard board = new FakeBoard("body").setActions("paint");
         RunningAgent agent = withEnvironment(program("paint(red)[fast,colour(red)]"), board);
-        RunningAgent.asked(board, "A paint(red)");
+        RunningAgent.asked(board, "act paint(red)");
         agent.notes("done");
     }
 
     @Test
     void act_plainActionOfAnArtifactAndNothingBehind_fails() {
-        FakeBoard board = new FakeBoard("body").knowing("paint");
+        FakeBoard board = new FakeBoard("body").setActions("paint");
         RunningAgent agent = RunningAgent.run(program("paint(red)[art(easel)]"), board);
         agent.notes("action_failed no environment configured!");
         assertEquals(0, board.requests.size());
@@ -150,7 +151,7 @@ class ActionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"~paint(red)", "studio::paint(red)"})
     void act_plainActionOfANameThatNoSketchCanHave_goesToTheEnvironment(String action) throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("paint");
+        FakeBoard board = new FakeBoard("body").setActions("paint");
         RunningAgent agent = withEnvironment(program(action), board);
         agent.notes("environment " + action);
         agent.notes("done");
@@ -161,7 +162,7 @@ class ActionsTest {
     void act_plainActionLongerThanABoardReads_failsWhereItIsTheBoards() throws Exception {
         String picture = "x".repeat(600);
         String program = program("paint(\"" + picture + "\")");
-        RunningAgent agent = withEnvironment(program, new FakeBoard("body").knowing("paint"));
+        RunningAgent agent = withEnvironment(program, new FakeBoard("body").setActions("paint"));
         agent.notes("action_failed an action has 1…510 bytes of UTF-8, not 609");
         agent.close();
         RunningAgent other = withEnvironment(program, new FakeBoard("body"));
@@ -171,7 +172,7 @@ class ActionsTest {
 
     @Test
     void act_plainActionThatTheBoardCannotRead_failsWithItsError() throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("paint").refusing("A paint(a(b(c)))", Status.BAD_ARGUMENT);
+        FakeBoard board = new FakeBoard("body").setActions("paint").refuse("act paint(a(b(c)))", Status.BAD_ARGUMENT);
         RunningAgent agent = withEnvironment(program("paint(a(b(c)))"), board);
         agent.notes("action_failed act paint(a(b(c))) failed: BAD_ARGUMENT, " + Status.BAD_ARGUMENT.explanation());
     }
@@ -179,7 +180,7 @@ class ActionsTest {
     @Test
     void act_noBoardHasAnsweredYet_goesToTheEnvironmentWithOneWarning() throws Exception {
         RunningAgent agent = withEnvironment(program("paint(red); paint; paint(blue)"),
-                new FakeBoard("body").knowing("paint").unplugged());
+                new FakeBoard("body").setActions("paint").unplug());
         agent.notes("environment paint(red)");
         agent.notes("environment paint");
         agent.notes("environment paint(blue)");
@@ -191,7 +192,8 @@ class ActionsTest {
 
     private static final String OUTAGE = """
             !start.
-            +!start <- .port(body); diffuser.note(ready); .wait(port(_,off)); .wait(port(_,on)); diffuser.note(back).
+            +!start <- .port(body); diffuser.note(ready); .wait(port(_,off)); diffuser.note(off);
+                .wait(port(_,on)); diffuser.note(back).
             +!paint <- paint(red); diffuser.note(painted).
             +!do <- stop; diffuser.note(done).
             """;
@@ -203,14 +205,15 @@ class ActionsTest {
     private static RunningAgent inAnOutage(FakeBoard board, String plan) throws Exception {
         RunningAgent agent = withEnvironment(OUTAGE + plan, board);
         agent.notes("ready");
-        board.unplug();
+        board.port.unplug();
         agent.warns("the board is off");
+        agent.notes("off");
         return agent;
     }
 
     @Test
     void act_boardIsAway_actionOfTheEnvironmentGoesThereAndNobodyIsWarned() throws Exception {
-        RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop", "go"));
+        RunningAgent agent = inAnOutage(new FakeBoard("body").setActions("stop", "go"));
         for (int i = 0; i < 3; i++) {
             agent.achieve("paint");
             agent.notes("environment paint(red)");
@@ -221,30 +224,30 @@ class ActionsTest {
 
     @Test
     void act_boardIsAway_itsOwnActionFailsWithPortOffWhateverIsBehind() throws Exception {
-        RunningAgent agent = inAnOutage(new FakeBoard("body").knowing("stop"));
+        RunningAgent agent = inAnOutage(new FakeBoard("body").setActions("stop"));
         agent.achieve("do");
         agent.notes("port_off");
     }
 
     @Test
     void act_boardComesBack_performsItsAction() throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("stop");
+        FakeBoard board = new FakeBoard("body").setActions("stop");
         RunningAgent agent = inAnOutage(board, "-!do[error(port_off)] <- !do.");
         agent.achieve("do");
-        board.plug();
-        RunningAgent.asked(board, "A stop");
+        board.port.plug();
+        RunningAgent.asked(board, "act stop");
         agent.notesAll("back", "done");
     }
 
     @Test
     void act_boardComesBackWithAnotherSketch_itsNamesCount() throws Exception {
-        FakeBoard board = new FakeBoard("body").knowing("stop");
+        FakeBoard board = new FakeBoard("body").setActions("stop");
         RunningAgent agent = inAnOutage(board);
-        board.knowing("paint").reset();
-        board.plug();
+        board.setActions("paint").reset();
+        board.port.plug();
         agent.notes("back");
         agent.achieve("paint");
-        RunningAgent.asked(board, "A paint(red)");
+        RunningAgent.asked(board, "act paint(red)");
         agent.notes("painted");
     }
 
@@ -272,12 +275,12 @@ class ActionsTest {
                         + "+!drop <- .drop_intention(do); diffuser.note(dropped).";
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
-        board.swallow("A stop");
+        board.swallow("act stop");
         agent.achieve("do");
-        RunningAgent.asked(board, "A stop");
+        RunningAgent.asked(board, "act stop");
         agent.achieve("drop");
         agent.notes("dropped");
-        board.unplug();
+        board.port.unplug();
         agent.warns("the board is off");
         agent.cycles(3);
         agent.achieve("drop");

@@ -7,6 +7,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
+import javino.fake.FakeBoard;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 
@@ -27,11 +28,11 @@ class AgentSpeakTest {
     }
 
     private static void run(String goal, String program) {
-        FakeBoard board = new FakeBoard("desk").perceiving("p(1)", "p(-2)")
-                .refusing("A fly", Status.UNKNOWN_ACTION)
-                .refusing("A jump", Status.ACTION_FAILED)
-                .refusing("NOKE tell;secret", Status.NO_KEY)
-                .endingAll(Outcome.DELIVERED);
+        FakeBoard board = new FakeBoard("desk").perceive("p(1)", "p(-2)")
+                .refuse("act fly", Status.UNKNOWN_ACTION)
+                .refuse("act jump", Status.ACTION_FAILED)
+                .refuse("NOKE tell;secret", Status.NO_KEY)
+                .endAll(Outcome.DELIVERED);
         board.receive("////", "ROMA", "tell;q(7)");
         String start = """
 

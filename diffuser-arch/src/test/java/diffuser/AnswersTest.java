@@ -8,6 +8,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import javino.fake.FakeBoard;
+
 /** What an agent answers other devices. */
 class AnswersTest {
 
@@ -24,8 +26,8 @@ class AnswersTest {
     private static RunningAgent ready(FakeBoard board) {
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
         return agent;
     }
 

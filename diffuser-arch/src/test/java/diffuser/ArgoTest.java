@@ -9,6 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import javino.fake.FakeBoard;
+
 /** Agents as they are written for the public Argo architecture. */
 class ArgoTest {
 
@@ -56,21 +58,21 @@ class ArgoTest {
     @ParameterizedTest
     @ValueSource(strings = {".", ".argo.", "argo."})
     void agent_eachWayOfWriting_blinks(String prefix) {
-        FakeBoard board = new FakeBoard("ttyACM0").perceiving("led(off)");
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("led(off)");
         RunningAgent agent = argo(BLINKER.formatted(prefix), board);
         agent.notesAll("ttyACM0 connected", "led off");
-        RunningAgent.asked(board, "A ledOn");
-        board.perceiving("led(on)");
-        RunningAgent.asked(board, "A ledOff");
+        RunningAgent.asked(board, "act ledOn");
+        board.perceive("led(on)");
+        RunningAgent.asked(board, "act ledOff");
         agent.notes("led on");
-        board.unplug();
+        board.port.unplug();
         agent.notes("ttyACM0 off");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {".percepts(close)", ".percepts(block)", ".argo.percepts(close)"})
     void percepts_closedAndOpenedByTheirOwnPlan_areNoNewEvents(String close) {
-        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("light(1)");
         String program = """
                 !start.
                 +!start <- .port(ttyACM0); .percepts(open).
@@ -81,14 +83,14 @@ class ArgoTest {
         RunningAgent agent = argo(program, board);
         agent.notes("light 1");
         agent.notesNothingElse();
-        board.perceiving("light(2)");
+        board.perceive("light(2)");
         agent.notesAll("light 2", "no light 1");
         agent.notesNothingElse();
     }
 
     @Test
     void percepts_changeWhileClosed_areBelievedWhenOpened() {
-        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("light(1)");
         String program = """
                 !start.
                 +!start <- .port(ttyACM0); .percepts(open).
@@ -102,7 +104,7 @@ class ArgoTest {
         agent.notes("light 1");
         agent.achieve("close");
         agent.notes("closed");
-        board.perceiving("light(2)");
+        board.perceive("light(2)");
         agent.notesNothingElse();
         agent.achieve("open");
         agent.notesAll("no light 1", "light 2");
@@ -110,7 +112,7 @@ class ArgoTest {
 
     @Test
     void percepts_closedBeforeTheyWereOpened_areNoBeliefs() {
-        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("light(1)");
         String program = "!start. +!start <- .percepts(close); .port(ttyACM0); diffuser.note(ready)."
                 + "+light(X) <- diffuser.note(light,X). +!probe <- diffuser.note(probed).";
         RunningAgent agent = argo(program, board);
@@ -120,7 +122,7 @@ class ArgoTest {
 
     @Test
     void percepts_boardGoesWhileClosed_areForgotten() {
-        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("light(1)");
         String program = """
                 !start.
                 +!start <- .port(ttyACM0); .percepts(open).
@@ -133,7 +135,7 @@ class ArgoTest {
         agent.notes("light 1");
         agent.achieve("close");
         agent.notes("closed");
-        board.unplug();
+        board.port.unplug();
         agent.notesAll("no light 1", "off");
     }
 
@@ -149,8 +151,8 @@ class ArgoTest {
     }
 
     private static FakeBoard lamp() {
-        return new FakeBoard("ttyACM0").perceiving("ledStatus(off)")
-                .perceivingAfter("A ledOn", "ledStatus(on)").perceivingAfter("A ledOff", "ledStatus(off)");
+        return new FakeBoard("ttyACM0").perceive("ledStatus(off)")
+                .perceiveAfter("act ledOn", "ledStatus(on)").perceiveAfter("act ledOff", "ledStatus(off)");
     }
 
     @ParameterizedTest
@@ -219,9 +221,9 @@ class ArgoTest {
                 """;
         RunningAgent agent = argo(program, board);
         agent.notes("ready");
-        board.swallow("A ledOn");
+        board.swallow("act ledOn");
         agent.achieve("act");
-        RunningAgent.asked(board, "A ledOn");
+        RunningAgent.asked(board, "act ledOn");
         agent.achieve("probe");
         agent.notes("probed");
     }
@@ -231,7 +233,7 @@ class ArgoTest {
             ".limit(3600000); .port(ttyACM0); .percepts(open)"})
     void percepts_openedOnABoard_areBelievedInTheNextStep(String opening) {
         for (int i = 0; i < 10; i++) {
-            FakeBoard board = new FakeBoard("ttyACM0").perceiving("umidadeSolo(42)");
+            FakeBoard board = new FakeBoard("ttyACM0").perceive("umidadeSolo(42)");
             String program = "!start. +!start <- " + opening + "; ?umidadeSolo(U); diffuser.note(U).";
             RunningAgent agent = argo(program, board);
             agent.notes("42");
@@ -242,7 +244,7 @@ class ArgoTest {
     @Test
     void percepts_openedWhileTheBoardIsAway_goesOn() {
         String program = "!start. +!start <- .port(ttyACM0); .percepts(open); ?port(P,S); diffuser.note(P,S).";
-        RunningAgent agent = argo(program, new FakeBoard("ttyACM0").unplugged());
+        RunningAgent agent = argo(program, new FakeBoard("ttyACM0").unplug());
         agent.notes("ttyACM0 off");
     }
 
@@ -263,7 +265,7 @@ class ArgoTest {
 
     @Test
     void port_none_leavesThePort() {
-        FakeBoard board = new FakeBoard("ttyACM0").perceiving("light(1)");
+        FakeBoard board = new FakeBoard("ttyACM0").perceive("light(1)");
         String program = """
                 !start.
                 +!start <- .port(ttyACM0); .percepts(open).
@@ -276,7 +278,7 @@ class ArgoTest {
         agent.notes("light 1");
         agent.achieve("leave");
         agent.notesAll("no light 1", "no ttyACM0");
-        board.awaitClosing();
+        board.port.awaitClosing();
     }
 
     @Test
@@ -285,7 +287,7 @@ class ArgoTest {
         String program = "!start. +!start <- .argo.port(ttyACM0); .setMyRFId(\"ROMA\"); .diffuse(broadcast,tell,help);"
                 + "diffuser.note(done).";
         RunningAgent agent = argo(program, board);
-        RunningAgent.asked(board, "I ROMA");
+        RunningAgent.asked(board, "id ROMA");
         RunningAgent.asked(board, "//// tell;help");
         agent.notes("done");
     }

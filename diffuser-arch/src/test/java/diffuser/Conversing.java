@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
+import javino.fake.FakeBoard;
+
 /** What a test needs of questions and answers on the line to a fake board. */
 final class Conversing {
 

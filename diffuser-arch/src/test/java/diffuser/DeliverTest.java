@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 
+import javino.fake.FakeBoard;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 
@@ -33,7 +34,7 @@ class DeliverTest {
     private static RunningAgent ready(String program, FakeBoard board) {
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "id SUPO");
         return agent;
     }
 
@@ -67,14 +68,14 @@ class DeliverTest {
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id",
             "BAD_DESTINATION,bad_destination", "NONCE_EXHAUSTED,nonce_exhausted"})
     void deliver_boardRefuses_failsWithItsError(Status status, String error) {
-        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
+        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", status);
         RunningAgent agent = waiting(PROGRAM, board);
         agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
     }
 
     @Test
     void deliver_boardIsAway_failsWithPortOff() {
-        FakeBoard board = new FakeBoard("antenna").unplugged();
+        FakeBoard board = new FakeBoard("antenna").unplug();
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notes("ready");
         agent.achieve("do");
@@ -111,10 +112,10 @@ class DeliverTest {
         FakeBoard board = new FakeBoard("antenna");
         RunningAgent agent = waiting(PROGRAM, board);
         agent.notesNothingElse();
-        board.unplug();
+        board.port.unplug();
         agent.warns("the board is off");
         board.reset();
-        board.plug();
+        board.port.plug();
         agent.notes(UNDELIVERED);
     }
 
@@ -203,7 +204,7 @@ class DeliverTest {
 
     @Test
     void deliver_inAnAtomicPlan_goesOn() {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
+        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.DELIVERED);
         String program = PROGRAM + "@a[atomic] +!atomic <- .deliver(\"ROMA\",tell,help); diffuser.note(atomic).";
         RunningAgent agent = ready(program, board);
         agent.achieve("atomic");
@@ -212,7 +213,7 @@ class DeliverTest {
 
     @Test
     void deliver_undeliveredInAnAtomicPlan_fails() {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.UNDELIVERED);
         String program = PROGRAM + """
                 @a[atomic] +!atomic <- .deliver("ROMA",tell,help).
                 -!atomic[error(E)] <- diffuser.note(E).

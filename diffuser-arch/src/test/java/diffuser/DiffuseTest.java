@@ -2,6 +2,7 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import javino.fake.FakeBoard;
 import javino.protocol.Status;
 
 import org.junit.jupiter.api.Test;
@@ -21,7 +22,7 @@ class DiffuseTest {
 
     private static RunningAgent run(String action, FakeBoard board) {
         RunningAgent agent = RunningAgent.run(program(action), board);
-        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "id SUPO");
         return agent;
     }
 
@@ -55,14 +56,14 @@ class DiffuseTest {
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full", "NO_RF_ID,no_rf_id", "BAD_DESTINATION,bad_destination",
             "NONCE_EXHAUSTED,nonce_exhausted"})
     void diffuse_boardRefuses_failsWithItsError(Status status, String error) {
-        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", status);
+        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", status);
         RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board);
         agent.notes(error + " : transmit to ROMA: tell;help failed: " + status + ", " + status.explanation());
     }
 
     @Test
     void diffuse_tooLongForTheBoard_saysBothLengths() {
-        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.TOO_LONG);
+        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", Status.TOO_LONG);
         RunningAgent agent = run(".diffuse(\"ROMA\",tell,help)", board);
         agent.notes("too_long : transmit to ROMA: tell;help failed: TOO_LONG, " + Status.TOO_LONG.explanation()
                 + "; this one has 9");
@@ -78,7 +79,7 @@ class DiffuseTest {
 
     @Test
     void diffuse_boardIsAway_failsWithPortOff() {
-        FakeBoard board = new FakeBoard("antenna").unplugged();
+        FakeBoard board = new FakeBoard("antenna").unplug();
         RunningAgent agent = RunningAgent.run(program(".diffuse(broadcast,tell,help)"), board);
         agent.notes("port_off : transmit to ////: tell;help was not performed: antenna: there is no such port");
     }
@@ -104,7 +105,7 @@ class DiffuseTest {
 
     @Test
     void send_boardRefuses_warns() {
-        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.NO_KEY);
+        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", Status.NO_KEY);
         RunningAgent agent = run(".send(\"ROMA\",tell,help)", board);
         agent.notes("done");
         agent.warns("transmit to ROMA: tell;help failed: NO_KEY");

@@ -7,6 +7,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import javino.fake.FakeBoard;
+
 /** Filters as agents for the public Argo architecture set them. */
 class FilterTest {
 
@@ -19,7 +21,7 @@ class FilterTest {
             """;
 
     private static FakeBoard board() {
-        return new FakeBoard("ttyUSB0").perceiving("ledStatus(off)", "resourceName(myArduino)", "distance(17)",
+        return new FakeBoard("ttyUSB0").perceive("ledStatus(off)", "resourceName(myArduino)", "distance(17)",
                 "distance(250)", "dark");
     }
 

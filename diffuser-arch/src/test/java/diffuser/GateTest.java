@@ -19,9 +19,10 @@ import jason.asSemantics.Unifier;
 import jason.asSyntax.Literal;
 
 import javino.board.ReceivedMessage;
+import javino.fake.FakeBoard;
 import javino.protocol.Address;
+import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Reply;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -286,7 +287,10 @@ class GateTest {
     }
 
     private static FakeBoard withAStranger() {
-        return new FakeBoard("radio").withKey("SUPO", Reply.Role.CURRENT).withKey("ROMB", Reply.Role.SESSION);
+        FakeBoard board = new FakeBoard("radio");
+        board.keys.set("SUPO", Bytes.of(1, 2, 3));
+        board.keys.setSession("ROMB", Bytes.of(1, 2, 3));
+        return board;
     }
 
     @Test
@@ -475,7 +479,7 @@ class GateTest {
         FakeBoard board = new FakeBoard("radio");
         RunningAgent agent = RunningAgent.listening(program, board);
         agent.achieve("ask");
-        RunningAgent.asked(board, "I CAFE");
+        RunningAgent.asked(board, "id CAFE");
         String asked = RunningAgent.next(board.requests, "a question");
         String conversation = asked.substring(asked.indexOf('#'), asked.indexOf(';'));
         board.receive(ME, "SUPO", "tell" + conversation + ";kqml_received(a,b,c,d)");
@@ -509,7 +513,7 @@ class GateTest {
         nothingSoFar(agent, board);
         assertTrue(board.requests.isEmpty());
         board.receive(ME, "SUPO", "achieve;open(gate)");
-        RunningAgent.asked(board, "A open(gate)");
+        RunningAgent.asked(board, "act open(gate)");
     }
 
     /** Whatever Jason's parser says of it, and whatever a plan prints of it. */

@@ -7,6 +7,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import javino.fake.FakeBoard;
+
 class MessagesTest {
 
     private static final String PROGRAM = """

@@ -2,6 +2,8 @@ package diffuser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import javino.fake.FakeBoard;
+import javino.protocol.Counter;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 
@@ -34,10 +36,14 @@ class OpennessBeliefTest {
             changes(agent, "closed", "open");
         }
         if (!state.abilities().contains(Ability.COM)) {
-            board.unplug();
+            board.port.unplug();
             changes(agent, state.abilities().contains(Ability.MOB) ? "open" : "closed", state.atom());
         }
         return agent;
+    }
+
+    private static FakeBoard board() {
+        return new FakeBoard("antenna").setCounter(Counter.RADIO_RECEIVED, 0);
     }
 
     private static RunningAgent open(FakeBoard board) {
@@ -53,12 +59,12 @@ class OpennessBeliefTest {
     @ParameterizedTest
     @FigureOne
     void figureOne_eachTransition_isAChangeOfTheBelief(Openness from, String symbol, Openness to) throws Exception {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = in(from, board);
         assertEquals(from, agent.diffuser().openness());
         switch (symbol) {
-            case "-com" -> board.unplug();
-            case "+com" -> board.plug();
+            case "-com" -> board.port.unplug();
+            case "+com" -> board.port.plug();
             case "-mob" -> agent.achieve("allow(lte,[])");
             default -> agent.achieve("allow(lte,[mob])");
         }
@@ -77,7 +83,7 @@ class OpennessBeliefTest {
     @ParameterizedTest
     @ValueSource(strings = {".percepts(open)", ".getRFMessages(block)"})
     void radioNotOpened_staysTotallyClosed(String instead) {
-        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(instead), new FakeBoard("antenna"));
+        RunningAgent agent = RunningAgent.run(PROGRAM.formatted(instead), board());
         agent.notesAll("totallyClosed", "ready");
         agent.notesNothingElse();
     }
@@ -86,7 +92,7 @@ class OpennessBeliefTest {
     void boardHasNoAddress_staysTotallyClosedUntilItHas() {
         String program = PROGRAM.replace("; .setMyRFId(\"SUPO\")", "").formatted(".getRFMessages(open)")
                 + "+!name <- .setMyRFId(\"SUPO\").";
-        RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna"));
+        RunningAgent agent = RunningAgent.run(program, board());
         agent.notesAll("totallyClosed", "ready");
         agent.notesNothingElse();
         agent.achieve("name");
@@ -95,7 +101,7 @@ class OpennessBeliefTest {
 
     @Test
     void boardRefusesItsAddress_staysTotallyClosed() {
-        FakeBoard board = new FakeBoard("antenna").refusing("I SUPO", Status.STORE_FAILED);
+        FakeBoard board = board().refuse("id SUPO", Status.STORE_FAILED);
         String program = PROGRAM.formatted(".getRFMessages(open)") + "-!start <- .getRFMessages(open); !probe.";
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notesAll("totallyClosed", "probed");
@@ -105,13 +111,13 @@ class OpennessBeliefTest {
     @Test
     void boardKnowsItsAddress_agentNeedNotSetIt() {
         String program = PROGRAM.replace("; .setMyRFId(\"SUPO\")", "").formatted(".getRFMessages(open)");
-        RunningAgent agent = RunningAgent.run(program, new FakeBoard("antenna").withRfId("SUPO"));
+        RunningAgent agent = RunningAgent.run(program, board().setRfId("SUPO"));
         agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
     }
 
     @Test
     void radioBlockedAndOpened_communicabilityIsLostAndRestored() {
-        RunningAgent agent = open(new FakeBoard("antenna"));
+        RunningAgent agent = open(board());
         agent.achieve("radio(block)");
         changes(agent, "closed", "totallyClosed");
         agent.achieve("radio(open)");
@@ -120,17 +126,17 @@ class OpennessBeliefTest {
 
     @Test
     void boardFallsSilentAndAnswersAgain_communicabilityIsLostAndRestored() {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = open(board);
-        board.silent(true);
+        board.line.setSilent(true);
         changes(agent, "closed", "totallyClosed");
-        board.silent(false);
+        board.line.setSilent(false);
         changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void anotherPortOpened_onlyTheNewBoardCounts() {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = open(board);
         agent.achieve("other");
         changes(agent, "closed", "totallyClosed");
@@ -139,12 +145,12 @@ class OpennessBeliefTest {
 
     @Test
     void communicability_severalMeans_isLostWithTheLast() {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = open(board);
         agent.achieve("allow(lte,[com])");
         agent.achieve("allow(\"wifi\",[com])");
         agent.notesNothingElse();
-        board.unplug();
+        board.port.unplug();
         agent.warns("the board is off");
         agent.notesNothingElse();
         agent.achieve("allow(wifi,[])");
@@ -157,19 +163,20 @@ class OpennessBeliefTest {
 
     @Test
     void silence_nobodyIsHeardAndSomebodyAgain_communicabilityIsLostAndRestored() {
-        FakeBoard board = new FakeBoard("antenna").hearing(true);
+        FakeBoard board = board();
+        board.setRise(Counter.RADIO_RECEIVED, 1);
         RunningAgent agent = open(board);
         agent.achieve("silence(20)");
         agent.notesNothingElse();
-        board.hearing(false);
+        board.setRise(Counter.RADIO_RECEIVED, 0);
         changes(agent, "closed", "totallyClosed");
-        board.hearing(true);
+        board.setRise(Counter.RADIO_RECEIVED, 1);
         changes(agent, "totallyClosed", "closed");
     }
 
     @Test
     void silence_setLaterAndTakenBack_counts() {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = open(board);
         agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
@@ -180,7 +187,7 @@ class OpennessBeliefTest {
 
     @Test
     void silence_messageComes_isHeardAtOnceAndForAWhile() {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = open(board);
         agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
@@ -191,7 +198,7 @@ class OpennessBeliefTest {
 
     @Test
     void silence_messageIsDelivered_isHeard() {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
+        FakeBoard board = board().endAll(Outcome.DELIVERED);
         RunningAgent agent = open(board);
         agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
@@ -201,7 +208,7 @@ class OpennessBeliefTest {
 
     @Test
     void silence_messageIsUndelivered_isNotHeard() {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = board().endAll(Outcome.UNDELIVERED);
         String program = PROGRAM + "+undelivered(_,_,_) <- diffuser.note(undelivered).";
         RunningAgent agent = RunningAgent.run(program.formatted(".getRFMessages(open)"), board);
         agent.notesAll("totallyClosed", "no totallyClosed", "closed", "ready");
@@ -214,7 +221,7 @@ class OpennessBeliefTest {
 
     @Test
     void silence_boardHasNoCounters_isReportedAndMeansNothing() {
-        FakeBoard board = new FakeBoard("antenna").uncounting();
+        FakeBoard board = board().refuse("statistics", Status.UNKNOWN_COMMAND);
         RunningAgent agent = open(board);
         agent.achieve("silence(5)");
         agent.warns("cannot tell whether the radio hears anybody: statistics failed: UNKNOWN_COMMAND");
@@ -223,12 +230,12 @@ class OpennessBeliefTest {
 
     @Test
     void silence_boardGoesAndComes_listensAnew() {
-        FakeBoard board = new FakeBoard("antenna");
+        FakeBoard board = board();
         RunningAgent agent = open(board);
         agent.achieve("silence(20)");
         changes(agent, "closed", "totallyClosed");
-        board.unplug();
-        board.plug();
+        board.port.unplug();
+        board.port.plug();
         changes(agent, "totallyClosed", "closed");
         changes(agent, "closed", "totallyClosed");
     }

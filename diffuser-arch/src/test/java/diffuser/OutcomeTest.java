@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 
+import javino.fake.FakeBoard;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 
@@ -32,7 +33,7 @@ class OutcomeTest {
     private static RunningAgent doing(String action, FakeBoard board) {
         RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action), board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "id SUPO");
         agent.achieve("do");
         return agent;
     }
@@ -108,7 +109,7 @@ class OutcomeTest {
 
     @Test
     void unicast_moreThanThereAreNumbers_eachHasItsOwnOutcome() throws Exception {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.DELIVERED);
+        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.DELIVERED);
         RunningAgent agent = doing("for (.range(I,1,300)) { .diffuse(ROMA,tell,p(I)) }", board);
         for (int i = 1, heard = 0; heard < 300; i++) {
             String note = agent.nextNote();
@@ -168,7 +169,7 @@ class OutcomeTest {
             "broadcast,////,was not sent yet when the board was lost",
     })
     void undelivered_errorAndItsMessage_areAnnotations(String to, String address, String why) {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.UNDELIVERED);
         String program = """
                 !start.
                 +!start <- .port(antenna); .setMyRFId("SUPO"); .diffuse(%s,tell,a).
@@ -180,7 +181,7 @@ class OutcomeTest {
 
     @Test
     void outcomes_agentHasNoPlansForThem_nothingIsBelievedNorLogged() throws Exception {
-        FakeBoard board = new FakeBoard("antenna").endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = new FakeBoard("antenna").endAll(Outcome.UNDELIVERED);
         String program = """
                 !start.
                 +!start <- .port(antenna); .setMyRFId("SUPO");
@@ -214,7 +215,7 @@ class OutcomeTest {
 
     @Test
     void send_refused_isAnEventWithItsError() {
-        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;help", Status.NO_KEY);
+        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;help", Status.NO_KEY);
         RunningAgent agent = doing(".send(\"ROMA\",tell,help)", board);
         agent.notesAll("taken", "undelivered quoted(\"ROMA\") tell help no_key");
         agent.warns("transmit to ROMA: tell;help failed: NO_KEY");
@@ -235,7 +236,7 @@ class OutcomeTest {
 
     @Test
     void diffuse_refused_failsThePlanAndIsNoEvent() {
-        FakeBoard board = new FakeBoard("antenna").refusing("ROMA tell;a", Status.QUEUE_FULL);
+        FakeBoard board = new FakeBoard("antenna").refuse("ROMA tell;a", Status.QUEUE_FULL);
         String program = PROGRAM + "-!do[error(E)] <- diffuser.note(failed,E).";
         RunningAgent agent = RunningAgent.run(program.formatted(".diffuse(ROMA,tell,a)"), board);
         agent.notes("ready");

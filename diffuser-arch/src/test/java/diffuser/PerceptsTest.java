@@ -8,6 +8,8 @@ import jason.infra.local.LocalEnvironment;
 
 import org.junit.jupiter.api.Test;
 
+import javino.fake.FakeBoard;
+
 class PerceptsTest {
 
     private static final String PROGRAM = """
@@ -27,20 +29,20 @@ class PerceptsTest {
 
     @Test
     void percepts_sensorsChange_beliefsAppearAreReplacedAndDisappear() {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("on", "plus 1");
-        board.perceiving("p(2)", "p(3)");
+        board.perceive("p(2)", "p(3)");
         agent.notesAll("minus 1", "plus 2", "plus 3");
-        board.perceiving("p(3)");
+        board.perceive("p(3)");
         agent.notes("minus 2");
-        board.perceiving();
+        board.perceive();
         agent.notes("minus 3");
     }
 
     @Test
     void percepts_blockedAndOpened_beliefsGoAndComeButThePortStays() throws Exception {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("on", "plus 1");
         agent.achieve("block");
@@ -51,7 +53,7 @@ class PerceptsTest {
 
     @Test
     void percepts_neverOpened_noBeliefs() {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         String program = "!start. +!start <- .port(board). +p(X) <- diffuser.note(p). +q <- diffuser.note(q)."
                 + "+port(_,S) <- diffuser.note(S).";
         RunningAgent agent = RunningAgent.run(program, board);
@@ -64,7 +66,7 @@ class PerceptsTest {
     @Test
     void percepts_someMalformed_skippedOneByOneAndReportedOnce() throws Exception {
         FakeBoard board =
-                new FakeBoard("board").perceiving("p(1)", "p(", "P", "p(X)", "3", ".print(hello)", "", "p(2)");
+                new FakeBoard("board").perceive("p(1)", "p(", "P", "p(X)", "3", ".print(hello)", "", "p(2)");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("on", "plus 1", "plus 2");
         agent.warns("skipped a percept of the board on board that is no AgentSpeak, \"p(\"");
@@ -73,7 +75,7 @@ class PerceptsTest {
         agent.warns("\"3\"");
         agent.warns("\".print(hello)\"");
         agent.warns("\"\"");
-        board.perceiving("p(1)", "p(");
+        board.perceive("p(1)", "p(");
         agent.notes("minus 2");
         assertEquals(List.of(), List.copyOf(agent.warnings));
         assertEquals(7L, agent.diffuser().getStatus().get("perceptsMalformed"));
@@ -81,12 +83,12 @@ class PerceptsTest {
 
     @Test
     void percepts_boardGoesAndComes_beliefsFollowIt() {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("on", "plus 1");
-        board.unplug();
+        board.port.unplug();
         agent.notesAll("no on", "off", "minus 1");
-        board.plug();
+        board.port.plug();
         agent.notesAll("no off", "on", "plus 1");
     }
 
@@ -95,35 +97,35 @@ class PerceptsTest {
         LocalEnvironment environment = RunningAgent.environment();
         TestEnvironment world = (TestEnvironment) environment.getUserEnvironment();
         world.show("e(1)");
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         RunningAgent agent = RunningAgent.run(PROGRAM, environment,
                 List.of(ScriptedDiffuser.class.getName()), board);
         agent.notesAll("plus e 1", "on", "plus 1");
-        board.perceiving("p(2)");
+        board.perceive("p(2)");
         agent.notesAll("minus 1", "plus 2");
         world.show("e(2)");
         agent.notesAll("minus e 1", "plus e 2");
-        board.perceiving();
+        board.perceive();
         agent.notes("minus 2");
     }
 
     @Test
     void perceive_anotherArchitectureBehind_bothStay() {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         RunningAgent agent = RunningAgent.run(PROGRAM, null,
                 List.of(ScriptedDiffuser.class.getName(), PerceivingArch.class.getName()), board);
         agent.notesAll("other 1", "on", "plus 1");
-        board.perceiving("p(2)");
+        board.perceive("p(2)");
         agent.notesAll("minus 1", "plus 2");
     }
 
     @Test
     void perceive_anotherArchitectureInFront_bothStay() {
-        FakeBoard board = new FakeBoard("board").perceiving("p(1)");
+        FakeBoard board = new FakeBoard("board").perceive("p(1)");
         RunningAgent agent = RunningAgent.run(PROGRAM, null,
                 List.of(PassingArch.class.getName(), ScriptedDiffuser.class.getName()), board);
         agent.notesAll("on", "plus 1");
-        board.perceiving("p(2)");
+        board.perceive("p(2)");
         agent.notesAll("minus 1", "plus 2");
     }
 

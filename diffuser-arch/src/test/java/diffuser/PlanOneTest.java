@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
 
+import javino.fake.FakeBoard;
+
 /** The paper's plan 1, as printed but for its trigger. */
 class PlanOneTest {
 
@@ -23,11 +25,11 @@ class PlanOneTest {
 
     @Test
     void plan1_boardIsThere_runsAsPrinted() {
-        FakeBoard board = new FakeBoard("COM5").perceiving("proximity(17)");
+        FakeBoard board = new FakeBoard("COM5").perceive("proximity(17)");
         RunningAgent agent = RunningAgent.run(PLAN_ONE, board);
         agent.notes("COM5 on");
-        RunningAgent.asked(board, "I ROMA");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "id ROMA");
+        RunningAgent.asked(board, "radio 1");
         agent.notesAll("ready", "proximity 17");
         board.receive("////", "SUPO", "tell;help");
         agent.notes("help SUPO");
@@ -36,14 +38,14 @@ class PlanOneTest {
 
     @Test
     void plan1_boardIsNotThere_runsAllTheSameAndHoldsOnceItComes() {
-        FakeBoard board = new FakeBoard("COM5").perceiving("proximity(17)").unplugged();
+        FakeBoard board = new FakeBoard("COM5").perceive("proximity(17)").unplug();
         RunningAgent agent = RunningAgent.run(PLAN_ONE, board);
         agent.notesAll("COM5 off", "ready");
         agent.warns("the board is off: COM5: there is no such port");
-        board.plug();
+        board.port.plug();
         agent.notesAll("COM5 on", "proximity 17");
         board.receive("ROMA", "SUPO", "tell;help");
         agent.notes("help SUPO");
-        assertEquals("ROMA", board.rfId().toString());
+        assertEquals("ROMA", board.rfId());
     }
 }

@@ -6,6 +6,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import javino.fake.FakeBoard;
+
 /** Plans that come by radio, and signals. */
 class PlansTest {
 
@@ -22,8 +24,8 @@ class PlansTest {
     private static RunningAgent ready(String program, FakeBoard board) {
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
         return agent;
     }
 

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import javino.fake.FakeBoard;
+
 class PortTest {
 
     private static final String PROGRAM = """
@@ -27,9 +29,9 @@ class PortTest {
         FakeBoard board = new FakeBoard("left");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("left on", "ready");
-        board.unplug();
+        board.port.unplug();
         agent.notesAll("no left on", "left off");
-        board.plug();
+        board.port.plug();
         agent.notesAll("no left off", "left on");
         agent.achieve("do");
         agent.notes("done");
@@ -40,9 +42,9 @@ class PortTest {
         FakeBoard board = new FakeBoard("left");
         RunningAgent agent = RunningAgent.run(PROGRAM, board);
         agent.notesAll("left on", "ready");
-        board.swallow("A stop");
+        board.swallow("act stop");
         agent.achieve("do");
-        RunningAgent.asked(board, "A stop");
+        RunningAgent.asked(board, "act stop");
         for (int i = 0; i < 20; i++) {
             agent.believe("count(" + i + ")");
         }
@@ -54,14 +56,14 @@ class PortTest {
 
     @Test
     void port_another_replacesTheFirst() {
-        FakeBoard left = new FakeBoard("left").perceiving("count(1)");
-        FakeBoard right = new FakeBoard("right").perceiving("count(2)");
+        FakeBoard left = new FakeBoard("left").perceive("count(1)");
+        FakeBoard right = new FakeBoard("right").perceive("count(2)");
         RunningAgent agent = RunningAgent.run(PROGRAM, left, right);
         agent.notesAll("left on", "ready");
         agent.achieve("right");
         agent.notesAll("no left on", "right on", "changed");
         agent.achieve("do");
-        RunningAgent.asked(right, "A stop");
+        RunningAgent.asked(right, "act stop");
         agent.notes("done");
         assertEquals(0, left.requests.size());
     }
@@ -69,7 +71,7 @@ class PortTest {
     @Test
     void port_replacedBeforeItIsDecided_itsIntentionGoesOn() {
         FakeBoard left = new FakeBoard("left");
-        left.silent(true);
+        left.line.setSilent(true);
         String program = """
                 !start. !other.
                 +!start <- .port(left); diffuser.note(replaced).
@@ -84,12 +86,12 @@ class PortTest {
         FakeBoard left = new FakeBoard("left");
         RunningAgent agent = RunningAgent.run(PROGRAM, left, new FakeBoard("right"));
         agent.notesAll("left on", "ready");
-        left.closesSlowly(true);
+        left.port.blockClosing(true);
         agent.achieve("right");
-        left.awaitClosing();
+        left.port.awaitClosing();
         agent.believe("count(1)");
         agent.notesAll("no left on", "count 1");
-        left.closesSlowly(false);
+        left.port.blockClosing(false);
         agent.notesAll("right on", "changed");
     }
 
@@ -103,7 +105,7 @@ class PortTest {
                 """;
         RunningAgent agent = RunningAgent.run(program, left);
         agent.notes("done");
-        assertEquals(1, left.mostOpenAtOnce());
+        assertEquals(1, left.port.mostOpen());
     }
 
     @Test
@@ -141,10 +143,10 @@ class PortTest {
                 "the board is off: left: agent " + one.name() + " of this MAS has it; give each agent a board of"
                         + " its own, or end that agent first");
         other.notesAll("left off", "ready");
-        assertEquals(1, left.mostOpenAtOnce());
+        assertEquals(1, left.port.mostOpen());
         one.close();
         other.notesAll("no left off", "left on");
-        assertEquals(1, left.mostOpenAtOnce());
+        assertEquals(1, left.port.mostOpen());
     }
 
     @Test
@@ -152,14 +154,14 @@ class PortTest {
         FakeBoard left = new FakeBoard("left");
         RunningAgent one = RunningAgent.run(PROGRAM, left);
         one.notesAll("left on", "ready");
-        left.closesSlowly(true);
+        left.port.blockClosing(true);
         Thread end = new Thread(one::close);
         end.start();
         RunningAgent next = RunningAgent.run(PROGRAM);
-        left.awaitClosing();
-        left.closesSlowly(false);
+        left.port.awaitClosing();
+        left.port.blockClosing(false);
         next.notesAll("left on", "ready");
-        assertEquals(1, left.mostOpenAtOnce());
+        assertEquals(1, left.port.mostOpen());
     }
 
     @Test
@@ -179,13 +181,13 @@ class PortTest {
     void twoAgents_eachWithItsBoard_doNotMix() {
         String program = "!start. +!start <- .port(%1$s); .percepts(open); .act(%1$s); diffuser.note(done)."
                 + "+p(X) <- diffuser.note(p,X).";
-        FakeBoard left = new FakeBoard("left").perceiving("p(1)");
-        FakeBoard right = new FakeBoard("right").perceiving("p(2)");
+        FakeBoard left = new FakeBoard("left").perceive("p(1)");
+        FakeBoard right = new FakeBoard("right").perceive("p(2)");
         RunningAgent one = RunningAgent.run(program.formatted("left"), left);
         RunningAgent two = RunningAgent.run(program.formatted("right"), right);
         one.notesAll("done", "p 1");
         two.notesAll("done", "p 2");
-        RunningAgent.asked(left, "A left");
-        RunningAgent.asked(right, "A right");
+        RunningAgent.asked(left, "act left");
+        RunningAgent.asked(right, "act right");
     }
 }

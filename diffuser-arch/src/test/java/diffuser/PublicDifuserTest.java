@@ -9,6 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import javino.fake.FakeBoard;
+
 /** Agents as they are written for the public Difuser architecture, 0.2. */
 class PublicDifuserTest {
 
@@ -34,7 +36,7 @@ class PublicDifuserTest {
     }
 
     private static FakeBoard board(String port) {
-        return new FakeBoard(port).withRfId("SUPO");
+        return new FakeBoard(port).setRfId("SUPO");
     }
 
     @Test
@@ -42,7 +44,7 @@ class PublicDifuserTest {
         FakeBoard board = board("ttyExogenous3");
         RunningAgent agent = difuser(RECEIVER, board);
         agent.notes("listening");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "radio 1");
         for (int i = 0; i < 2; i++) {
             board.receive("////", "ROMA", "signal;message(random(7,0.5))");
             agent.notes("message 7 0.5");
@@ -55,7 +57,7 @@ class PublicDifuserTest {
         FakeBoard board = board("ttyExogenous3");
         RunningAgent agent = difuser(RECEIVER, board);
         agent.notes("listening");
-        board.perceiving("message(random(8,0.25))");
+        board.perceive("message(random(8,0.25))");
         agent.notes("message 8 0.25");
     }
 
@@ -65,30 +67,30 @@ class PublicDifuserTest {
         FakeBoard board = board("ttyExogenous3");
         RunningAgent agent = difuser(RECEIVER + "+!probe <- diffuser.note(probed).", board);
         agent.notes("listening");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "radio 1");
         agent.achieve("deaf(" + how + ")");
         agent.notes("deaf");
-        RunningAgent.asked(board, "R block");
-        board.perceiving("message(random(8,0.25))");
+        RunningAgent.asked(board, "radio 0");
+        board.perceive("message(random(8,0.25))");
         agent.notesNothingElse();
     }
 
     @Test
     void transmit_sketchHasTheAction_performsIt() {
-        FakeBoard board = new FakeBoard("ttyEmulatedPort3").knowing("stop", "message");
+        FakeBoard board = new FakeBoard("ttyEmulatedPort3").setActions("stop", "message");
         RunningAgent agent = difuser(TRANSMITTER, board);
-        RunningAgent.asked(board, "R open");
-        RunningAgent.asked(board, "A message(random(2,0.5))");
-        board.perceiving("message(ack(2))");
+        RunningAgent.asked(board, "radio 1");
+        RunningAgent.asked(board, "act message(random(2,0.5))");
+        board.perceive("message(ack(2))");
         agent.notes("ack 2");
-        RunningAgent.asked(board, "A message(random(1,0.5))");
+        RunningAgent.asked(board, "act message(random(1,0.5))");
     }
 
     @Test
     void transmitter_eachAcknowledgement_sendsTheNext() {
         FakeBoard board = board("ttyEmulatedPort3");
         RunningAgent agent = difuser(TRANSMITTER, board);
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "radio 1");
         RunningAgent.asked(board, "//// signal;message(random(2,0.5))");
         board.receive("////", "ROMA", "signal;message(ack(2))");
         agent.notes("ack 2");

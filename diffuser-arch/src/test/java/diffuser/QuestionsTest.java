@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 
+import javino.fake.FakeBoard;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 
@@ -35,8 +36,8 @@ class QuestionsTest {
     private static RunningAgent ready(String action, FakeBoard board) {
         RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action), board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
         return agent;
     }
 
@@ -103,8 +104,8 @@ class QuestionsTest {
                 """.formatted(timeout);
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
         agent.achieve("do");
         String id = Conversing.asked(board, "ROMA askOne;distance\\(_\\w*\\)");
         if (answer != null) {
@@ -120,8 +121,8 @@ class QuestionsTest {
         RunningAgent agent = RunningAgent.run(PROGRAM.formatted(action)
                 + "+!ask(N) <- .send(\"ROMA\",askOne,p(N,X),p(_,V)); diffuser.note(N,V).", board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        RunningAgent.asked(board, "R open");
+        RunningAgent.asked(board, "id SUPO");
+        RunningAgent.asked(board, "radio 1");
         agent.achieve("do");
         String first = Conversing.asked(board, "ROMA askOne;p\\(.*");
         String second = Conversing.asked(board, "ROMA askOne;p\\(.*");
@@ -197,7 +198,7 @@ class QuestionsTest {
 
     @Test
     void send_undelivered_failsAtOnceAndALateAnswerIsRefused() throws Exception {
-        FakeBoard board = board().endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = board().endAll(Outcome.UNDELIVERED);
         RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A)", board);
         String id = Conversing.asked(board, "ROMA askOne;free");
         agent.notes(
@@ -244,7 +245,7 @@ class QuestionsTest {
     @ParameterizedTest
     @ValueSource(strings = {"", ",9000"})
     void send_boardIsAway_failsWithPortOff(String timeout) {
-        FakeBoard board = board().unplugged();
+        FakeBoard board = board().unplug();
         String program = PROGRAM.formatted(".send(\"ROMA\",askOne,free,A" + timeout + ")");
         RunningAgent agent = RunningAgent.run(program, board);
         agent.notes("ready");
@@ -256,7 +257,7 @@ class QuestionsTest {
     @ParameterizedTest
     @CsvSource({"NO_KEY,no_key", "QUEUE_FULL,queue_full"})
     void send_boardRefuses_failsWithItsErrorEvenWithATimeout(Status status, String error) {
-        FakeBoard board = board().refusingAll(status);
+        FakeBoard board = board().refuse("ROMA ", status);
         RunningAgent agent = doing(".send(\"ROMA\",askOne,free,A,9000)", board);
         assertEquals(error, agent.nextNote().split(" ")[0]);
         agent.notesNothingElse();
@@ -391,7 +392,7 @@ class QuestionsTest {
 
     @Test
     void send_inAnAtomicPlan_failureAndAnswerGoOn() {
-        FakeBoard board = board().endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = board().endAll(Outcome.UNDELIVERED);
         String program = PROGRAM.formatted("true") + """
                 @a[atomic] +!atomic <- .send("ROMA",askOne,free,A); diffuser.note(A).
                 -!atomic[error(E)] <- diffuser.note(E).

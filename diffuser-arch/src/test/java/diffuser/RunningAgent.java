@@ -33,6 +33,8 @@ import jason.mas2j.ClassParameters;
 import jason.runtime.Settings;
 import jason.util.Config;
 
+import javino.fake.FakeBoard;
+
 /** A real Jason agent on its own thread, and what the test waits for. {@link ClosedAgents} closes it after the test. */
 final class RunningAgent {
 
@@ -78,7 +80,7 @@ final class RunningAgent {
     /** An agent whose program opens the radio and notes that it is ready; its board has opened it. */
     static RunningAgent listening(String program, FakeBoard board) {
         RunningAgent agent = run(program, board);
-        asked(board, "R open");
+        asked(board, "radio 1");
         agent.notes("ready");
         return agent;
     }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 import javino.board.BoardConfig;
+import javino.fake.FakeBoard;
 import javino.link.Link;
 import javino.link.LinkException;
 import javino.link.LinkOpener;
@@ -21,7 +22,7 @@ public class ScriptedDiffuser extends Diffuser {
     private static final Map<String, Thread> SESSIONS = new ConcurrentHashMap<>();
 
     static void plug(FakeBoard board) {
-        BOARDS.put(board.name(), board);
+        BOARDS.put(board.port.name(), board);
     }
 
     @Override
@@ -43,7 +44,10 @@ public class ScriptedDiffuser extends Diffuser {
     static void endAll() throws InterruptedException {
         Map<String, FakeBoard> boards = Map.copyOf(BOARDS);
         BOARDS.clear();
-        boards.values().forEach(FakeBoard::discard);
+        for (FakeBoard board : boards.values()) {
+            board.port.blockClosing(false);
+            board.unplug();
+        }
         for (Thread session : SESSIONS.values()) {
             join(session);
         }
@@ -73,7 +77,7 @@ public class ScriptedDiffuser extends Diffuser {
                 if (board == null) {
                     throw new LinkException(port, "there is no such port");
                 }
-                return board.open();
+                return board.port.open();
             }
 
             @Override

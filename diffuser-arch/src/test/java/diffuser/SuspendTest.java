@@ -3,6 +3,7 @@ package diffuser;
 import java.util.List;
 
 import javino.board.BoardConfig;
+import javino.fake.FakeBoard;
 import javino.protocol.Outcome;
 
 import org.junit.jupiter.api.Test;
@@ -45,8 +46,8 @@ class SuspendTest {
     private static RunningAgent waiting(String action, String request, FakeBoard board) {
         RunningAgent agent = run(PROGRAM.formatted(action), board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        board.hold(request);
+        RunningAgent.asked(board, "id SUPO");
+        board.stallAt(request);
         agent.achieve("outer");
         RunningAgent.asked(board, request);
         return agent;
@@ -66,9 +67,9 @@ class SuspendTest {
     @CsvSource({".act(stop),do", ".act(stop),outer", "stop,do", "stop,outer"})
     void suspend_boardHasDoneIt_goesOnAfterResumeOnly(String action, String goal) {
         FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "A stop", board);
+        RunningAgent agent = waiting(action, "act stop", board);
         suspend(agent, goal);
-        board.release();
+        board.resume();
         answerToAnother(agent, board);
         resume(agent, goal);
         agent.notes("done");
@@ -79,7 +80,7 @@ class SuspendTest {
     /** When the board has answered this, the answer before is there too. */
     private static void answerToAnother(RunningAgent agent, FakeBoard board) {
         agent.achieve("other");
-        RunningAgent.asked(board, "A go");
+        RunningAgent.asked(board, "act go");
         agent.notes("other");
         agent.notesNothingElse();
     }
@@ -88,10 +89,10 @@ class SuspendTest {
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_boardIsLost_failsAfterResumeOnly(String action) {
         FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "A stop", board);
+        RunningAgent agent = waiting(action, "act stop", board);
         suspend(agent, "do");
-        board.unplug();
-        board.release();
+        board.port.unplug();
+        board.resume();
         agent.warns("the board is off");
         agent.notesNothingElse();
         resume(agent, "do");
@@ -105,7 +106,7 @@ class SuspendTest {
     void suspend_messageHasEnded_goesOnAfterResumeOnly(Outcome outcome, String note) {
         FakeBoard board = new FakeBoard("body");
         RunningAgent agent = waiting(".deliver(\"ROMA\",tell,help)", "ROMA tell;help", board);
-        board.release();
+        board.resume();
         suspend(agent, "do");
         board.end("ROMA tell;help", outcome);
         answerToAnother(agent, board);
@@ -116,16 +117,16 @@ class SuspendTest {
 
     @Test
     void suspend_questionThatCannotBeAnswered_failsAfterResumeOnly() {
-        FakeBoard board = new FakeBoard("body").endingAll(Outcome.UNDELIVERED);
+        FakeBoard board = new FakeBoard("body").endAll(Outcome.UNDELIVERED);
         String ask = ".send(\"ROMA\",askOne,p(_),_)";
-        board.hold("ROMA askOne");
+        board.stallAt("ROMA askOne");
         RunningAgent agent = run(PROGRAM.formatted(ask), board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
+        RunningAgent.asked(board, "id SUPO");
         agent.achieve("outer");
         Conversing.asked(board, "ROMA askOne;p\\(\\w+\\)");
         suspend(agent, "do");
-        board.release();
+        board.resume();
         answerToAnother(agent, board);
         resume(agent, "do");
         agent.notes("failed");
@@ -136,11 +137,11 @@ class SuspendTest {
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_resumedBeforeTheBoardAnswers_goesOnWhenItHas(String action) {
         FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "A stop", board);
+        RunningAgent agent = waiting(action, "act stop", board);
         suspend(agent, "do");
         resume(agent, "do");
         agent.notesNothingElse();
-        board.release();
+        board.resume();
         agent.notes("done");
         agent.notes("outer");
     }
@@ -149,9 +150,9 @@ class SuspendTest {
     @ValueSource(strings = {".act(stop)", "stop"})
     void suspend_droppedMeanwhile_nothingElseHappens(String action) {
         FakeBoard board = new FakeBoard("body");
-        RunningAgent agent = waiting(action, "A stop", board);
+        RunningAgent agent = waiting(action, "act stop", board);
         suspend(agent, "do");
-        board.release();
+        board.resume();
         answerToAnother(agent, board);
         agent.achieve("drop");
         agent.notes("dropped");
@@ -165,15 +166,15 @@ class SuspendTest {
         String more = "+!second <- go; diffuser.note(second).";
         RunningAgent agent = run(PROGRAM.formatted("stop") + more, board);
         agent.notes("ready");
-        RunningAgent.asked(board, "I SUPO");
-        board.hold("A stop");
+        RunningAgent.asked(board, "id SUPO");
+        board.stallAt("act stop");
         agent.achieve("outer");
-        RunningAgent.asked(board, "A stop");
+        RunningAgent.asked(board, "act stop");
         suspend(agent, "do");
-        board.release();
+        board.resume();
         for (int i = 0; i < 3; i++) {
             agent.achieve("second");
-            RunningAgent.asked(board, "A go");
+            RunningAgent.asked(board, "act go");
             agent.notes("second");
         }
         agent.notesNothingElse();

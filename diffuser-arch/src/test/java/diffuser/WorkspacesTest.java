@@ -8,6 +8,8 @@ import java.util.stream.IntStream;
 
 import org.junit.jupiter.api.Test;
 
+import javino.fake.FakeBoard;
+
 /** Plain actions beside a board, of two intentions in two workspaces, each operation used for the first time. */
 class WorkspacesTest {
 
@@ -40,24 +42,24 @@ class WorkspacesTest {
 
     @Test
     void act_boardIsOn_eachOperationIsInItsIntentionsWorkspace() {
-        FakeBoard board = new FakeBoard("body").knowing("lampOn", "lampOff");
+        FakeBoard board = new FakeBoard("body").setActions("lampOn", "lampOff");
         RunningAgent agent = run(board);
         agent.achieve("go");
         agent.notesAll("a", "b");
-        assertEquals(List.of(), board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
+        assertEquals(List.of(), board.requests.stream().filter(request -> !request.startsWith("act lamp")).toList());
     }
 
     @Test
     void act_boardGoesAndComes_eachOperationIsInItsIntentionsWorkspace() {
         for (int run = 0; run < 5; run++) {
-            FakeBoard board = new FakeBoard("body").knowing("lampOn", "lampOff");
+            FakeBoard board = new FakeBoard("body").setActions("lampOn", "lampOff");
             RunningAgent agent = run(board);
             Thread cable = new Thread(() -> {
                 while (!Thread.currentThread().isInterrupted()) {
-                    board.unplug();
+                    board.port.unplug();
                     agent.cycles(3);
                     board.reset();
-                    board.plug();
+                    board.port.plug();
                     agent.cycles(3);
                 }
             });
@@ -70,14 +72,14 @@ class WorkspacesTest {
                 join(cable);
             }
             assertEquals(List.of(),
-                    board.requests.stream().filter(request -> !request.startsWith("A lamp")).toList());
+                    board.requests.stream().filter(request -> !request.startsWith("act lamp")).toList());
             agent.close();
         }
     }
 
     @Test
     void act_boardNeverCame_allGoesBehindWithOneWarning() {
-        FakeBoard board = new FakeBoard("body").knowing("lampOn", "lampOff").unplugged();
+        FakeBoard board = new FakeBoard("body").setActions("lampOn", "lampOff").unplug();
         RunningAgent agent = run(board);
         agent.warns("there is no such port");
         agent.achieve("go");

@@ -8,6 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import javino.fake.FakeBoard;
+
 class WrongArgumentsTest {
 
     private static final String PROGRAM = """

@@ -11,13 +11,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
-import javino.board.FakeBoard;
-import javino.board.FakePort;
+import javino.fake.FakeBoard;
 import javino.link.LinkOpener;
-import javino.protocol.Bytes;
 import javino.protocol.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -43,12 +42,20 @@ class ReadmeTest {
 
         FakeBoard fake = new FakeBoard();
         fake.setRfId("ROMA");
-        fake.setPercepts("light(312)");
-        fake.setEnds(Outcome.DELIVERED);
+        fake.perceive("light(312)");
+        AtomicInteger polls = new AtomicInteger();
+        fake.line.setLoses(message -> {
+            // The polls before have brought the message and the percepts.
+            boolean wantsPercepts = message.at(0) == 'P' && (message.at(1) & 1) != 0;
+            if (wantsPercepts && polls.incrementAndGet() >= 3 && fake.requests.contains("SUPO tell;help")) {
+                fake.end("SUPO tell;help", Outcome.DELIVERED);
+            }
+            return false;
+        });
         fake.receive("ROMA", "SUPO", 1, "tell;help");
-        String out = run(compile(example.group(1).replace(PORT, "port")), new FakePort(fake));
+        String out = run(compile(example.group(1).replace(PORT, "port")), fake.port);
 
-        assertEquals(List.of("radio 1", "goForward", "transmit " + Bytes.ofText("SUPOROMABI")), fake.performed());
+        assertEquals(List.of("radio 1", "act goForward", "SUPO tell;help"), List.copyOf(fake.requests));
         for (String line : List.of("greeted fake", "sees [light(312)]", "SUPO says tell;help", "DELIVERED")) {
             assertTrue(out.lines().toList().contains(line), out);
         }

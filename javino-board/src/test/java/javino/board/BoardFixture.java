@@ -8,6 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
+import javino.fake.FakeBoard;
+import javino.fake.FakePort;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Performative;
@@ -22,7 +24,7 @@ abstract class BoardFixture {
     static final Content HELP = new Content(Performative.TELL, "help");
 
     final FakeBoard fake = new FakeBoard();
-    final FakePort port = new FakePort(fake);
+    final FakePort port = fake.port;
     final RecordingListener listener = new RecordingListener();
     Board board;
 

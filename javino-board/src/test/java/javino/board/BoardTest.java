@@ -55,7 +55,7 @@ class BoardTest extends BoardFixture {
     /** Asks for an action that does not arrive, and waits until it was sent. */
     private CompletableFuture<Void> actUnderWay(String action) throws InterruptedException {
         CountDownLatch sent = new CountDownLatch(1);
-        fake.setLoses(message -> {
+        fake.line.setLoses(message -> {
             boolean isAction = message.at(0) == 'A';
             if (isAction) {
                 sent.countDown();
@@ -120,7 +120,7 @@ class BoardTest extends BoardFixture {
         assertEquals(List.of("lampOn", "lampOff", "goTo"), known.take());
         board.setRfId(SUPO).get();
         assertEquals(List.of("lampOn", "lampOff", "goTo"), board.info().orElseThrow().actions());
-        assertEquals(1, fake.requests().stream().filter(request -> request.startsWith("43")).count());
+        assertEquals(1, fake.line.messages().stream().filter(request -> request.startsWith("43")).count());
         fake.setActions("stop");
         fake.reset();
         assertEquals(List.of("stop"), known.take());
@@ -148,7 +148,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void open_boardThatListsNoActions_isNoJavinoBoard() throws Exception {
-        fake.setListing(Status.UNKNOWN_COMMAND);
+        fake.refuse("list actions", Status.UNKNOWN_COMMAND);
         open();
         assertEquals("offline fake: the device answers hello, but not as a Javino board does: BAD_REPLY: "
                 + "list actions answered with UNKNOWN_COMMAND", listener.next());
@@ -158,7 +158,7 @@ class BoardTest extends BoardFixture {
     @Test
     void open_replyToAPollOfTheProgramBefore_isNotTakenForAGreeting() throws Exception {
         AtomicInteger replies = new AtomicInteger();
-        fake.setFault(reply -> {
+        fake.line.setFault(reply -> {
             if (replies.getAndIncrement() > 0) {
                 return reply;
             }
@@ -176,7 +176,7 @@ class BoardTest extends BoardFixture {
     void open_resetBetweenHelloAndNames_greetsAnew() throws Exception {
         fake.setActions("lampOn");
         AtomicInteger lists = new AtomicInteger();
-        fake.setLoses(message -> {
+        fake.line.setLoses(message -> {
             boolean first = message.at(0) == 'C' && lists.getAndIncrement() == 0;
             if (first) {
                 fake.reset();
@@ -192,7 +192,7 @@ class BoardTest extends BoardFixture {
     @Test
     void open_firstHellosLost_greetsTheBoardLater() throws Exception {
         AtomicInteger lost = new AtomicInteger();
-        fake.setLoses(message -> lost.incrementAndGet() <= 3);
+        fake.line.setLoses(message -> lost.incrementAndGet() <= 3);
         open();
         assertEquals("online 1", listener.next());
         assertTrue(lost.get() > 3);
@@ -200,7 +200,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void open_bootLoaderWaitsForASketch_isHadToStartTheOneThatIsThere() throws Exception {
-        fake.setLoading();
+        fake.line.setLoading();
         open();
         assertEquals("online 1", listener.next());
     }
@@ -214,7 +214,7 @@ class BoardTest extends BoardFixture {
         port.plug();
         assertEquals("online 1", listener.next());
         action.get();
-        assertEquals(List.of("stop"), fake.performed());
+        assertEquals(List.of("act stop"), List.copyOf(fake.requests));
     }
 
     @Test
@@ -231,28 +231,30 @@ class BoardTest extends BoardFixture {
 
     @Test
     void open_silentBoard_tellsAfterItsPatienceAndFailsRequests() throws Exception {
-        fake.setSilent(true);
+        fake.line.setSilent(true);
         open(listener, config -> config.setPatience(Duration.ofMillis(50)));
         CompletableFuture<Void> action = board.act("stop");
         assertTrue(listener.next().contains("no Javino board answers"));
         failure(BoardOfflineException.class, action);
-        fake.setSilent(false);
+        fake.line.setSilent(false);
         assertEquals("online 1", listener.next());
     }
 
     @Test
     void act_eachAnswer_completesAccordingly() throws Exception {
+        fake.refuse("act unknown", Status.UNKNOWN_ACTION);
         openAndAwaitOnline();
         board.act("goTo(12)").get();
         RequestFailedException refused = failure(RequestFailedException.class, board.act("unknown"));
         assertEquals(Status.UNKNOWN_ACTION, refused.status());
         assertEquals("act unknown failed: UNKNOWN_ACTION, the sketch has no action of this name",
                 refused.getMessage());
-        assertEquals(List.of("goTo(12)"), fake.performed());
+        assertEquals(List.of("act goTo(12)", "act unknown"), List.copyOf(fake.requests));
     }
 
     @Test
     void requests_eachKind_bringTheirAnswers() throws Exception {
+        fake.setCounter(Counter.SERIAL_REQUESTS, 9);
         openAndAwaitOnline();
         Key key = Key.ofHex("00".repeat(16));
         assertEquals(key.check(), board.setKey(SUPO, key).get());
@@ -264,7 +266,7 @@ class BoardTest extends BoardFixture {
         board.useKey(SUPO).get();
         board.finishRenewal(SUPO).get();
         board.raiseEpoch(470_012).get();
-        assertEquals(470_012, fake.bootEpoch());
+        assertEquals(470_012, fake.keys.epoch());
         board.deleteKey(SUPO).get();
         assertEquals(Status.NO_KEY,
                 failure(RequestFailedException.class, board.deleteKey(SUPO)).status());
@@ -272,6 +274,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void setSessionKey_freshKey_isTheDevicesUntilTheBoardBoots() throws Exception {
+        fake.keys.set("SUPO", Bytes.of(1, 2, 3));
         openAndAwaitOnline();
         Address roma = Address.parse("ROMA");
         Key first = Key.ofHex("00".repeat(16));
@@ -291,8 +294,8 @@ class BoardTest extends BoardFixture {
     @Test
     void noKey_sealedFrameWithoutAKey_isToldOnceEach() throws Exception {
         openAndAwaitOnline();
-        fake.receiveWithoutKey("SUPO", "ROMA");
-        fake.receiveWithoutKey("//SU", "CAFE");
+        fake.mail.receiveWithoutKey("SUPO", "ROMA");
+        fake.mail.receiveWithoutKey("//SU", "CAFE");
         assertEquals(List.of("no key SUPO ROMA", "no key //SU CAFE"),
                 listener.until("no key //SU").stream().filter(line -> line.startsWith("no key")).toList());
         fake.receive("tell;help");
@@ -308,8 +311,7 @@ class BoardTest extends BoardFixture {
         assertEquals("word ROMA //// 8000", listener.next());
         assertEquals("word ROMA //// bf", listener.next());
         board.transmit(Address.BROADCAST, new Word(Bytes.of(0x81, 2, 3))).taken().get();
-        String header = Bytes.ofText("////SUPOAY").hex();
-        assertEquals(List.of("id SUPO", "transmit " + header), fake.performed());
+        assertEquals(List.of("id SUPO", "//// 810203"), List.copyOf(fake.requests));
     }
 
     @Test
@@ -327,8 +329,7 @@ class BoardTest extends BoardFixture {
                 board.transmit(Address.BROADCAST, HELP).taken()).status());
         board.setRfId(Address.parse("ROMA"));
         board.transmit(Address.BROADCAST, HELP).taken().get();
-        String header = Bytes.ofText("////ROMABI").hex();
-        assertEquals(List.of("id ROMA", "transmit " + header), fake.performed());
+        assertEquals(List.of("id ROMA", "//// tell;help"), List.copyOf(fake.requests));
         assertEquals(Optional.of(Address.parse("ROMA")), board.info().orElseThrow().rfId());
     }
 
@@ -336,9 +337,9 @@ class BoardTest extends BoardFixture {
     void act_requestLost_isRepeatedAndPerformedOnce() throws Exception {
         openAndAwaitOnline();
         AtomicInteger lost = new AtomicInteger();
-        fake.setLoses(message -> message.at(0) == 'A' && lost.incrementAndGet() <= 3);
+        fake.line.setLoses(message -> message.at(0) == 'A' && lost.incrementAndGet() <= 3);
         board.act("stop").get();
-        assertEquals(List.of("stop"), fake.performed());
+        assertEquals(List.of("act stop"), List.copyOf(fake.requests));
         assertTrue(board.counters().get(SessionCounter.REPEATS) >= 3);
     }
 
@@ -346,7 +347,7 @@ class BoardTest extends BoardFixture {
     void act_repliesDamaged_performsEachOnceAndInOrder() throws Exception {
         openAndAwaitOnline();
         Random random = new Random(7);
-        fake.setFault(reply -> switch (random.nextInt(8)) {
+        fake.line.setFault(reply -> switch (random.nextInt(8)) {
             case 0 -> reply.slice(0, random.nextInt(reply.length()));
             case 1 -> Bytes.join(Bytes.of(random.nextInt(256)), reply);
             case 2 -> Bytes.join(reply.slice(0, 4), Bytes.of(reply.at(4) ^ 8), reply.from(5));
@@ -354,10 +355,10 @@ class BoardTest extends BoardFixture {
         });
         List<String> actions = new ArrayList<>();
         for (int i = 0; i < 60; i++) {
-            actions.add("step(" + i + ")");
+            actions.add("act step(" + i + ")");
             board.act("step(" + i + ")").get();
         }
-        assertEquals(actions, fake.performed());
+        assertEquals(actions, List.copyOf(fake.requests));
         assertTrue(board.counters().get(SessionCounter.DAMAGED_PACKETS) > 0);
     }
 
@@ -365,7 +366,7 @@ class BoardTest extends BoardFixture {
     void act_damageComesWithTheReply_takesTheReply() throws Exception {
         open(listener, config -> withoutHurry(config));
         listener.until("online");
-        fake.setFault(reply -> Bytes.join(reply, Bytes.of(5, 5, 0)));
+        fake.line.setFault(reply -> Bytes.join(reply, Bytes.of(5, 5, 0)));
         board.act("one").get();
         assertEquals(0, board.counters().get(SessionCounter.REPEATS));
         assertTrue(board.counters().get(SessionCounter.DAMAGED_PACKETS) > 0);
@@ -374,10 +375,10 @@ class BoardTest extends BoardFixture {
     @Test
     void act_staleReplies_areCountedAndIgnored() throws Exception {
         openAndAwaitOnline();
-        fake.setFault(reply -> Bytes.join(reply, reply));
+        fake.line.setFault(reply -> Bytes.join(reply, reply));
         board.act("one").get();
         board.act("two").get();
-        assertEquals(List.of("one", "two"), fake.performed());
+        assertEquals(List.of("act one", "act two"), List.copyOf(fake.requests));
         // The second copy of a reply is read with the next one.
         while (board.counters().get(SessionCounter.STALE_REPLIES) == 0) {
             board.act("three").get();
@@ -388,12 +389,12 @@ class BoardTest extends BoardFixture {
     void poll_held_isEndedByARequestAndByTheEnd() throws Exception {
         open(listener, config -> withoutHurry(config).setHold(LONG));
         listener.until("online");
-        fake.awaitHeld();
+        fake.line.awaitHeld();
         for (int i = 0; i < 20; i++) {
             board.act("step(" + i + ")").get();
         }
         board.end().get();
-        assertEquals(20, fake.performed().size());
+        assertEquals(20, fake.requests.size());
         assertEquals(0, board.counters().get(SessionCounter.REPEATS));
         assertEquals(0, board.counters().get(SessionCounter.SILENCES));
     }
@@ -404,7 +405,7 @@ class BoardTest extends BoardFixture {
         listener.until("online");
         board.percepts(true);
         assertEquals("percepts []", listener.next());
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         assertEquals("percepts [dark]", listener.next());
         fake.receive("tell;help");
         assertEquals("message ROMA tell;help", listener.next());
@@ -414,7 +415,7 @@ class BoardTest extends BoardFixture {
     void poll_heldAndTheBoardIsReset_isAskedAgain() throws Exception {
         open(listener, config -> withoutHurry(config).setHold(LONG));
         listener.until("online");
-        fake.awaitHeld();
+        fake.line.awaitHeld();
         fake.reset();
         listener.until("offline");
         listener.until("online");
@@ -424,9 +425,9 @@ class BoardTest extends BoardFixture {
     void poll_replyIsDamaged_isAskedAgainBeforeTheHoldIsOver() throws Exception {
         open(listener, config -> config.setHold(LONG));
         listener.until("online");
-        fake.awaitHeld();
+        fake.line.awaitHeld();
         AtomicInteger replies = new AtomicInteger();
-        fake.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 2, 3) : reply);
+        fake.line.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 2, 3) : reply);
         fake.receive("tell;help");
         assertEquals("message ROMA tell;help", listener.next());
     }
@@ -438,9 +439,9 @@ class BoardTest extends BoardFixture {
         listener.until("online");
         board.percepts(true);
         assertEquals("percepts []", listener.next());
-        fake.setHaltsReadings(true);
+        fake.line.setHaltsReadings(true);
         for (int i = 0; i < 20; i++) {
-            fake.setPercepts("light(" + i + ")");
+            fake.perceive("light(" + i + ")");
             assertEquals("percepts [light(" + i + ")]", listener.next());
         }
         assertTrue(lastPoll().startsWith("5009"), lastPoll());
@@ -457,11 +458,11 @@ class BoardTest extends BoardFixture {
         listener.until("online");
         board.percepts(true);
         assertEquals("percepts []", listener.next());
-        fake.setHaltsReadings(true);
+        fake.line.setHaltsReadings(true);
         AtomicInteger replies = new AtomicInteger();
-        fake.setFault(reply -> replies.getAndIncrement() == 0
+        fake.line.setFault(reply -> replies.getAndIncrement() == 0
                 ? Bytes.join(reply.slice(0, 20), Bytes.of(reply.at(20) ^ 1), reply.from(21)) : reply);
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         assertEquals("percepts [dark]", listener.next());
         assertTrue(board.counters().get(SessionCounter.DAMAGED_PACKETS) > 0);
     }
@@ -471,18 +472,18 @@ class BoardTest extends BoardFixture {
     void poll_heldReplyIsLost_isSaidInTheNextOne() throws Exception {
         open(listener, config -> withoutHurry(config).setHold(LONG));
         listener.until("online");
-        fake.awaitHeld();
+        fake.line.awaitHeld();
         AtomicInteger replies = new AtomicInteger();
-        fake.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 0) : reply);
+        fake.line.setFault(reply -> replies.getAndIncrement() == 0 ? Bytes.of(1, 0) : reply);
         board.act("go").get();
-        fake.awaitHeld();
-        assertEquals(List.of("go"), fake.performed());
+        fake.line.awaitHeld();
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
         assertEquals(0, board.counters().get(SessionCounter.REPEATS));
         assertTrue(lastPoll().startsWith("5004"), lastPoll());
     }
 
     private String lastPoll() {
-        List<String> polls = fake.requests().stream().filter(request -> request.startsWith("50")).toList();
+        List<String> polls = fake.line.messages().stream().filter(request -> request.startsWith("50")).toList();
         return polls.get(polls.size() - 1);
     }
 
@@ -491,10 +492,10 @@ class BoardTest extends BoardFixture {
     void poll_whatEndsItIsLost_isRepeated() throws Exception {
         open(listener, config -> withoutHurry(config).setHold(LONG).setReplyTimeout(Duration.ofSeconds(1)));
         listener.until("online");
-        fake.awaitHeld();
-        fake.setDeaf(1);
+        fake.line.awaitHeld();
+        fake.line.setDeaf(1);
         board.act("go").get();
-        assertEquals(List.of("go"), fake.performed());
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
         assertEquals(1, board.counters().get(SessionCounter.REPEATS));
     }
 
@@ -503,13 +504,13 @@ class BoardTest extends BoardFixture {
         port.setBaud(1_000_000);
         openAndAwaitOnline();
         board.act("go").get();
-        assertEquals(List.of("go"), fake.performed());
+        assertEquals(List.of("act go"), List.copyOf(fake.requests));
     }
 
     @Test
     void poll_nothingHappens_isMadeAgainAfterItsHold() throws Exception {
         open(listener, config -> withoutHurry(config));
-        fake.awaitPolls(5);
+        fake.line.awaitPolls(5);
         assertEquals(0, board.counters().get(SessionCounter.REPEATS));
     }
 
@@ -517,21 +518,21 @@ class BoardTest extends BoardFixture {
     void board_reset_isGreetedAgainAndWishesRestored() throws Exception {
         openAndAwaitOnline();
         board.percepts(true);
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         board.radio(true).get();
         listener.until("percepts [dark]");
         fake.reset();
         assertEquals("offline fake: the board was reset", listener.next());
         assertEquals("online 2", listener.next());
         assertEquals("percepts [dark]", listener.next());
-        assertEquals(List.of("radio 1", "radio 1"), fake.performed());
+        assertEquals(List.of("radio 1", "radio 1"), List.copyOf(fake.requests));
         assertEquals(1, board.counters().get(SessionCounter.RESETS));
     }
 
     @Test
     void act_boardReset_failsAsUnknown() throws Exception {
         openAndAwaitOnline();
-        fake.setLoses(message -> {
+        fake.line.setLoses(message -> {
             if (message.at(0) == 'A') {
                 fake.reset();
             }
@@ -540,16 +541,16 @@ class BoardTest extends BoardFixture {
         OutcomeUnknownException unknown = failure(OutcomeUnknownException.class, board.act("stop"));
         assertEquals("fake: the board was reset; it is not known whether act stop was performed",
                 unknown.getMessage());
-        assertEquals(List.of(), fake.performed());
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @Test
     void act_boardFallsSilent_failsAndLaterOnesWork() throws Exception {
         openAndAwaitOnline();
-        fake.setLoses(message -> message.at(0) == 'A');
+        fake.line.setLoses(message -> message.at(0) == 'A');
         failure(OutcomeUnknownException.class, board.act("stop"));
         assertEquals("offline fake: the board left a request unanswered", listener.next());
-        fake.setLoses(message -> false);
+        fake.line.setLoses(message -> false);
         assertEquals("online 1", listener.next());
         board.act("again").get();
         assertEquals(1, board.counters().get(SessionCounter.SILENCES));
@@ -565,32 +566,32 @@ class BoardTest extends BoardFixture {
         failure(BoardOfflineException.class, waiting);
         assertEquals("offline fake: the link is closed", listener.next());
         assertEquals("offline fake: there is no such port", listener.next());
-        fake.setLoses(message -> false);
+        fake.line.setLoses(message -> false);
         port.plug();
         assertEquals("online 1", listener.next());
         board.act("three").get();
-        assertEquals(List.of("three"), fake.performed());
+        assertEquals(List.of("act three"), List.copyOf(fake.requests));
     }
 
     @Test
     void percepts_wanted_areToldWhenTheyChange() throws Exception {
-        fake.setPercepts("proximity(17)", "dark");
+        fake.perceive("proximity(17)", "dark");
         openAndAwaitOnline();
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
         board.percepts(true);
         assertEquals("percepts [proximity(17), dark]", listener.next());
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         assertEquals("percepts [dark]", listener.next());
-        fake.setPercepts();
+        fake.perceive();
         assertEquals("percepts []", listener.next());
-        fake.setPercepts("light");
+        fake.perceive("light");
         assertEquals("percepts [light]", listener.next());
         board.percepts(false);
         assertEquals("percepts []", listener.next());
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
     }
 
@@ -598,11 +599,11 @@ class BoardTest extends BoardFixture {
     void percepts_longInterval_areAskedForOnce() throws Exception {
         openAndAwaitOnline();
         board.perceptInterval(HOUR);
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         board.percepts(true);
         assertEquals("percepts [dark]", listener.next());
-        fake.setPercepts("light");
-        fake.awaitPolls(5);
+        fake.perceive("light");
+        fake.line.awaitPolls(5);
         assertEquals(List.of(), listener.rest());
     }
 
@@ -610,10 +611,10 @@ class BoardTest extends BoardFixture {
     void percepts_intervalMadeShorter_areAskedForAtOnce() throws Exception {
         openAndAwaitOnline();
         board.perceptInterval(HOUR);
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         board.percepts(true);
         assertEquals("percepts [dark]", listener.next());
-        fake.setPercepts("light");
+        fake.perceive("light");
         board.perceptInterval(Duration.ZERO);
         assertEquals("percepts [light]", listener.next());
     }
@@ -625,7 +626,7 @@ class BoardTest extends BoardFixture {
         board.percepts(true);
         assertEquals("percepts []", listener.next());
         for (int i = 0; i < 20; i++) {
-            fake.setPercepts("light(" + i + ")");
+            fake.perceive("light(" + i + ")");
             board.reading(Duration.ZERO).get();
             assertEquals(List.of("percepts [light(" + i + ")]"), listener.rest());
         }
@@ -639,11 +640,11 @@ class BoardTest extends BoardFixture {
         board.perceptInterval(HOUR);
         board.percepts(true);
         assertEquals("percepts []", listener.next());
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         board.reading(Duration.ofMinutes(59)).get();
         assertEquals(List.of(), listener.rest());
         CompletableFuture<Void> patient = board.reading(Duration.ofHours(2));
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertFalse(patient.isDone());
         board.perceptInterval(Duration.ZERO);
         patient.get();
@@ -657,7 +658,7 @@ class BoardTest extends BoardFixture {
         board.percepts(true);
         assertEquals("percepts []", listener.next());
         CompletableFuture<Void> reading = board.reading(Duration.ofHours(2));
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertFalse(reading.isDone());
         return reading;
     }
@@ -690,12 +691,12 @@ class BoardTest extends BoardFixture {
     @Test
     void percepts_oneNoText_isSkippedWithOneWarning() throws Exception {
         openAndAwaitOnline();
-        fake.setPercepts("dark", "\u00ff", "light");
+        fake.perceiveBytes(Bytes.ofText("dark"), Bytes.of(0xFF), Bytes.ofText("light"));
         board.percepts(true);
         String warning = listener.next();
         assertTrue(warning.startsWith("warning a percept was skipped: BAD_TEXT"), warning);
         assertEquals("percepts [dark, light]", listener.next());
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
         assertEquals(1, board.counters().get(SessionCounter.DAMAGED_RECORDS));
     }
@@ -704,14 +705,14 @@ class BoardTest extends BoardFixture {
     void messages_moreThanTheNumbersRun_comeOnceAndInOrder() throws Exception {
         openAndAwaitOnline();
         Random random = new Random(3);
-        fake.setFault(reply -> random.nextInt(10) == 0 ? Bytes.of(1, 0) : reply);
+        fake.line.setFault(reply -> random.nextInt(10) == 0 ? Bytes.of(1, 0) : reply);
         for (int i = 0; i < 300; i++) {
             fake.receive("tell;x(" + i + ")");
         }
         for (int i = 0; i < 300; i++) {
             assertEquals("message ROMA tell;x(" + i + ")", listener.next());
         }
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
     }
 
@@ -724,7 +725,7 @@ class BoardTest extends BoardFixture {
         listener.until("offline fake: there is no such port");
         port.plug();
         assertEquals("online 1", listener.next());
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
     }
 
@@ -741,13 +742,13 @@ class BoardTest extends BoardFixture {
     @Test
     void polls_repliesMakeNoSense_areCountedAndWarnedOfOnce() throws Exception {
         openAndAwaitOnline();
-        fake.setBadPolls(true);
+        fake.line.setBadPolls(true);
         String warning = listener.next();
         assertTrue(warning.startsWith("warning replies to polls are dropped: BAD_REPLY"), warning);
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         assertEquals(List.of(), listener.rest());
         assertTrue(board.counters().get(SessionCounter.BAD_REPLIES) > 1);
-        fake.setBadPolls(false);
+        fake.line.setBadPolls(false);
         fake.receive("tell;x");
         assertEquals("message ROMA tell;x", listener.next());
     }
@@ -809,7 +810,7 @@ class BoardTest extends BoardFixture {
                 Thread.currentThread().interrupt();
             }
         });
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         board.act("stop").get();
     }
 
@@ -834,7 +835,7 @@ class BoardTest extends BoardFixture {
         failure(BoardOfflineException.class, waiting);
         failure(BoardOfflineException.class, board.act("three"));
         assertEquals(BoardState.CLOSED, board.state());
-        assertEquals(List.of(), fake.performed());
+        assertEquals(List.of(), List.copyOf(fake.requests));
         assertEquals(List.of(), listener.rest());
     }
 
@@ -894,7 +895,7 @@ class BoardTest extends BoardFixture {
         board.radio(false).get();
         board.radio(true).get();
         // The first one is the wish that each greeting restores.
-        assertEquals(List.of("radio 1", "radio 1", "radio 0", "radio 1"), fake.performed());
+        assertEquals(List.of("radio 1", "radio 1", "radio 0", "radio 1"), List.copyOf(fake.requests));
     }
 
     @Test
@@ -914,7 +915,7 @@ class BoardTest extends BoardFixture {
 
     @Test
     void greeted_closedBefore_fails() {
-        fake.setSilent(true);
+        fake.line.setSilent(true);
         open();
         board.close();
         assertEquals("the session was closed", failure(JavinoException.class, board.greeted()).getMessage());

@@ -28,7 +28,7 @@ class DeliveryTest extends BoardFixture {
     /** Loses the next request that says what is taken, by a reset. */
     private void resetAtNextTaken() {
         AtomicInteger resets = new AtomicInteger();
-        fake.setLoses(message -> {
+        fake.line.setLoses(message -> {
             if (message.at(0) == 'P' && message.length() == 8 && resets.getAndIncrement() == 0) {
                 fake.reset();
             }
@@ -46,7 +46,7 @@ class DeliveryTest extends BoardFixture {
 
     /** All that came; of polls only what they ask of percepts and what they name as taken. */
     private List<String> requests() {
-        return fake.requests().stream()
+        return fake.line.messages().stream()
                 .map(request -> request.startsWith("50") ? request.substring(0, 4) + request.substring(14) : request)
                 .toList();
     }
@@ -56,7 +56,7 @@ class DeliveryTest extends BoardFixture {
         fake.receive("SUPO", "ROMA", 1, "tell;one");
         fake.receive("SUPO", "ROMA", 2, "tell;two");
         openRarelyPolling(listener);
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         assertEquals(List.of("message ROMA tell;one", "message ROMA tell;two"), messages());
         assertEquals(List.of(POLL, POLL + "01"), polls());
     }
@@ -76,7 +76,7 @@ class DeliveryTest extends BoardFixture {
         inside.await();
         assertEquals(List.of(POLL), polls());
         leave.countDown();
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         assertEquals(List.of(POLL, POLL + "00"), polls());
     }
 
@@ -103,15 +103,15 @@ class DeliveryTest extends BoardFixture {
         for (int i = 0; i < percepts.length; i++) {
             percepts[i] = "proximity(" + (100 + i) + ")";
         }
-        fake.setPercepts(percepts);
+        fake.perceive(percepts);
         String longest = "tell;" + "x".repeat(489);
         open(listener);
         board.percepts(true);
         listener.until("percepts [proximity(100)");
         fake.receive("SUPO", "ROMA", 1, longest);
         assertEquals("message ROMA " + longest, listener.until("message").get(0));
-        fake.awaitAllTaken();
-        fake.setPercepts("dark");
+        fake.mail.awaitAllTaken();
+        fake.perceive("dark");
         assertEquals("percepts [dark]", listener.next());
         assertTrue(polls().contains(POLL_PERCEPTS));
     }
@@ -145,7 +145,7 @@ class DeliveryTest extends BoardFixture {
         opened.complete(board);
         acted.get();
         assertTrue(actedAfter.get(1) < 30, "acted after " + actedAfter + " messages");
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         assertEquals(most, came.get());
     }
 
@@ -154,7 +154,7 @@ class DeliveryTest extends BoardFixture {
         resetAtNextTaken();
         fake.receive("SUPO", "ROMA", 0x010203, "tell;one");
         open(listener);
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         listener.until("online 2");
         board.act("stop").get();
         assertEquals(List.of(), messages());
@@ -172,7 +172,7 @@ class DeliveryTest extends BoardFixture {
         fake.receive("SUPO", "ROMB", 5, "tell;otherOrigin");
         fake.receive("//SU", "ROMA", 5, "tell;otherDestination");
         fake.receive("SUPO", "ROMA", 6, "tell;otherId");
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         board.act("stop").get();
         // The broadcast cannot be known again; only the first message can.
         assertEquals(List.of("message ROMA tell;all", "message ROMB tell;otherOrigin",
@@ -183,14 +183,14 @@ class DeliveryTest extends BoardFixture {
     @Test
     void messages_boardResetAndRepliesLostAtRandom_comeOnceEachAndInOrder() throws Exception {
         Random random = new Random(11);
-        fake.setLoses(message -> {
+        fake.line.setLoses(message -> {
             boolean reset = message.at(0) == 'P' && random.nextInt(6) == 0;
             if (reset) {
                 fake.reset();
             }
             return random.nextInt(8) == 0;
         });
-        fake.setFault(reply -> {
+        fake.line.setFault(reply -> {
             if (random.nextInt(12) == 0) {
                 fake.reset();
                 return Bytes.of(0);
@@ -204,9 +204,9 @@ class DeliveryTest extends BoardFixture {
             sent.add("message " + (i % 2 == 0 ? "ROMA" : "SUHO") + " tell;x(" + i + "," + "y".repeat(200) + ")");
         }
         open(listener);
-        fake.awaitAllTaken();
-        fake.setLoses(message -> false);
-        fake.setFault(reply -> reply);
+        fake.mail.awaitAllTaken();
+        fake.line.setLoses(message -> false);
+        fake.line.setFault(reply -> reply);
         // The last reset may be noticed only now, and then fails what waits.
         while (board.act("stop").handle((done, lost) -> lost != null).get()) {
             Thread.onSpinWait();
@@ -234,7 +234,7 @@ class DeliveryTest extends BoardFixture {
         assertEquals(List.of(1), handedOn);
         assertEquals(List.of(POLL, POLL + "00"), polls());
         open(listener);
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         assertEquals(List.of("message ROMA tell;" + "y".repeat(400)), messages());
     }
 
@@ -244,12 +244,12 @@ class DeliveryTest extends BoardFixture {
         openRarelyPolling(new BoardListener() {
             @Override
             public void message(ReceivedMessage message) {
-                fake.setBadPolls(true);
+                fake.line.setBadPolls(true);
             }
         });
         board.act("one").get();
         board.act("two").get();
-        assertEquals(List.of("one", "two"), fake.performed());
+        assertEquals(List.of("act one", "act two"), List.copyOf(fake.requests));
     }
 
     @Test
@@ -262,7 +262,7 @@ class DeliveryTest extends BoardFixture {
                 received.add(message);
             }
         });
-        fake.awaitAllTaken();
+        fake.mail.awaitAllTaken();
         assertEquals(0xFF0102, received.get(0).id());
     }
 }

@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import javino.fake.FakeLegacyBoard;
 import javino.protocol.Address;
 import javino.protocol.BoardInfo;
 import javino.protocol.Bytes;
@@ -28,7 +29,7 @@ class LegacyBoardTest {
     private Board board;
 
     private void open() throws InterruptedException {
-        board = Board.open(fake, BoardFixture.quick(config -> {}), listener);
+        board = Board.open(fake.port, BoardFixture.quick(config -> {}), listener);
         listener.until("online");
     }
 
@@ -43,30 +44,31 @@ class LegacyBoardTest {
         assertEquals(BoardInfo.legacy(), board.greeted().get());
         assertTrue(board.info().orElseThrow().isLegacy());
         assertEquals(BoardState.ONLINE, board.state());
-        assertEquals(List.of(1_000_000, 9600), fake.speeds(2));
+        assertEquals(List.of(1_000_000, 9600), fake.port.awaitSpeeds(2));
     }
 
     @Test
     void open_boardComesLate_isFoundAllTheSame() throws Exception {
         fake.setSilent(true);
-        board = Board.open(fake, BoardFixture.quick(config -> config.setPatience(Duration.ofMillis(500))), listener);
+        board = Board.open(fake.port, BoardFixture.quick(config -> config.setPatience(Duration.ofMillis(500))),
+                listener);
         assertTrue(listener.next().contains("no Javino board answers"));
-        assertEquals(List.of(1_000_000, 9600, 115_200), fake.speeds(3).subList(0, 3));
+        assertEquals(List.of(1_000_000, 9600, 115_200), fake.port.awaitSpeeds(3).subList(0, 3));
         fake.setSilent(false);
         listener.until("online 0");
     }
 
     @Test
     void percepts_wanted_areToldWhenTheyChange() throws Exception {
-        fake.perceiving("light(312);door(open);");
+        fake.perceive("light(312);door(open);");
         open();
         board.percepts(true);
         assertEquals("percepts [light(312), door(open)]", listener.next());
-        fake.perceiving("light(313)");
+        fake.perceive("light(313)");
         assertEquals("percepts [light(313)]", listener.next());
-        fake.perceiving("");
+        fake.perceive("");
         assertEquals("percepts []", listener.next());
-        fake.perceiving("dark;");
+        fake.perceive("dark;");
         assertEquals("percepts [dark]", listener.next());
         board.percepts(false);
         assertEquals("percepts []", listener.next());
@@ -87,7 +89,7 @@ class LegacyBoardTest {
         open();
         int asked = fake.asked();
         board.perceptInterval(Duration.ofHours(1));
-        fake.perceiving("dark");
+        fake.perceive("dark");
         board.percepts(true);
         assertEquals("percepts [dark]", listener.next());
         for (int i = 0; i < 3; i++) {
@@ -127,7 +129,7 @@ class LegacyBoardTest {
         listener.next();
         fake.setFault(answer -> count.incrementAndGet() % 3 == 0 ? Bytes.EMPTY : answer);
         for (int i = 0; i < 5; i++) {
-            fake.perceiving("n(" + i + ")");
+            fake.perceive("n(" + i + ")");
             assertEquals("percepts [n(" + i + ")]", listener.next());
         }
         assertEquals(0, board.counters().get(SessionCounter.SILENCES));
@@ -139,7 +141,7 @@ class LegacyBoardTest {
         board.percepts(true);
         listener.next();
         AtomicInteger left = new AtomicInteger(1);
-        fake.perceiving("late");
+        fake.perceive("late");
         // The first answer comes with the second one, before it.
         fake.setFault(answer -> left.getAndDecrement() > 0 ? Bytes.EMPTY
                 : Bytes.join(Bytes.ofText("fffe04late"), Bytes.ofText("fffe05right")));
@@ -150,7 +152,7 @@ class LegacyBoardTest {
     @ParameterizedTest
     @ValueSource(strings = {"fffe0", "fff", "fffeXXnonsense", "\u0000\u0000", "fffe05stale"})
     void percepts_somethingPushedBefore_areReadAllTheSame(String pushed) throws Exception {
-        fake.perceiving("dark");
+        fake.perceive("dark");
         open();
         fake.push(pushed);
         board.percepts(true);
@@ -203,7 +205,7 @@ class LegacyBoardTest {
     @Test
     void radio_wishedBefore_isWarnedOf() throws Exception {
         fake.setSilent(true);
-        board = Board.open(fake, BoardFixture.quick(config -> {}), listener);
+        board = Board.open(fake.port, BoardFixture.quick(config -> {}), listener);
         board.radio(true);
         fake.setSilent(false);
         listener.until("online");
@@ -212,7 +214,7 @@ class LegacyBoardTest {
 
     @Test
     void board_fallsSilent_isLostAndFoundAgain() throws Exception {
-        fake.perceiving("dark");
+        fake.perceive("dark");
         open();
         board.percepts(true);
         listener.until("percepts [dark]");
@@ -229,9 +231,9 @@ class LegacyBoardTest {
     void port_unplugged_isNoticedAndFoundAgain(boolean percepts) throws Exception {
         open();
         board.percepts(percepts);
-        fake.unplug();
+        fake.port.unplug();
         listener.until("offline older: the link is closed");
-        fake.plug();
+        fake.port.plug();
         listener.until("online 0");
         board.act("ledOn").get();
         assertEquals("ledOn", fake.actions.take());

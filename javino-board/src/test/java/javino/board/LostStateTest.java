@@ -14,7 +14,7 @@ class LostStateTest extends BoardFixture {
 
     private void setEpoch(int epoch) {
         fake.setRfId("SUPO");
-        fake.setBootEpoch(epoch);
+        fake.keys.setEpoch(epoch);
         open(listener);
     }
 
@@ -29,14 +29,14 @@ class LostStateTest extends BoardFixture {
         setEpoch(9_000_000);
         listener.until("online");
         for (int loss = 1; loss <= 2; loss++) {
-            fake.loseEpoch();
+            fake.keys.loseEpoch();
             fake.reset();
             listener.until("offline");
             int above = 9_000_000 + loss * EpochNotes.MOST_BOOTS;
             assertTrue(warning().endsWith("it was raised to " + above + ", above all that it has had"));
             assertEquals("online " + above, listener.next());
             assertEquals(above, board.info().orElseThrow().bootEpoch());
-            assertEquals(above, fake.bootEpoch());
+            assertEquals(above, fake.keys.epoch());
         }
     }
 
@@ -44,7 +44,7 @@ class LostStateTest extends BoardFixture {
     void epoch_belowOneThatTheSessionKnows_isRaisedToo() throws Exception {
         setEpoch(9_000_000);
         listener.until("online");
-        fake.setBootEpoch(7);
+        fake.keys.setEpoch(7);
         fake.reset();
         listener.until("offline");
         assertTrue(warning().contains("raised to 9400000"));
@@ -57,7 +57,7 @@ class LostStateTest extends BoardFixture {
         assertTrue(warning().contains("it seals nothing until javino provision has raised it by its keyring"));
         assertEquals("online 0", listener.next());
         assertTrue(board.info().orElseThrow().hasLostEpoch());
-        assertEquals(0, fake.bootEpoch());
+        assertEquals(0, fake.keys.epoch());
         fake.reset();
         assertFalse(listener.until("online").isEmpty(), "it is greeted again, though no epoch tells its boots apart");
     }
@@ -65,7 +65,7 @@ class LostStateTest extends BoardFixture {
     @Test
     void epoch_lostAndNoted_isRaisedBeforeItIsOnline() throws Exception {
         fake.setRfId("SUPO");
-        fake.setBootEpoch(0);
+        fake.keys.setEpoch(0);
         open(listener, config -> config.setEpochNotes((id, keys, least) -> {
             assertEquals(0, least);
             return OptionalInt.of(470_012);
@@ -77,7 +77,7 @@ class LostStateTest extends BoardFixture {
     @Test
     void epoch_notesThatCannotBeRead_areNamed() throws Exception {
         fake.setRfId("SUPO");
-        fake.setBootEpoch(0);
+        fake.keys.setEpoch(0);
         open(listener, config -> config.setEpochNotes((id, keys, least) -> {
             throw new IllegalArgumentException("keys, line 3: wrong");
         }));
@@ -90,7 +90,7 @@ class LostStateTest extends BoardFixture {
         listener.until("online");
         fake.setDamaged();
         assertTrue(warning().contains("has written over the board's memory of nonces"));
-        fake.awaitPolls(3);
+        fake.line.awaitPolls(3);
         fake.reset();
         assertEquals("offline fake: the board was reset", listener.next());
     }

@@ -72,7 +72,7 @@ class TransmissionTest extends BoardFixture {
                 await(followed);
             }
         });
-        fake.setEnds(Outcome.DELIVERED);
+        fake.endAll(Outcome.DELIVERED);
         board.setRfId(Address.parse("ROMA"));
         Transmission transmission = board.transmit(SUPO, HELP);
         List<String> order = new CopyOnWriteArrayList<>();
@@ -86,7 +86,7 @@ class TransmissionTest extends BoardFixture {
     @Test
     void transmit_refused_bothFail() throws Exception {
         openAndAwaitOnline();
-        fake.setRefusal(Status.NO_KEY);
+        fake.refuse("SUPO ", Status.NO_KEY);
         Transmission transmission = board.transmit(SUPO, HELP);
         assertEquals(Status.NO_KEY, failure(RequestFailedException.class, transmission.end()).status());
         assertEquals(Status.NO_KEY, failure(RequestFailedException.class, transmission.taken()).status());
@@ -132,7 +132,7 @@ class TransmissionTest extends BoardFixture {
 
     @Test
     void reset_bootEpochAtItsEnd_isNoticedAllTheSame() throws Exception {
-        fake.setBootEpoch(0xFFFFFF);
+        fake.keys.setEpoch(0xFFFFFF);
         openAndAwaitOnline();
         transmit();
         fake.reset();
@@ -155,16 +155,16 @@ class TransmissionTest extends BoardFixture {
         board.radio(true).get();
         transmit();
         AtomicBoolean greeted = new AtomicBoolean();
-        fake.setLoses(message -> {
+        fake.line.setLoses(message -> {
             greeted.compareAndSet(false, message.at(0) == 'H');
             return false;
         });
-        fake.setFault(reply -> greeted.get() ? reply : Bytes.EMPTY);
+        fake.line.setFault(reply -> greeted.get() ? reply : Bytes.EMPTY);
         fake.end(0, Outcome.DELIVERED);
         // Between the hello and the next poll the radio is opened again: that must not make the board forget it.
         assertEquals(List.of("offline fake: the board left a request unanswered", "online 1",
                 "ended DELIVERED"), listener.until("ended"));
-        fake.awaitPolls(2);
+        fake.line.awaitPolls(2);
         assertEquals(List.of(), listener.rest());
     }
 
@@ -172,7 +172,7 @@ class TransmissionTest extends BoardFixture {
     void link_lostWhileARequestWasUnanswered_leavesWhatIsUnderWay() throws Exception {
         openAndAwaitOnline(Duration.ofMinutes(1));
         transmit();
-        fake.setLoses(message -> message.at(0) == 'A');
+        fake.line.setLoses(message -> message.at(0) == 'A');
         failure(OutcomeUnknownException.class, board.act("stop"));
         assertEquals(List.of("offline fake: the board left a request unanswered", "online 1"),
                 listener.until("online"));
@@ -185,7 +185,7 @@ class TransmissionTest extends BoardFixture {
     void outcome_ofAnEarlierSession_isCountedAndNotTold() throws Exception {
         openAndAwaitOnline();
         fake.end(9, Outcome.DELIVERED);
-        fake.awaitPolls(2);
+        fake.line.awaitPolls(2);
         board.act("stop").get();
         assertEquals(List.of(), listener.rest());
         assertEquals(1, board.counters().get(SessionCounter.UNKNOWN_OUTCOMES));
@@ -196,7 +196,7 @@ class TransmissionTest extends BoardFixture {
         openAndAwaitOnline();
         Content longest = new Content(Performative.TELL, "x".repeat(489));
         board.transmit(Address.BROADCAST, longest).taken().get();
-        assertEquals(longest.encode(), Bytes.ofHex(fake.requests().stream()
+        assertEquals(longest.encode(), Bytes.ofHex(fake.line.messages().stream()
                 .filter(request -> request.startsWith("74656c6c3b")).findFirst().orElseThrow()));
     }
 
@@ -204,16 +204,16 @@ class TransmissionTest extends BoardFixture {
     void relay_frameOfAnother_goesToTheBoardAsItIsAndEnds() throws Exception {
         open(listener);
         Frame frame = new Frame(SUPO, Address.parse("ROMA"), Bytes.ofText("x"));
-        fake.setEnds(Outcome.SENT);
+        fake.endAll(Outcome.SENT);
         Transmission transmission = board.relay(frame);
         assertEquals(Outcome.SENT, transmission.end().get());
-        assertEquals(List.of("relay " + frame.encode().hex()), fake.performed());
+        assertEquals(List.of("relay " + frame.encode().hex()), List.copyOf(fake.requests));
     }
 
     @Test
     void relay_refused_failsBothWithTheReason() throws Exception {
         open(listener);
-        fake.setRefusal(Status.QUEUE_FULL);
+        fake.refuse("relay", Status.QUEUE_FULL);
         Transmission transmission = board.relay(new Frame(SUPO, Address.parse("ROMA"), Bytes.ofText("x")));
         assertEquals("relay from ROMA to SUPO failed: QUEUE_FULL, the board's transmit queue is full; try again later",
                 failure(RequestFailedException.class, transmission.taken()).getMessage());
@@ -231,14 +231,14 @@ class TransmissionTest extends BoardFixture {
     void overhear_on_tellsEachPacketOnceAndAgainAfterAReset() throws Exception {
         openAndAwaitOnline();
         board.overhear(true).get();
-        fake.overhear(5, 0, Bytes.ofText("a"));
-        fake.overhear(0xFFFF_FFFFL, 2, Bytes.EMPTY);
+        fake.mail.overhear(5, 0, Bytes.ofText("a"));
+        fake.mail.overhear(0xFFFF_FFFFL, 2, Bytes.EMPTY);
         assertEquals(List.of("overheard 5 INTACT 61", "overheard 4294967295 DAMAGED "),
                 listener.until("overheard 4").stream().filter(line -> line.startsWith("overheard")).toList());
         fake.reset();
         listener.until("online");
-        assertEquals(List.of("id ROMA", "overhear 1", "overhear 1"), fake.performed());
-        fake.overhear(7, 1, Bytes.ofText("b"));
+        assertEquals(List.of("id ROMA", "overhear 1", "overhear 1"), List.copyOf(fake.requests));
+        fake.mail.overhear(7, 1, Bytes.ofText("b"));
         listener.until("overheard 7 MENDED 62");
         assertEquals(3, board.counters().get(SessionCounter.OVERHEARD));
     }

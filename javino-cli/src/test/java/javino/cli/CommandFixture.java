@@ -11,10 +11,13 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import javino.board.BoardConfig;
-import javino.board.FakeBoard;
-import javino.board.FakeLegacyBoard;
-import javino.board.FakePort;
+import javino.fake.FakeBoard;
+import javino.fake.FakeLegacyBoard;
+import javino.fake.FakePort;
+import javino.protocol.Bytes;
+import javino.protocol.Counter;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -30,8 +33,8 @@ abstract class CommandFixture {
 
     final StringWriter out = new StringWriter();
     final StringWriter err = new StringWriter();
-    final FakeBoard fake = new FakeBoard();
-    final FakePort port = new FakePort(fake);
+    final FakeBoard fake = new FakeBoard().setCounter(Counter.SERIAL_REQUESTS, 9);
+    final FakePort port = fake.port;
     /** At the port "older". */
     final FakeLegacyBoard older = new FakeLegacyBoard();
     Ansi ansi = Ansi.OFF;
@@ -41,13 +44,19 @@ abstract class CommandFixture {
     Path sysfs = Path.of("/nowhere");
     private Running running;
 
+    @BeforeEach
+    final void storeKey() {
+        fake.keys.set("SUPO", Bytes.of(1, 2, 3));
+    }
+
     final int run(String... args) {
         BoardConfig config = BoardConfig.create(builder -> builder.setHold(Duration.ofMillis(20))
                 .setReplyTimeout(Duration.ofMillis(20)).setAttempts(20)
                 .setHelloInterval(Duration.ofMillis(10)).setReopenInterval(Duration.ofMillis(10))
                 .setPatience(patience));
         CommandLine commandLine =
-                Main.commandLine(PortOption.factory(name -> name.equals(older.name()) ? older : port, config, sysfs));
+                Main.commandLine(
+                        PortOption.factory(name -> name.equals(older.port.name()) ? older.port : port, config, sysfs));
         commandLine.setColorScheme(Help.defaultColorScheme(ansi));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));

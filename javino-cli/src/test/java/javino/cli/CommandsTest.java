@@ -27,8 +27,7 @@ import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
 import javino.board.BoardState;
-import javino.board.FakeBoard;
-import javino.board.FakePort;
+import javino.fake.FakeBoard;
 import javino.protocol.Address;
 import javino.protocol.Key;
 import org.junit.jupiter.api.Test;
@@ -60,7 +59,7 @@ class CommandsTest {
     }
 
     private Board open() {
-        return Board.open(new FakePort(fake), BoardConfig.create(), new BoardListener() {});
+        return Board.open(fake.port, BoardConfig.create(), new BoardListener() {});
     }
 
     private void assertFails(int code, String reason, String... args) {
@@ -243,17 +242,17 @@ class CommandsTest {
 
     @Test
     void port_boardThere_opens() throws JavinoException, InterruptedException {
-        try (Board board = new PortOption(name -> new FakePort(fake), BoardConfig.create(), Path.of("none")).open()) {
+        try (Board board = new PortOption(name -> fake.port, BoardConfig.create(), Path.of("none")).open()) {
             assertEquals(BoardState.ONLINE, board.state());
         }
     }
 
     @Test
     void port_noBoardAnswers_saysSo() {
-        fake.setSilent(true);
+        fake.line.setSilent(true);
         BoardConfig config = BoardConfig.create(builder -> builder.setPatience(Duration.ofMillis(50)));
         JavinoException e = assertThrows(JavinoException.class,
-                () -> new PortOption(name -> new FakePort(fake), config, Path.of("none")).open());
+                () -> new PortOption(name -> fake.port, config, Path.of("none")).open());
         assertTrue(e.getMessage().contains("no Javino board answers"), e.getMessage());
     }
 

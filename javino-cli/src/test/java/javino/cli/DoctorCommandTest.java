@@ -84,7 +84,8 @@ class DoctorCommandTest extends CommandFixture {
     @Test
     void board_examined_isAskedButNotChanged() {
         examine();
-        assertEquals(List.of("list", "statistics"), fake.performed());
+        assertTrue(fake.isAskedForStatistics());
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @Test
@@ -97,7 +98,7 @@ class DoctorCommandTest extends CommandFixture {
     @Test
     void board_silent_endsThere() {
         patience = Duration.ofMillis(50);
-        fake.setSilent(true);
+        fake.line.setSilent(true);
         assertTrouble("board", "no Javino board answers; is its sketch flashed, and at the same baud rate?");
         assertEquals("port                ok, fake", lines().get(0));
         assertEquals(2, lines().size());
@@ -169,7 +170,7 @@ class DoctorCommandTest extends CommandFixture {
     void latency_boardSilent_isToldNevertheless() throws IOException {
         ftdi("fake", "1");
         patience = Duration.ofMillis(50);
-        fake.setSilent(true);
+        fake.line.setSilent(true);
         assertTrouble("board", "no Javino board answers");
         assertEquals("latency             ok, 1 ms", lines().get(1));
     }
@@ -202,7 +203,7 @@ class DoctorCommandTest extends CommandFixture {
 
     @Test
     void key_asInTheKeyring_isOk() throws IOException, JavinoException {
-        fake.setCheck(KEY.check());
+        fake.keys.set("SUPO", KEY.check());
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex());
         assertEquals(0, examine("--id", "ROMA", "--keyring", keys.toString()), out.toString());
         assertTrue(lines().contains("key SUPO            ok, check value " + KEY.check()), out.toString());
@@ -218,7 +219,7 @@ class DoctorCommandTest extends CommandFixture {
 
     @Test
     void key_missing_isToBeProvisioned() throws IOException, JavinoException {
-        fake.setCheck(KEY.check());
+        fake.keys.set("SUPO", KEY.check());
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex(), "//RO = " + KEY.bytes().hex());
         assertTrouble("key //RO", "missing; " + PROVISION + "ROMA", "--id", "ROMA", "--keyring", keys.toString());
     }
@@ -243,13 +244,13 @@ class DoctorCommandTest extends CommandFixture {
 
     @Test
     void nonces_usedUp_isTold() {
-        fake.setBootEpoch(0xFFFFFF);
+        fake.keys.setEpoch(0xFFFFFF);
         assertTrouble("nonces", "the epochs are used up");
     }
 
     @Test
     void nonces_lost_isToBeProvisioned() {
-        fake.loseEpoch();
+        fake.keys.loseEpoch();
         assertTrouble("nonces", "the board has lost its boot epoch: something has written over its EEPROM; it seals "
                 + "nothing until javino provision has raised it by its keyring: " + PROVISION
                 + "ADDRESS --keyring FILE");
@@ -257,20 +258,20 @@ class DoctorCommandTest extends CommandFixture {
 
     @Test
     void nonces_belowTheNote_isTold() throws IOException, JavinoException {
-        fake.setCheck(KEY.check());
-        fake.setBootEpoch(7);
+        fake.keys.set("SUPO", KEY.check());
+        fake.keys.setEpoch(7);
         Path keys = keyring("ROMA SUPO = " + KEY.bytes().hex(), "ROMA: epoch 470012, SUPO " + KEY.check().hex());
         assertTrouble("nonces", "epoch 7, but the keyring notes 470012 of ROMA: what it seals is refused; " + PROVISION
                 + "ROMA", "--id", "ROMA", "--keyring", keys.toString());
-        fake.setBootEpoch(470_012);
+        fake.keys.setEpoch(470_012);
         assertEquals(0, examine("--id", "ROMA", "--keyring", keys.toString()), out.toString());
     }
 
     @Test
     void floors_thatMayBeLost_areTold() {
-        fake.setCheck(KEY.check());
-        fake.loseEpoch("SUPO");
-        fake.setBootEpoch(8);
+        fake.keys.set("SUPO", KEY.check());
+        fake.keys.loseEpoch("SUPO");
+        fake.keys.setEpoch(8);
         assertTrouble("floors", "the board may have lost which messages it had under its keys for SUPO");
     }
 
@@ -282,7 +283,7 @@ class DoctorCommandTest extends CommandFixture {
 
     @Test
     void serialLine_bootLoaderAnsweredFirst_isOk() {
-        fake.setLoading();
+        fake.line.setLoading();
         assertEquals(0, examine(), out.toString());
         assertTrue(lines().get(6).matches("serial line         ok, 0 of \\d+ packets were damaged"), out.toString());
     }
@@ -311,7 +312,7 @@ class DoctorCommandTest extends CommandFixture {
     void radio_heardWhileListening_isOk() throws Exception {
         fake.setCounter(Counter.RADIO_RECEIVED, 0);
         start("doctor", "--port", "fake", "--listen", "3600");
-        await(out, written -> fake.performed().contains("statistics"));
+        await(out, written -> fake.isAskedForStatistics());
         fake.setCounter(Counter.RADIO_RECEIVED, 1);
         assertEquals(0, status());
     }

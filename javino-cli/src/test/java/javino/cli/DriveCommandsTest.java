@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
-import javino.protocol.Bytes;
 import javino.protocol.Outcome;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -18,7 +17,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @Test
     void percepts_some_areALineEach() {
-        fake.setPercepts("light(312)", "door(open)");
+        fake.perceive("light(312)", "door(open)");
         assertEquals(0, run("percepts", "--port", "fake"), err.toString());
         assertEquals(List.of("light(312)", "door(open)"), lines());
     }
@@ -31,7 +30,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @Test
     void percepts_commandsForTheTerminal_areWritten() {
-        fake.setPercepts("text(\"\033[2J\nx\")");
+        fake.perceive("text(\"\033[2J\nx\")");
         assertEquals(0, run("percepts", "--port", "fake"), err.toString());
         assertEquals(List.of("text(\"\\u001b[2J\\u000ax\")"), lines());
     }
@@ -39,7 +38,7 @@ class DriveCommandsTest extends CommandFixture {
     @Test
     void percepts_damagedPolls_fails() {
         patience = Duration.ofSeconds(2);
-        fake.setBadPolls(true);
+        fake.line.setBadPolls(true);
         assertEquals(1, run("percepts", "--port", "fake"));
         assertTrue(err.toString().contains("javino: fake: the board does not tell its percepts"), err.toString());
     }
@@ -53,10 +52,10 @@ class DriveCommandsTest extends CommandFixture {
 
     @Test
     void follow_changes_areToldUntilInterrupted() throws Exception {
-        fake.setPercepts("light(311)", "dark");
+        fake.perceive("light(311)", "dark");
         start("percepts", "--port", "fake", "--follow");
         awaitLine("+dark");
-        fake.setPercepts("light(312)", "dark");
+        fake.perceive("light(312)", "dark");
         awaitLine("+light(312)");
         assertEquals(0, interrupt());
         assertEquals(List.of("+light(311)", "+dark", "-light(311)", "+light(312)"), lines());
@@ -65,7 +64,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @Test
     void follow_boardReset_tellsItsPerceptsAnew() throws Exception {
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         start("percepts", "--port", "fake", "--follow");
         awaitLine("+dark");
         fake.reset();
@@ -77,7 +76,7 @@ class DriveCommandsTest extends CommandFixture {
 
     @Test
     void follow_boardOfAnotherVersionComes_ends() throws Exception {
-        fake.setPercepts("dark");
+        fake.perceive("dark");
         start("percepts", "--port", "fake", "--follow");
         awaitLine("+dark");
         fake.setVersion(2);
@@ -91,19 +90,20 @@ class DriveCommandsTest extends CommandFixture {
             "say \"a,b\"|say(\"a,b\")", "speed(3)|speed(3)"})
     void act_action_isPerformed(String arguments, String action) {
         assertEquals(0, run(("act --port fake " + arguments).split(" ")), err.toString());
-        assertEquals(List.of(action), fake.performed());
+        assertEquals(List.of("act " + action), List.copyOf(fake.requests));
         assertEquals("", out.toString());
     }
 
     @Test
     void act_unknownAction_namesTheSketch() {
+        fake.refuse("act unknown", Status.UNKNOWN_ACTION);
         assertFails(1, "act unknown failed: UNKNOWN_ACTION, the sketch has no action of this name; the board runs "
                 + "\"fake\": its sketch names its actions", "act", "--port", "fake", "unknown");
     }
 
     @Test
     void act_refused_saysSo() {
-        fake.setRefusal(Status.ACTION_FAILED);
+        fake.refuse("act", Status.ACTION_FAILED);
         assertFails(1, "act lampOn failed: ACTION_FAILED", "act", "--port", "fake", "lampOn");
     }
 
@@ -116,17 +116,17 @@ class DriveCommandsTest extends CommandFixture {
     @ValueSource(ints = {0, 511})
     void act_badLength_isWrongUsage(int length) {
         assertFails(2, "1…510 bytes of UTF-8, not " + length, "act", "--port", "fake", "x".repeat(length));
-        assertEquals(List.of(), fake.performed());
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @ParameterizedTest
     @CsvSource({"SUPO,DELIVERED,0", "SUPO,UNDELIVERED,1", "//SU,SENT,0", "////,SENT,0"})
     void send_message_tellsItsOutcome(String to, Outcome outcome, int status) {
         fake.setRfId("ROMA");
-        fake.setEnds(outcome);
+        fake.endAll(outcome);
         assertEquals(status, run("send", "--port", "fake", to, "tell;help"), err.toString());
         assertEquals(List.of(outcome.toString().toLowerCase()), lines());
-        assertEquals(List.of("transmit " + Bytes.ofText(to + "ROMABI")), fake.performed());
+        assertEquals(List.of(to + " tell;help"), List.copyOf(fake.requests));
         assertEquals("", err.toString());
     }
 
@@ -140,7 +140,7 @@ class DriveCommandsTest extends CommandFixture {
             "NONCE_EXHAUSTED,all its nonces"})
     void send_refused_saysWhy(Status status, String reason) {
         fake.setRfId("ROMA");
-        fake.setRefusal(status);
+        fake.refuse("SUPO ", status);
         assertFails(1, "transmit to SUPO: tell;help failed: " + status + ", ", "send", "--port", "fake", "SUPO",
                 "tell;help");
         assertTrue(err.toString().contains(reason), err.toString());
@@ -151,7 +151,7 @@ class DriveCommandsTest extends CommandFixture {
             "SUPO,help,expected a performative such as tell", "SUPO,tell;,and a term"})
     void send_badArgument_isWrongUsage(String to, String content, String reason) {
         assertFails(2, reason, "send", "--port", "fake", to, content);
-        assertEquals(List.of(), fake.performed());
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @ParameterizedTest
@@ -160,12 +160,12 @@ class DriveCommandsTest extends CommandFixture {
         assertFails(2, "goes to a device or a group, not to all: no agent accepts it from a broadcast", "send",
                 "--port", "fake",
                 "////", content);
-        assertEquals(List.of(), fake.performed());
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @Test
     void olderBoard_perceptsAndActions_work() throws Exception {
-        older.perceiving("light(312);door(open);");
+        older.perceive("light(312);door(open);");
         assertEquals(0, run("percepts", "--port", "older"), err.toString());
         assertEquals(List.of("light(312)", "door(open)"), lines());
         assertEquals(0, run("act", "--port", "older", "speed", "3"), err.toString());

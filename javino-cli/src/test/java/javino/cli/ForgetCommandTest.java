@@ -11,7 +11,7 @@ class ForgetCommandTest extends CommandFixture {
     void key_held_isDeleted() {
         assertEquals(0, run("forget", "--port", "fake", "--key", "SUPO", "--key", "SUPO"), err.toString());
         assertEquals(List.of("key for SUPO forgotten"), lines());
-        assertEquals(List.of("list", "forget SUPO"), fake.performed());
+        assertEquals(List.of("delete key SUPO"), List.copyOf(fake.requests));
     }
 
     @Test
@@ -19,7 +19,7 @@ class ForgetCommandTest extends CommandFixture {
         assertFails(1, "javino: the board has no key for //SU; it has SUPO", "forget", "--port", "fake", "--key",
                 "SUPO", "--key",
                 "//SU");
-        assertEquals(List.of("list"), fake.performed());
+        assertEquals(List.of(), List.copyOf(fake.requests));
     }
 
     @Test

@@ -14,13 +14,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 class InfoCommandTest extends CommandFixture {
 
     private List<String> radio() {
-        return fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
+        return fake.requests.stream().filter(what -> what.startsWith("radio")).toList();
     }
 
     @Test
     void board_isShown() {
         fake.setActions("lampOn", "lampOff");
-        fake.setSessionKey("ROMA", Bytes.of(4, 5, 6));
+        fake.keys.setSession("ROMA", Bytes.of(4, 5, 6));
         assertEquals(0, run("info", "--port", "fake"), err.toString());
         assertEquals(List.of("firmware            fake", "protocol version    1", "RF id               none",
                 "boot epoch          1", "actions             lampOn, lampOff",
@@ -48,7 +48,7 @@ class InfoCommandTest extends CommandFixture {
     @Test
     void after_boardBooted_saysThatItCountsAnew() throws InterruptedException {
         start("info", "--port", "fake", "--after", "1");
-        await(out, written -> fake.performed().contains("statistics"));
+        await(out, written -> fake.isAskedForStatistics());
         fake.reset();
         assertEquals(1, status());
         assertEquals("javino: fake: the board has booted meanwhile, and counts from 0; try again",
@@ -58,7 +58,7 @@ class InfoCommandTest extends CommandFixture {
     @Test
     void after_interrupted_blocksTheRadio() throws InterruptedException {
         start("info", "--port", "fake", "--after", "3600");
-        await(out, written -> fake.performed().contains("statistics"));
+        await(out, written -> fake.isAskedForStatistics());
         assertEquals(0, interrupt());
         assertEquals(List.of("radio 1", "radio 0"), radio());
     }

@@ -59,10 +59,10 @@ class MonitorCommandTest extends CommandFixture {
 
     @Test
     void percepts_changes_areTold() throws Exception {
-        fake.setPercepts("light(311)");
+        fake.perceive("light(311)");
         startOnline();
         awaitLine("percept   +light(311)");
-        fake.setPercepts("light(312)");
+        fake.perceive("light(312)");
         awaitLine("percept   +light(312)");
         assertEquals(0, interrupt());
         assertTrue(told().contains("percept   -light(311)"), out.toString());
@@ -85,30 +85,30 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void radio_isOpenWhileItRuns() throws Exception {
         startOnline();
-        await(out, written -> fake.performed().contains("statistics"));
+        await(out, written -> fake.isAskedForStatistics());
         assertEquals(0, interrupt());
-        List<String> radio = fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
+        List<String> radio = fake.requests.stream().filter(what -> what.startsWith("radio")).toList();
         assertEquals(List.of("radio 1", "radio 0"), radio);
     }
 
     @Test
     void board_unpluggedAndBack_isToldAndTheRadioOpenedAnew() throws Exception {
         startOnline();
-        await(out, written -> fake.performed().contains("statistics"));
+        await(out, written -> fake.isAskedForStatistics());
         port.unplug();
         awaitLine("offline   fake: there is no such port");
         fake.reset();
         port.plug();
         await("boot epoch 2");
         assertEquals(0, interrupt());
-        List<String> radio = fake.performed().stream().filter(what -> what.startsWith("radio")).toList();
+        List<String> radio = fake.requests.stream().filter(what -> what.startsWith("radio")).toList();
         assertEquals(List.of("radio 1", "radio 1", "radio 0"), radio);
     }
 
     @Test
     void board_ofAnotherVersionComes_ends() throws Exception {
         startOnline();
-        await(out, written -> fake.performed().contains("statistics"));
+        await(out, written -> fake.isAskedForStatistics());
         fake.setVersion(2);
         fake.reset();
         assertEquals(1, status());

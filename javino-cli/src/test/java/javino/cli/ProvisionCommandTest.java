@@ -26,10 +26,10 @@ import javino.JavinoException;
 import javino.board.Board;
 import javino.board.BoardConfig;
 import javino.board.BoardListener;
-import javino.board.FakeBoard;
-import javino.board.FakePort;
+import javino.fake.FakeBoard;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Status;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -53,16 +53,14 @@ class ProvisionCommandTest {
     @BeforeEach
     void makeBoards() {
         for (String id : IDS) {
-            FakeBoard board = new FakeBoard();
-            board.eraseEeprom();
-            boards.put(id, board);
+            boards.put(id, new FakeBoard());
         }
         keys = folder.resolve("keys");
         succeed("keygen", "--out", keys.toString(), "--pair", "ROMA,SUPO", "--pair", "SUPO,SUPP", "--group", "SU");
     }
 
     private int run(String... args) {
-        CommandLine commandLine = Main.commandLine(PortOption.factory(name -> new FakePort(boards.get(name)),
+        CommandLine commandLine = Main.commandLine(PortOption.factory(name -> boards.get(name).port,
                 BoardConfig.create()));
         commandLine.setOut(new PrintWriter(out, true));
         commandLine.setErr(new PrintWriter(err, true));
@@ -103,7 +101,7 @@ class ProvisionCommandTest {
     }
 
     private long performed(String id, String what) {
-        return boards.get(id).performed().stream().filter(what::equals).count();
+        return boards.get(id).requests.stream().filter(each -> each.startsWith(what)).count();
     }
 
     @Test
@@ -112,11 +110,11 @@ class ProvisionCommandTest {
                 "key for SUPP, check value " + check("SUPO", "SUPP"),
                 "key for //SU, check value " + check("SUPO", "//SU")),
                 provision("SUPO"));
-        List<String> performed = boards.get("SUPO").performed();
-        assertTrue(performed.get(1).startsWith("epoch "), performed.toString());
-        assertEquals(List.of("id SUPO", "key", "key", "key", "list"), performed.subList(2, performed.size()));
+        List<String> performed = List.copyOf(boards.get("SUPO").requests);
+        assertTrue(performed.get(0).startsWith("epoch "), performed.toString());
+        assertEquals(List.of("id SUPO", "key ROMA", "key SUPP", "key //SU"), performed.subList(1, performed.size()));
         BoardNote note = keyring().note(Address.parse("SUPO"));
-        assertEquals(boards.get("SUPO").bootEpoch(), note.epoch());
+        assertEquals(boards.get("SUPO").keys.epoch(), note.epoch());
         assertEquals("[ROMA, SUPP, //SU]", note.keys().keySet().toString());
         assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(keys)));
     }
@@ -124,7 +122,7 @@ class ProvisionCommandTest {
     @Test
     void provision_boardWithSessionKeys_takesThemForNoKeys() throws Exception {
         provision("SUPO");
-        boards.get("SUPO").setSessionKey("CAFE", Bytes.of(4, 5, 6));
+        boards.get("SUPO").keys.setSession("CAFE", Bytes.of(4, 5, 6));
         assertEquals(List.of("RF id SUPO", "key for ROMA, check value " + check("SUPO", "ROMA"),
                 "key for SUPP, check value " + check("SUPO", "SUPP"),
                 "key for //SU, check value " + check("SUPO", "//SU")),
@@ -148,7 +146,7 @@ class ProvisionCommandTest {
     }
 
     private void provisionAt(Instant now) throws Exception {
-        try (Board board = Board.open(new FakePort(boards.get("SUPO")), BoardConfig.create(), new BoardListener() {})) {
+        try (Board board = Board.open(boards.get("SUPO").port, BoardConfig.create(), new BoardListener() {})) {
             new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out, true)).run(Map.of(), now);
         }
     }
@@ -156,18 +154,18 @@ class ProvisionCommandTest {
     @Test
     void epoch_byTheClock_isMinutes() throws Exception {
         provisionAt(Instant.parse("2026-11-22T12:30:00Z"));
-        assertEquals((325 * 24 + 12) * 60 + 30, boards.get("SUPO").bootEpoch());
+        assertEquals((325 * 24 + 12) * 60 + 30, boards.get("SUPO").keys.epoch());
     }
 
     @Test
     void epoch_withoutAClock_isAboveAllThatTheBoardHad() throws Exception {
         provisionAt(Instant.parse("2026-02-01T00:00:00Z"));
-        boards.get("SUPO").setBootEpoch(60_000);
+        boards.get("SUPO").keys.setEpoch(60_000);
         provisionAt(Instant.EPOCH);
         assertEquals(60_000, keyring().note(Address.parse("SUPO")).epoch(), "its boots are noted too");
-        boards.get("SUPO").setBootEpoch(1);
+        boards.get("SUPO").keys.setEpoch(1);
         provisionAt(Instant.EPOCH);
-        assertEquals(60_001, boards.get("SUPO").bootEpoch());
+        assertEquals(60_001, boards.get("SUPO").keys.epoch());
     }
 
     // ---- A board that claims too much, and one that has lost its epoch.
@@ -181,26 +179,25 @@ class ProvisionCommandTest {
 
     @Test
     void epoch_thatAFalseBoardClaims_isNotNotedBeforeItHasShownItsKeys() throws Exception {
-        boards.get("SUPO").setBootEpoch(0xFFFFFE);
-        boards.get("SUPO").setCorruptsKeys(true);
+        boards.get("SUPO").keys.setEpoch(0xFFFFFE);
+        boards.get("SUPO").keys.corrupt();
         for (Instant now : List.of(Instant.EPOCH, AUTUMN)) {
             assertThrows(JavinoException.class, () -> provisionAt(now));
         }
         assertTrue(noted("SUPO") <= OF_AUTUMN, "only what it was to be given");
         FakeBoard genuine = new FakeBoard();
-        genuine.eraseEeprom();
         boards.put("SUPO", genuine);
         provisionAt(AUTUMN);
-        assertEquals(OF_AUTUMN + 1, genuine.bootEpoch());
+        assertEquals(OF_AUTUMN + 1, genuine.keys.epoch());
     }
 
     @Test
     void epoch_thatABoardClaims_isNeverNotedYearsAheadOfTheClock() throws Exception {
-        boards.get("SUPO").setBootEpoch(0xFFFFFE);
+        boards.get("SUPO").keys.setEpoch(0xFFFFFE);
         provisionAt(AUTUMN);
         assertEquals(OF_AUTUMN, noted("SUPO"));
         int inFourYears = OF_AUTUMN + 4 * 365 * 24 * 60;
-        boards.get("SUPO").setBootEpoch(inFourYears);
+        boards.get("SUPO").keys.setEpoch(inFourYears);
         provisionAt(AUTUMN);
         assertEquals(inFourYears, noted("SUPO"));
     }
@@ -212,18 +209,18 @@ class ProvisionCommandTest {
         JavinoException refused = assertThrows(JavinoException.class, () -> provisionAt(AUTUMN));
         assertTrue(refused.getMessage().contains("had epoch 16777214, which is years ahead of this computer's clock"),
                 refused.getMessage());
-        assertEquals(OF_AUTUMN, boards.get("SUPO").bootEpoch());
+        assertEquals(OF_AUTUMN, boards.get("SUPO").keys.epoch());
     }
 
     @Test
     void epoch_thatWasLost_isRaisedAboveAllBootsSinceTheNote() throws Exception {
         provisionAt(AUTUMN);
         for (int loss = 1; loss <= 2; loss++) {
-            boards.get("SUPO").loseEpoch("SUPP", "//SU");
+            boards.get("SUPO").keys.loseEpoch("SUPP", "//SU");
             out.getBuffer().setLength(0);
             provisionAt(AUTUMN);
             int above = OF_AUTUMN + loss * 400_000;
-            assertEquals(above, boards.get("SUPO").bootEpoch());
+            assertEquals(above, boards.get("SUPO").keys.epoch());
             assertEquals(above, noted("SUPO"));
             assertTrue(out.toString().contains("boot epoch " + above + ": the board had lost its own"), out.toString());
             assertTrue(out.toString().contains("under its keys for SUPP, //SU"), out.toString());
@@ -234,11 +231,11 @@ class ProvisionCommandTest {
     void epoch_thatWasLostAndIsNotNoted_isNotGuessed() throws Exception {
         provisionAt(AUTUMN);
         Files.writeString(keys, Files.readString(keys).replaceAll("SUPO: .*", ""));
-        boards.get("SUPO").loseEpoch();
+        boards.get("SUPO").keys.loseEpoch();
         JavinoException refused = assertThrows(JavinoException.class, () -> provisionAt(AUTUMN));
         assertTrue(refused.getMessage().contains("javino forget --port SUPO --all, then new keys"),
                 refused.getMessage());
-        assertEquals(0, boards.get("SUPO").bootEpoch());
+        assertEquals(0, boards.get("SUPO").keys.epoch());
         assertEquals(0, noted("SUPO"));
     }
 
@@ -246,22 +243,22 @@ class ProvisionCommandTest {
     void notes_forAnAgentsHost_raiseOnlyTheBoardThatHasTheKeys() throws Exception {
         provisionAt(AUTUMN);
         FakeBoard board = boards.get("SUPO");
-        board.loseEpoch();
+        board.keys.loseEpoch();
         System.setProperty(KeyringNotes.PROPERTY, keys.toString());
         try {
             BoardConfig config = BoardConfig.create(each -> each.setEpochNotes(KeyringNotes.named()));
             FakeBoard other = new FakeBoard();
             other.setRfId("SUPO");
-            other.setCheck(Bytes.of(1, 2, 3));
-            other.loseEpoch();
-            try (Board session = Board.open(new FakePort(other), config, new BoardListener() {})) {
+            other.keys.set("SUPO", Bytes.of(1, 2, 3));
+            other.keys.loseEpoch();
+            try (Board session = Board.open(other.port, config, new BoardListener() {})) {
                 assertTrue(session.greeted().get().hasLostEpoch());
             }
             assertEquals(OF_AUTUMN, noted("SUPO"));
-            try (Board session = Board.open(new FakePort(board), config, new BoardListener() {})) {
+            try (Board session = Board.open(board.port, config, new BoardListener() {})) {
                 assertTrue(session.greeted().get().bootEpoch() >= OF_AUTUMN + 400_000);
             }
-            assertEquals(board.bootEpoch(), noted("SUPO"));
+            assertEquals(board.keys.epoch(), noted("SUPO"));
         } finally {
             System.clearProperty(KeyringNotes.PROPERTY);
         }
@@ -270,14 +267,14 @@ class ProvisionCommandTest {
     @Test
     void epoch_longAfter_isTheLastOne() throws Exception {
         provisionAt(Instant.parse("2090-01-01T00:00:00Z"));
-        assertEquals(0xFFFFFE, boards.get("SUPO").bootEpoch());
+        assertEquals(0xFFFFFE, boards.get("SUPO").keys.epoch());
     }
 
     @Test
     void provision_erasedBoard_isRefusedAndSaysWhatToDo() throws Exception {
         provisionAll();
         boards.get("SUPO").eraseEeprom();
-        int before = boards.get("SUPO").performed().size();
+        int before = boards.get("SUPO").requests.size();
         assertEquals(
                 "javino: SUPO: the board has lost keys that SUPO was given (for ROMA, SUPP, //SU): its EEPROM was "
                         + "erased, "
@@ -287,7 +284,7 @@ class ProvisionCommandTest {
                         + " --id SUPO, then javino provision on each board",
                 fail(provisionOf("SUPO")));
         fail(provisionOf("SUPO"));
-        assertEquals(List.of("list", "list"), boards.get("SUPO").performed().stream().skip(before).toList(),
+        assertEquals(List.of(), boards.get("SUPO").requests.stream().skip(before).toList(),
                 "nothing is written");
     }
 
@@ -304,14 +301,14 @@ class ProvisionCommandTest {
                 run(provisionOf(id));
             }
         }
-        assertTrue(boards.get("SUPO").bootEpoch() > highest);
+        assertTrue(boards.get("SUPO").keys.epoch() > highest);
         for (SharedKey key : keyring().keysOf(Address.parse("SUPO")).values()) {
             assertEquals(null, key.next(), "the renewal is finished");
         }
         assertTrue(Stream.of(check("SUPO", "ROMA"), check("SUPO", "SUPP"), check("SUPO", "//SU"))
                 .noneMatch(old::contains));
-        assertEquals(0, performed("SUPO", "renew"), "it had nothing to be renewed");
-        assertEquals(1, performed("ROMA", "use SUPO"));
+        assertEquals(0, performed("SUPO", "renew key"), "it had nothing to be renewed");
+        assertEquals(1, performed("ROMA", "use key SUPO"));
         provisionAll();
     }
 
@@ -352,7 +349,7 @@ class ProvisionCommandTest {
         Files.setPosixFilePermissions(keys, PosixFilePermissions.fromString("rw-r--r--"));
         assertEquals("javino: " + keys + ": others than you may read or write it; chmod 600 " + keys,
                 fail(provisionOf("SUPO")));
-        assertEquals(List.of(), boards.get("SUPO").performed());
+        assertEquals(List.of(), List.copyOf(boards.get("SUPO").requests));
     }
 
     @Test
@@ -369,7 +366,7 @@ class ProvisionCommandTest {
 
     @Test
     void provision_wrongCheckValue_fails() {
-        boards.get("SUPO").setCorruptsKeys(true);
+        boards.get("SUPO").keys.corrupt();
         assertTrue(fail(provisionOf("SUPO")).contains("the board has another key for ROMA"));
     }
 
@@ -396,7 +393,7 @@ class ProvisionCommandTest {
                 provision("SUPP").stream().filter(line -> line.startsWith("renewal")).toList());
         assertEquals(next, check("ROMA", "SUPO"));
         assertFalse(Files.readString(keys).contains("next"));
-        assertEquals(1, performed("SUPP", "finish //SU"));
+        assertEquals(1, performed("SUPP", "finish renewal //SU"));
         provisionAll();
     }
 
@@ -412,14 +409,14 @@ class ProvisionCommandTest {
                         + "javino provision on "
                         + "these first",
                 fail(provisionOf("SUPO")));
-        assertEquals(0, performed("SUPO", "use ROMA"));
+        assertEquals(0, performed("SUPO", "use key ROMA"));
         provision("SUPP");
         List<String> partly = provision("SUPO");
         assertTrue(partly.contains("key for ROMA waits until ROMA accept the next one"), partly.toString());
-        assertEquals(1, performed("SUPO", "use SUPP"), "what is due is done");
-        assertEquals(0, performed("SUPO", "use ROMA"));
+        assertEquals(1, performed("SUPO", "use key SUPP"), "what is due is done");
+        assertEquals(0, performed("SUPO", "use key ROMA"));
         assertTrue(fail(provisionOf("SUPO")).contains("key for SUPP waits until SUPP seal with the next one"));
-        assertEquals(0, performed("SUPO", "finish SUPP"));
+        assertEquals(0, performed("SUPO", "finish renewal SUPP"));
     }
 
     @Test
@@ -444,7 +441,7 @@ class ProvisionCommandTest {
         // The computer's power went before it was noted.
         Files.writeString(keys, begun);
         assertTrue(fail(provisionOf("SUPO")).contains("waits until"), "the board tells that it has accepted");
-        assertEquals(3, performed("SUPO", "renew"));
+        assertEquals(3, performed("SUPO", "renew key"));
         // The keyring of before, from a copy: the next keys go.
         Files.writeString(keys, before);
         provision("SUPO");
@@ -458,7 +455,7 @@ class ProvisionCommandTest {
         succeed("keygen", "--renew", keys.toString(), "--pair", "ROMA,SUPO");
         provision("SUPO");
         provision("ROMA");
-        boards.get("SUPO").setBusy(3);
+        boards.get("SUPO").refuse("use key", Status.BUSY, 3);
         assertTrue(provision("SUPO").stream().anyMatch(line -> line.endsWith("in use")));
     }
 
@@ -476,13 +473,13 @@ class ProvisionCommandTest {
     @Test
     void provision_keyringThatCannotBeChanged_failsBeforeTheBoardGetsAKey() throws Exception {
         Files.writeString(folder.resolve("keys.part"), "");
-        try (Board board = Board.open(new FakePort(boards.get("SUPO")), BoardConfig.create(), new BoardListener() {})) {
+        try (Board board = Board.open(boards.get("SUPO").port, BoardConfig.create(), new BoardListener() {})) {
             Provisioning provisioning =
                     new Provisioning(board, "SUPO", Address.parse("SUPO"), keys, new PrintWriter(out));
             JavinoException e = assertThrows(JavinoException.class, () -> provisioning.run(Map.of(), Instant.now()));
             assertTrue(e.getMessage().contains("is being changed by another program; if none runs, delete"),
                     e.getMessage());
         }
-        assertEquals(List.of("list"), boards.get("SUPO").performed());
+        assertEquals(List.of(), List.copyOf(boards.get("SUPO").requests));
     }
 }

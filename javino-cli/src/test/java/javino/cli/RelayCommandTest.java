@@ -14,12 +14,12 @@ class RelayCommandTest extends CommandFixture {
         assertEquals(0, run("relay", "--port", "fake"), err.toString());
         assertEquals(0, run("relay", "--port", "fake", "off"), err.toString());
         assertEquals(List.of("on", "on", "off"), lines());
-        assertEquals(List.of("relaying 1", "relaying 1", "relaying 0"), fake.performed());
+        assertEquals(List.of("relaying 1", "relaying", "relaying 0"), List.copyOf(fake.requests));
     }
 
     @Test
     void board_thatCannot_saysWhatToDo() {
-        fake.setRefusal(Status.UNKNOWN_COMMAND);
+        fake.refuse("relaying", Status.UNKNOWN_COMMAND);
         assertFails(1, "this board cannot be a relay by command; flash the sketch Relay", "relay", "--port", "fake",
                 "on");
     }

@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.function.Predicate;
 import javino.JavinoException;
 import javino.board.BoardConfig;
-import javino.board.FakeBoard;
-import javino.board.FakePort;
+import javino.fake.FakeBoard;
+import javino.fake.FakePort;
 import javino.protocol.Counter;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Timeout;
 class BoardSourceTest {
 
     private final FakeBoard fake = new FakeBoard();
-    private final FakePort port = new FakePort(fake);
+    private final FakePort port = fake.port;
     private final Hub hub = new Hub();
 
     private BoardSource open() throws Exception {
@@ -56,7 +56,7 @@ class BoardSourceTest {
     void board_there_tellsAllItHas() throws Exception {
         fake.setRfId("ROMA");
         fake.setActions("lampOn");
-        fake.setPercepts("light(312)");
+        fake.perceive("light(312)");
         fake.setCounter(Counter.RADIO_BAD_TAG, 3);
         fake.receive("ROMA", "SUPO", 1, "tell;<script>");
         try (BoardSource source = open()) {
@@ -73,7 +73,7 @@ class BoardSourceTest {
             assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).get("counters").toString());
             assertEquals(List.of("act"), source.controls());
         }
-        assertEquals("radio 0", fake.performed().get(fake.performed().size() - 1));
+        assertEquals("radio 0", List.copyOf(fake.requests).get(fake.requests.size() - 1));
     }
 
     @Test
@@ -81,7 +81,7 @@ class BoardSourceTest {
         try (BoardSource source = open()) {
             source.command(act("lampOn(3)"));
 
-            assertTrue(fake.performed().contains("lampOn(3)"));
+            assertTrue(fake.requests.contains("act lampOn(3)"));
             assertTrue(await("acted", event -> true).get("ok").getAsBoolean());
         }
     }
@@ -89,7 +89,7 @@ class BoardSourceTest {
     @Test
     void action_refused_isSaidAndTold() throws Exception {
         try (BoardSource source = open()) {
-            fake.setRefusal(Status.UNKNOWN_ACTION);
+            fake.refuse("act nothing", Status.UNKNOWN_ACTION);
 
             String message = assertThrows(JavinoException.class, () -> source.command(act("nothing"))).getMessage();
 
@@ -101,7 +101,7 @@ class BoardSourceTest {
 
     @Test
     void board_unplugged_isToldAndComesBack() throws Exception {
-        fake.setPercepts("light(312)");
+        fake.perceive("light(312)");
         try (BoardSource source = open()) {
             port.unplug();
             await("board", event -> !event.get("online").getAsBoolean());

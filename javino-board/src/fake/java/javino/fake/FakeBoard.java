@@ -1,0 +1,398 @@
+package javino.fake;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Counter;
+import javino.protocol.Frame;
+import javino.protocol.Outcome;
+import javino.protocol.Status;
+import javino.protocol.Word;
+
+/** A board in memory that performs requests as SPEC 4.2 and 4.3 want it, or as its script says, and logs them. */
+public final class FakeBoard {
+
+    /** Requests that change and send nothing, which are not logged. */
+    private static final Set<String> READS = Set.of("list actions", "list keys", "statistics");
+
+    public final FakePort port;
+    public final PacketLine line = new PacketLine(this);
+    public final Mail mail = new Mail(line::changed);
+    public final Keys keys = new Keys();
+    final Percepts percepts = new Percepts();
+    /** All other requests: {@code act stop}, {@code radio 1}, {@code ROMA tell;help} for a message. */
+    public final BlockingQueue<String> requests = new LinkedBlockingQueue<>();
+
+    /** By the requests' beginnings. */
+    private final Map<String, Refusal> refusals = new ConcurrentHashMap<>();
+    private final Map<String, List<Bytes>> effects = new ConcurrentHashMap<>();
+    private final Map<String, Integer> transmissions = new ConcurrentHashMap<>();
+    private final Map<Counter, Long> counters = new ConcurrentSkipListMap<>();
+    private final Map<Counter, Long> rises = new ConcurrentHashMap<>();
+    private final AtomicInteger messageIds = new AtomicInteger();
+    private volatile List<String> actions = List.of();
+    private volatile int actionBytesInAReply = 500;
+    private volatile String stallsAt;
+    private volatile String swallows;
+    private volatile Outcome everyOutcome;
+    private volatile String rfId = Address.SERIAL.toString();
+    private volatile int version = 1;
+    private volatile String firmware = "fake";
+    private volatile boolean damaged;
+    private volatile boolean greeted;
+    private volatile int hellos;
+    private volatile int transmissionCount;
+    private int relays;
+
+    private record Refusal(Status status, AtomicInteger times) {
+    }
+
+    public FakeBoard() {
+        this("fake");
+    }
+
+    public FakeBoard(String name) {
+        port = new FakePort(name, 0, line);
+    }
+
+    // Requests, one at a time.
+
+    /** The reply's message; null for a poll, whose reply may be held. */
+    Bytes perform(Frame frame) {
+        Bytes message = frame.message();
+        boolean isCommand = frame.destination().equals(Address.SERIAL) && message.length() > 0;
+        int command = isCommand ? message.at(0) : 0;
+        if (command == 'H') {
+            return greet();
+        }
+        if (!greeted) {
+            return status(Status.NOT_GREETED);
+        }
+        if (command == 'P') {
+            prepare(new Poll(message));
+            return null;
+        }
+        String request = isCommand ? describe(command, message) : frame.destination() + " " + contentOf(message);
+        if (!isCommand) {
+            // Before others can see the request, and end it.
+            transmissions.put(request, transmissionCount);
+        }
+        Status refusal = log(request);
+        if (refusal != Status.OK) {
+            return status(refusal);
+        }
+        return frame.destination().equals(Address.SERIAL) ? perform(command, message)
+                : frame.origin().toString().equals(rfId) ? transmit() : status(Status.WRONG_ORIGIN);
+    }
+
+    private static String describe(int command, Bytes message) {
+        String address = Keys.addressIn(message);
+        return switch (command) {
+            case 'A' -> "act " + textOf(message.from(1));
+            case 'C' -> "list actions";
+            case 'D' -> "delete key " + address;
+            case 'E' -> "epoch " + message.number(1, 4);
+            case 'F' -> "finish renewal " + address;
+            case 'I' -> "id " + address;
+            case 'K' -> "key " + address;
+            case 'L' -> "list keys";
+            case 'N' -> "renew key " + address;
+            case 'O' -> "overhear " + message.at(1);
+            case 'R' -> "radio " + message.at(1);
+            case 'S' -> "statistics";
+            case 'U' -> "use key " + address;
+            case 'V' -> "session key " + address;
+            case 'W' -> "relaying" + (message.length() > 1 ? " " + message.at(1) : "");
+            case 'Y' -> "relay " + message.from(1).hex();
+            default -> "unknown";
+        };
+    }
+
+    private Status log(String request) {
+        if (!READS.contains(request)) {
+            requests.add(request);
+        }
+        if (request.equals(swallows)) {
+            line.setSilent(true);
+        }
+        // Conversations have a random id.
+        if (stallsAt != null && request.replaceFirst("#...;", ";").startsWith(stallsAt)) {
+            line.stall();
+        }
+        if (effects.containsKey(request)) {
+            percepts.set(effects.get(request));
+        }
+        return refusals.entrySet().stream()
+                .filter(each -> request.startsWith(each.getKey()) && each.getValue().times.getAndDecrement() > 0)
+                .map(each -> each.getValue().status).findFirst().orElse(Status.OK);
+    }
+
+    private Bytes perform(int command, Bytes message) {
+        return switch (command) {
+            case 'A' -> act(textOf(message.from(1)));
+            case 'C' -> listActions((int) message.number(1, 3));
+            case 'I' -> setId(Keys.addressIn(message));
+            case 'O', 'R' -> ok();
+            case 'S' -> statistics();
+            case 'W' -> relaying(message.from(1));
+            case 'Y' -> transmit();
+            default -> {
+                Bytes reply = keys.perform(command, Keys.addressIn(message), message);
+                yield reply == null ? status(Status.UNKNOWN_COMMAND) : reply;
+            }
+        };
+    }
+
+    private Bytes greet() {
+        mail.hostArrived();
+        percepts.forgetReading();
+        greeted = true;
+        hellos++;
+        return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(keys.epoch(), 3),
+                Bytes.ofText(firmware));
+    }
+
+    private void prepare(Poll poll) {
+        mail.take(poll);
+        if (poll.lostReply() || !poll.wantsPercepts()) {
+            percepts.forgetReading();
+        }
+    }
+
+    /** The reply's message to a poll; null if it is to be held. */
+    Bytes answer(Poll poll, boolean over) {
+        int flags = damaged ? Poll.DAMAGED : 0;
+        if (mail.isWaiting()) {
+            return mail.tell(flags);
+        }
+        if (percepts.nanosUntilReading(poll) == 0) {
+            return percepts.tell(flags);
+        }
+        return over ? Bytes.of(0, flags) : null;
+    }
+
+    private Bytes act(String action) {
+        boolean known = actions.isEmpty() || actions.contains(action.split("\\(")[0]);
+        return known ? ok() : status(Status.UNKNOWN_ACTION);
+    }
+
+    private Bytes listActions(int offset) {
+        Bytes names = Bytes.ofText(String.join("", actions.stream().map(name -> name + "\0").toList()));
+        int end = Math.min(names.length(), offset + actionBytesInAReply);
+        return Bytes.join(Bytes.of(0, actions.size()), names.slice(Math.min(offset, end), end));
+    }
+
+    private Bytes setId(String id) {
+        rfId = id;
+        return ok();
+    }
+
+    private Bytes relaying(Bytes wish) {
+        relays = wish.length() == 0 ? relays : wish.at(0);
+        return ok(Bytes.of(relays));
+    }
+
+    private Bytes transmit() {
+        int number = transmissionCount;
+        transmissionCount = number + 1 & 0xFF;
+        if (everyOutcome != null) {
+            mail.end(number, everyOutcome);
+        }
+        return ok(Bytes.of(number));
+    }
+
+    private Bytes statistics() {
+        rises.forEach((counter, by) -> counters.merge(counter, by, Long::sum));
+        return ok(counters.entrySet().stream()
+                .map(each -> Bytes.join(Bytes.of(each.getKey().number()), Bytes.ofNumber(each.getValue(), 4)))
+                .toArray(Bytes[]::new));
+    }
+
+    static Bytes ok(Bytes... body) {
+        return Bytes.join(Stream.concat(Stream.of(status(Status.OK)), Arrays.stream(body)).toArray(Bytes[]::new));
+    }
+
+    static Bytes status(Status status) {
+        return Bytes.of(status.ordinal());
+    }
+
+    private static String textOf(Bytes bytes) {
+        return new String(bytes.toArray(), StandardCharsets.UTF_8);
+    }
+
+    private static String contentOf(Bytes message) {
+        boolean isHostMessage = message.length() > 0 && message.at(0) >= 0x80;
+        return isHostMessage ? message.hex() : textOf(message);
+    }
+
+    // The script, at any time.
+
+    public FakeBoard unplug() {
+        port.unplug();
+        return this;
+    }
+
+    /** Perceives these literals from now on. */
+    public FakeBoard perceive(String... literals) {
+        return perceiveBytes(Arrays.stream(literals).map(Bytes::ofText).toArray(Bytes[]::new));
+    }
+
+    /** Perceives these literals, which need be no text. */
+    public FakeBoard perceiveBytes(Bytes... literals) {
+        percepts.set(List.of(literals));
+        line.changed();
+        return this;
+    }
+
+    /** Perceives these literals from this request on. */
+    public FakeBoard perceiveAfter(String request, String... literals) {
+        effects.put(request, Arrays.stream(literals).map(Bytes::ofText).toList());
+        return this;
+    }
+
+    /** Has these actions and no others; without names, all actions and no list of them. */
+    public FakeBoard setActions(String... names) {
+        actions = List.of(names);
+        return this;
+    }
+
+    /** Tells so many bytes of the names of actions in a reply. */
+    public void setActionBytesInAReply(int most) {
+        actionBytesInAReply = most;
+    }
+
+    /** Refuses each request that begins so. */
+    public FakeBoard refuse(String beginning, Status status) {
+        return refuse(beginning, status, Integer.MAX_VALUE);
+    }
+
+    /** Refuses the next requests that begin so. */
+    public FakeBoard refuse(String beginning, Status status, int times) {
+        refusals.put(beginning, new Refusal(status, new AtomicInteger(times)));
+        return this;
+    }
+
+    /** Falls silent at this request. */
+    public void swallow(String request) {
+        swallows = request;
+    }
+
+    /** Stalls at each request that begins so, until {@link #resume}. */
+    public void stallAt(String beginning) {
+        stallsAt = beginning;
+    }
+
+    /** Answers the request at which the board stalls, and stalls no more. */
+    public void resume() {
+        stallsAt = null;
+        line.resume();
+    }
+
+    /** Ends each transmission at once. */
+    public FakeBoard endAll(Outcome outcome) {
+        everyOutcome = outcome;
+        return this;
+    }
+
+    /** Ends the last transmission of this message. */
+    public void end(String request, Outcome outcome) {
+        end(transmissions.get(request), outcome);
+    }
+
+    /** Ends the last transmission. */
+    public void endLast(Outcome outcome) {
+        end(transmissionCount - 1 & 0xFF, outcome);
+    }
+
+    /** Ends the transmission of this number, even if there is none. */
+    public void end(int number, Outcome outcome) {
+        mail.end(number, outcome);
+    }
+
+    /** Receives a broadcast of ROMA. */
+    public void receive(String content) {
+        receive("////", "ROMA", content);
+    }
+
+    /** Receives a message, with an id of its own if it is no broadcast. */
+    public void receive(String destination, String origin, String content) {
+        receive(destination, origin, destination.equals("////") ? 0 : messageIds.incrementAndGet(), content);
+    }
+
+    public void receive(String destination, String origin, int id, String content) {
+        mail.receive(destination, origin, id, Bytes.ofText(content));
+    }
+
+    /** Receives a plain host message of ROMA. */
+    public void receive(Word word) {
+        mail.receive("////", "ROMA", 0, word.bytes());
+    }
+
+    /** Boots anew: it must be greeted, and offers again the messages that were not taken. */
+    public void reset() {
+        synchronized (line) {
+            greeted = false;
+            transmissionCount = 0;
+            keys.boot();
+            mail.boot();
+            percepts.forgetReading();
+            line.boot();
+        }
+    }
+
+    /** Loses RF id and keys, and counts its boots anew. */
+    public void eraseEeprom() {
+        keys.erase();
+        rfId = Address.SERIAL.toString();
+    }
+
+    public FakeBoard setRfId(String id) {
+        rfId = id;
+        return this;
+    }
+
+    public String rfId() {
+        return rfId;
+    }
+
+    public void setFirmware(String name) {
+        firmware = name;
+    }
+
+    public void setVersion(int newVersion) {
+        version = newVersion;
+    }
+
+    /** Reports that the memory of nonces did not hold. */
+    public void setDamaged() {
+        damaged = true;
+    }
+
+    public FakeBoard setCounter(Counter counter, long value) {
+        counters.put(counter, value);
+        return this;
+    }
+
+    /** Raises a counter by so much before each time that it is asked for. */
+    public void setRise(Counter counter, long by) {
+        rises.put(counter, by);
+    }
+
+    public boolean isAskedForStatistics() {
+        return line.messages().contains(Bytes.ofText("S").hex());
+    }
+
+    public int hellos() {
+        return hellos;
+    }
+}

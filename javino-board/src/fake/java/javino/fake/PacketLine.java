@@ -1,0 +1,291 @@
+package javino.fake;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import javino.link.InMemoryLink;
+import javino.link.LinkException;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
+import javino.protocol.Packet;
+import javino.protocol.PacketDecoder;
+import javino.protocol.PollReply;
+
+/** A fake board's end of the line: packets, repeats answered from memory, held polls (SPEC 4.2, 4.3), and faults. */
+public final class PacketLine implements FakePort.Device {
+
+    /**
+     * What ends a Mega's boot loader: start, sequence 1, length 1, token, CMD_LEAVE_PROGMODE_ISP, exclusive or of all.
+     */
+    private static final String LEAVE_PROGRAMMING = "1b" + "01" + "0001" + "0e" + "11" + "04";
+    /** What the boot loader answers to that: length 2, CMD_LEAVE_PROGMODE_ISP, STATUS_CMD_OK. */
+    private static final Bytes PROGRAMMING_LEFT = Bytes.of(0x1B, 0x01, 0x00, 0x02, 0x0E, 0x11, 0x00, 0x07);
+    /** The time between the bytes of a reading that is halted. */
+    private static final long BYTE_NANOS = 10_000_000;
+
+    private final FakeBoard board;
+    private final PacketDecoder decoder = new PacketDecoder();
+    private final byte[] buffer = new byte[1024];
+    private final List<String> messages = new ArrayList<>();
+    private InMemoryLink line;
+    private Bytes lastRequest = Bytes.EMPTY;
+    private Bytes lastReply = Bytes.EMPTY;
+    private Packet held;
+    private long heldSince;
+    private int polls;
+    private Future<?> nextLook;
+    private boolean booted;
+
+    private UnaryOperator<Bytes> fault = reply -> reply;
+    private Predicate<Bytes> loses = message -> false;
+    private Duration delay = Duration.ZERO;
+    private boolean silent;
+    private boolean stalled;
+    private Bytes stalledReplies = Bytes.EMPTY;
+    private boolean loading;
+    private boolean badPolls;
+    private int deaf;
+    private boolean haltsReadings;
+    /** The end of a reading: its last byte waits for the host's next one. */
+    private Bytes rest = Bytes.EMPTY;
+
+    PacketLine(FakeBoard board) {
+        this.board = board;
+    }
+
+    @Override
+    public synchronized void receive(InMemoryLink from) throws LinkException {
+        line = from;
+        while (!stalled) {
+            int count = line.read(buffer, Duration.ZERO);
+            if (count == 0) {
+                break;
+            }
+            if (deaf > 0) {
+                deaf--;
+            } else {
+                receive(count);
+            }
+        }
+        look();
+    }
+
+    private void receive(int count) {
+        writeWhatWaits(true);
+        answerHeld(true);
+        if (loading) {
+            // What comes in one piece with the boot loader's end is lost with it.
+            loading = !Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
+            write(loading ? Bytes.EMPTY : PROGRAMMING_LEFT);
+            return;
+        }
+        for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
+            answerHeld(true);
+            if (result instanceof PacketDecoder.Found found) {
+                answer(found.packet());
+            }
+        }
+    }
+
+    /** Has the board soon look whether it has something to send. */
+    void changed() {
+        FakePort.TIMER.execute(this::look);
+    }
+
+    private synchronized void look() {
+        if (line == null) {
+            return;
+        }
+        writeWhatWaits(false);
+        answerHeld(false);
+        if (nextLook != null) {
+            nextLook.cancel(false);
+        }
+        if (rest.length() > 1 || held != null) {
+            long nanos = rest.length() > 1 ? BYTE_NANOS : nanosUntilAnswer();
+            nextLook = FakePort.TIMER.schedule(this::look, nanos, TimeUnit.NANOSECONDS);
+        }
+    }
+
+    private long nanosUntilAnswer() {
+        Poll poll = new Poll(held.frame().message());
+        return Math.min(heldSince + poll.holdNanos() - System.nanoTime(), board.percepts.nanosUntilReading(poll));
+    }
+
+    /** The zero of a board that has booted, or the rest of a reading. */
+    private void writeWhatWaits(boolean byteCame) {
+        if (booted) {
+            booted = false;
+            write(Bytes.of(0));
+        }
+        int end = byteCame ? rest.length() : Math.min(1, rest.length() - 1);
+        if (end > 0) {
+            write(rest.slice(0, end));
+            rest = rest.from(end);
+        }
+    }
+
+    private void answerHeld(boolean byteCame) {
+        if (held == null) {
+            return;
+        }
+        Poll poll = new Poll(held.frame().message());
+        boolean over = byteCame || System.nanoTime() - heldSince >= poll.holdNanos();
+        Bytes message = badPolls ? Bytes.of(0, 0, 'P') : board.answer(poll, over);
+        if (message != null) {
+            Packet request = held;
+            held = null;
+            reply(request, message);
+        }
+    }
+
+    private void answer(Packet request) {
+        if (silent || loses.test(request.frame().message())) {
+            return;
+        }
+        if (request.encode().equals(lastRequest)) {
+            write(fault.apply(lastReply));
+            return;
+        }
+        messages.add(request.frame().message().hex());
+        Bytes message = board.perform(request.frame());
+        if (message != null) {
+            reply(request, message);
+            return;
+        }
+        held = request;
+        heldSince = System.nanoTime();
+        polls++;
+        notifyAll();
+        answerHeld(false);
+    }
+
+    private void reply(Packet request, Bytes message) {
+        lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
+        lastRequest = request.encode();
+        Bytes bytes = fault.apply(lastReply);
+        boolean halts = haltsReadings && isHolding(request.frame().message())
+                && PollReply.isReading(request.sequence(), begun(bytes));
+        int end = halts ? bytes.length() - 4 : bytes.length();
+        rest = bytes.from(end);
+        write(bytes.slice(0, end));
+    }
+
+    private static boolean isHolding(Bytes request) {
+        return request.at(0) == 'P' && new Poll(request).holdNanos() > 0;
+    }
+
+    private static Bytes begun(Bytes reply) {
+        PacketDecoder decoder = new PacketDecoder();
+        decoder.feed(reply.toArray(), reply.length() - 1);
+        return decoder.begun(PollReply.FLAGS_END);
+    }
+
+    private void write(Bytes bytes) {
+        InMemoryLink to = line;
+        if (silent) {
+            return;
+        }
+        if (stalled) {
+            stalledReplies = Bytes.join(stalledReplies, bytes);
+        } else if (delay.isZero()) {
+            FakePort.write(to, bytes.toArray());
+        } else {
+            FakePort.TIMER.schedule(() -> FakePort.write(to, bytes.toArray()), delay.toNanos(), TimeUnit.NANOSECONDS);
+        }
+    }
+
+    synchronized void boot() {
+        held = null;
+        booted = true;
+        lastRequest = Bytes.EMPTY;
+        changed();
+    }
+
+    /** Answers nothing, or again everything. */
+    public synchronized void setSilent(boolean isSilent) {
+        silent = isSilent;
+    }
+
+    /** Does nothing more before {@link #resume}. */
+    synchronized void stall() {
+        stalled = true;
+    }
+
+    /** Sends the replies that were stalled, and receives what came since. */
+    synchronized void resume() {
+        stalled = false;
+        Bytes replies = stalledReplies;
+        stalledReplies = Bytes.EMPTY;
+        FakePort.TIMER.execute(() -> receiveStalled(replies));
+    }
+
+    private synchronized void receiveStalled(Bytes replies) {
+        try {
+            write(replies);
+            receive(line);
+        } catch (LinkException closed) {
+            return;
+        }
+    }
+
+    /** Sends each reply so much later. */
+    public synchronized void setDelay(Duration newDelay) {
+        delay = newDelay;
+    }
+
+    /** Changes the bytes of each reply on their way. */
+    public synchronized void setFault(UnaryOperator<Bytes> newFault) {
+        fault = newFault;
+    }
+
+    /** Loses the requests whose message the predicate names. */
+    public synchronized void setLoses(Predicate<Bytes> lost) {
+        loses = lost;
+    }
+
+    /** Loses so many of the host's writes. */
+    public synchronized void setDeaf(int writes) {
+        deaf = writes;
+    }
+
+    /** Runs the boot loader, which waits for a sketch, until its end. */
+    public synchronized void setLoading() {
+        loading = true;
+    }
+
+    /** Halts each reading that a poll with a hold brings before its end, until the host sends something. */
+    public synchronized void setHaltsReadings(boolean halts) {
+        haltsReadings = halts;
+    }
+
+    /** Answers polls with half a record. */
+    public synchronized void setBadPolls(boolean bad) {
+        badPolls = bad;
+    }
+
+    /** The messages of all requests that came, without repeats, in hexadecimal digits. */
+    public synchronized List<String> messages() {
+        return List.copyOf(messages);
+    }
+
+    /** Waits for so many further polls. */
+    public synchronized void awaitPolls(int more) throws InterruptedException {
+        int wanted = polls + more;
+        while (polls < wanted) {
+            wait();
+        }
+    }
+
+    /** Waits until a poll is held. */
+    public synchronized void awaitHeld() throws InterruptedException {
+        while (held == null) {
+            wait();
+        }
+    }
+}
