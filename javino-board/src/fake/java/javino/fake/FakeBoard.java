@@ -50,7 +50,6 @@ public final class FakeBoard {
     private volatile String firmware = "fake";
     private volatile boolean damaged;
     private volatile boolean greeted;
-    private volatile int hellos;
     private volatile int transmissionCount;
     private int relays;
 
@@ -157,7 +156,6 @@ public final class FakeBoard {
         mail.hostArrived();
         percepts.forgetReading();
         greeted = true;
-        hellos++;
         return Bytes.join(Bytes.of(0, version), Bytes.ofText(rfId), Bytes.ofNumber(keys.epoch(), 3),
                 Bytes.ofText(firmware));
     }
@@ -386,13 +384,5 @@ public final class FakeBoard {
     /** Raises a counter by so much before each time that it is asked for. */
     public void setRise(Counter counter, long by) {
         rises.put(counter, by);
-    }
-
-    public boolean isAskedForStatistics() {
-        return line.messages().contains(Bytes.ofText("S").hex());
-    }
-
-    public int hellos() {
-        return hellos;
     }
 }

@@ -31,9 +31,9 @@ public final class PacketLine implements FakePort.Device {
     private final FakeBoard board;
     private final PacketDecoder decoder = new PacketDecoder();
     private final byte[] buffer = new byte[1024];
-    private final List<String> messages = new ArrayList<>();
+    private final List<Bytes> messages = new ArrayList<>();
     private InMemoryLink line;
-    private Bytes lastRequest = Bytes.EMPTY;
+    private Packet lastRequest;
     private Bytes lastReply = Bytes.EMPTY;
     private Packet held;
     private long heldSince;
@@ -61,23 +61,25 @@ public final class PacketLine implements FakePort.Device {
     @Override
     public synchronized void receive(InMemoryLink from) throws LinkException {
         line = from;
-        while (!stalled) {
-            int count = line.read(buffer, Duration.ZERO);
-            if (count == 0) {
-                break;
-            }
-            if (deaf > 0) {
-                deaf--;
-            } else {
-                receive(count);
-            }
+        if (!stalled) {
+            read();
+            scheduleLook();
         }
-        look();
+    }
+
+    private boolean read() throws LinkException {
+        int count = line.read(buffer, Duration.ZERO);
+        if (count > 0 && deaf > 0) {
+            deaf--;
+        } else if (count > 0) {
+            receive(count);
+        }
+        return count > 0;
     }
 
     private void receive(int count) {
         writeWhatWaits(true);
-        answerHeld(true);
+        endHold();
         if (loading) {
             // What comes in one piece with the boot loader's end is lost with it.
             loading = !Bytes.copyOf(buffer).slice(0, count).hex().contains(LEAVE_PROGRAMMING);
@@ -85,10 +87,16 @@ public final class PacketLine implements FakePort.Device {
             return;
         }
         for (PacketDecoder.Result result : decoder.feed(buffer, count)) {
-            answerHeld(true);
+            endHold();
             if (result instanceof PacketDecoder.Found found) {
                 answer(found.packet());
             }
+        }
+    }
+
+    private void endHold() {
+        if (held != null) {
+            answerHeld(true);
         }
     }
 
@@ -102,7 +110,13 @@ public final class PacketLine implements FakePort.Device {
             return;
         }
         writeWhatWaits(false);
-        answerHeld(false);
+        if (held != null) {
+            answerHeld(false);
+        }
+        scheduleLook();
+    }
+
+    private void scheduleLook() {
         if (nextLook != null) {
             nextLook.cancel(false);
         }
@@ -131,9 +145,6 @@ public final class PacketLine implements FakePort.Device {
     }
 
     private void answerHeld(boolean byteCame) {
-        if (held == null) {
-            return;
-        }
         Poll poll = new Poll(held.frame().message());
         boolean over = byteCame || System.nanoTime() - heldSince >= poll.holdNanos();
         Bytes message = badPolls ? Bytes.of(0, 0, 'P') : board.answer(poll, over);
@@ -148,11 +159,11 @@ public final class PacketLine implements FakePort.Device {
         if (silent || loses.test(request.frame().message())) {
             return;
         }
-        if (request.encode().equals(lastRequest)) {
+        if (request.equals(lastRequest)) {
             write(fault.apply(lastReply));
             return;
         }
-        messages.add(request.frame().message().hex());
+        messages.add(request.frame().message());
         Bytes message = board.perform(request.frame());
         if (message != null) {
             reply(request, message);
@@ -167,13 +178,14 @@ public final class PacketLine implements FakePort.Device {
 
     private void reply(Packet request, Bytes message) {
         lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
-        lastRequest = request.encode();
+        lastRequest = request;
         Bytes bytes = fault.apply(lastReply);
-        boolean halts = haltsReadings && isHolding(request.frame().message())
-                && PollReply.isReading(request.sequence(), begun(bytes));
-        int end = halts ? bytes.length() - 4 : bytes.length();
-        rest = bytes.from(end);
-        write(bytes.slice(0, end));
+        if (haltsReadings && isHolding(request.frame().message())
+                && PollReply.isReading(request.sequence(), begun(bytes))) {
+            rest = bytes.from(bytes.length() - 4);
+            bytes = bytes.slice(0, bytes.length() - 4);
+        }
+        write(bytes);
     }
 
     private static boolean isHolding(Bytes request) {
@@ -203,7 +215,7 @@ public final class PacketLine implements FakePort.Device {
     synchronized void boot() {
         held = null;
         booted = true;
-        lastRequest = Bytes.EMPTY;
+        lastRequest = null;
         changed();
     }
 
@@ -228,7 +240,9 @@ public final class PacketLine implements FakePort.Device {
     private synchronized void receiveStalled(Bytes replies) {
         try {
             write(replies);
-            receive(line);
+            while (!stalled && read()) {
+                scheduleLook();
+            }
         } catch (LinkException closed) {
             return;
         }
@@ -271,7 +285,12 @@ public final class PacketLine implements FakePort.Device {
 
     /** The messages of all requests that came, without repeats, in hexadecimal digits. */
     public synchronized List<String> messages() {
-        return List.copyOf(messages);
+        return messages.stream().map(Bytes::hex).toList();
+    }
+
+    /** How many requests with this command came, without repeats. */
+    public synchronized long count(char command) {
+        return messages.stream().filter(message -> message.length() > 0 && message.at(0) == command).count();
     }
 
     /** Waits for so many further polls. */

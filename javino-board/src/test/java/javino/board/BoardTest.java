@@ -120,7 +120,7 @@ class BoardTest extends BoardFixture {
         assertEquals(List.of("lampOn", "lampOff", "goTo"), known.take());
         board.setRfId(SUPO).get();
         assertEquals(List.of("lampOn", "lampOff", "goTo"), board.info().orElseThrow().actions());
-        assertEquals(1, fake.line.messages().stream().filter(request -> request.startsWith("43")).count());
+        assertEquals(1, fake.line.count('C'));
         fake.setActions("stop");
         fake.reset();
         assertEquals(List.of("stop"), known.take());
@@ -186,7 +186,7 @@ class BoardTest extends BoardFixture {
         open();
         assertEquals(List.of("offline fake: the board was reset", "online 2"), listener.until("online"));
         assertEquals(List.of("lampOn"), board.info().orElseThrow().actions());
-        assertEquals(2, fake.hellos());
+        assertEquals(2, fake.line.count('H'));
     }
 
     @Test
@@ -226,7 +226,7 @@ class BoardTest extends BoardFixture {
         assertTrue(failure(BoardOfflineException.class, board.act("stop")).getMessage().contains("version 2"));
         board.close();
         assertEquals(BoardState.INCOMPATIBLE, board.state());
-        assertEquals(1, fake.hellos());
+        assertEquals(1, fake.line.count('H'));
     }
 
     @Test

@@ -85,7 +85,7 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void radio_isOpenWhileItRuns() throws Exception {
         startOnline();
-        await(out, written -> fake.isAskedForStatistics());
+        await(out, written -> fake.line.count('S') > 0);
         assertEquals(0, interrupt());
         List<String> radio = fake.requests.stream().filter(what -> what.startsWith("radio")).toList();
         assertEquals(List.of("radio 1", "radio 0"), radio);
@@ -94,7 +94,7 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void board_unpluggedAndBack_isToldAndTheRadioOpenedAnew() throws Exception {
         startOnline();
-        await(out, written -> fake.isAskedForStatistics());
+        await(out, written -> fake.line.count('S') > 0);
         port.unplug();
         awaitLine("offline   fake: there is no such port");
         fake.reset();
@@ -108,7 +108,7 @@ class MonitorCommandTest extends CommandFixture {
     @Test
     void board_ofAnotherVersionComes_ends() throws Exception {
         startOnline();
-        await(out, written -> fake.isAskedForStatistics());
+        await(out, written -> fake.line.count('S') > 0);
         fake.setVersion(2);
         fake.reset();
         assertEquals(1, status());

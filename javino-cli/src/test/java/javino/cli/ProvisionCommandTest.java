@@ -113,6 +113,7 @@ class ProvisionCommandTest {
         List<String> performed = List.copyOf(boards.get("SUPO").requests);
         assertTrue(performed.get(0).startsWith("epoch "), performed.toString());
         assertEquals(List.of("id SUPO", "key ROMA", "key SUPP", "key //SU"), performed.subList(1, performed.size()));
+        assertEquals(2, boards.get("SUPO").line.count('L'), "before and after");
         BoardNote note = keyring().note(Address.parse("SUPO"));
         assertEquals(boards.get("SUPO").keys.epoch(), note.epoch());
         assertEquals("[ROMA, SUPP, //SU]", note.keys().keySet().toString());
