@@ -10,12 +10,13 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import javino.protocol.Airtime;
 
 /** A run, as fast as it goes, of boards that send or receive all the time at one bit rate; counts their cycles. */
 final class Probe {
 
     /** What a board of {@code Modem} or {@code SampledModem} sends: the longest packet. */
-    static final int PACKET_BITS = 84 + 12 * 77;
+    static final int PACKET_BITS = Airtime.bits(77);
 
     private static final double CYCLES_PER_SECOND = 16e6;
     private static final int SENDER_PIN = 40;

@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javino.JavinoException;
+import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 
 /**
@@ -27,9 +28,6 @@ import javino.protocol.Bytes;
 record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
 
     private static final double MICROS_A_SECOND = 1e6;
-    /** A packet of n bytes has 84 + 12 n bits (SPEC 6); the first one is silence, and not in the time. */
-    private static final int BITS_BESIDE_PAYLOAD = 84;
-    private static final int BITS_A_BYTE = 12;
     /** What is told of one packet at its sender and at those that hear it differs by less. */
     private static final double SAME_START_SECONDS = 0.001;
 
@@ -65,7 +63,8 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
             double start = event.get("start").getAsDouble();
             double end = event.get("end").getAsDouble();
             int bits = event.get("bits").getAsInt();
-            int trailer = bits - BITS_BESIDE_PAYLOAD - BITS_A_BYTE * text(event, "payload").length() / 2;
+            int trailer = bits - Airtime.bits(text(event, "payload").length() / 2);
+            // The first bit is silence, and not in the time.
             AirPacket packet = packet(event, true, end - Math.max(0, trailer) * (end - start) / (bits - 1));
             packets.add(packet);
             sendings.computeIfAbsent(packet.board(), board -> new ArrayList<>()).add(new Sending(start, packet));

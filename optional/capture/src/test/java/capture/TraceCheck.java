@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javino.protocol.Airtime;
 import picocli.CommandLine;
 
 /** Whether a trace's capture, as the command writes it, says of each packet what the trace says. */
@@ -101,7 +102,7 @@ public final class TraceCheck {
         double bit = (event.get("end").getAsDouble() - event.get("start").getAsDouble())
                 / (event.get("bits").getAsInt() - 1);
         double whole = Math.min(event.get("end").getAsDouble(),
-                event.get("start").getAsDouble() + (83 + 12 * payload) * bit);
+                event.get("start").getAsDouble() + (Airtime.bits(payload) - 1) * bit);
         Tshark.Dissected packet = only(event,
                 found -> found.shown("javino.way").equals(List.of("0")) && isAt(found, whole));
         shows(event, packet);

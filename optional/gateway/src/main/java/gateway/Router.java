@@ -2,6 +2,7 @@ package gateway;
 
 import java.util.Optional;
 import javino.protocol.Address;
+import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
@@ -23,10 +24,6 @@ final class Router {
     private static final long SEARCH_AT_ONCE_MILLIS = 5000;
     /** The longest packet of a radio (SPEC 6). */
     private static final int LONGEST = 77;
-    /** Airtime at 2000 bit/s: 84 + 12 n bits (SPEC 6). */
-    private static final int BITS_BEFORE = 84;
-    private static final int BITS_A_BYTE = 12;
-    private static final int BITS_A_MILLI = 2;
 
     private final String cell;
     private final boolean broadcasts;
@@ -149,7 +146,7 @@ final class Router {
         if (!sighting.lacks(nth)) {
             return Optional.of(GatewayCounter.DUPLICATES);
         }
-        long airtime = (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + frame.message().length())) / BITS_A_MILLI;
+        long airtime = Airtime.millis(Frame.HEADER_LENGTH + frame.message().length());
         if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
             return !conversations.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
                     : within(all.take(airtime, now));

@@ -2,6 +2,7 @@ package keyagreement;
 
 import java.util.Optional;
 import javino.protocol.Address;
+import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.Word;
@@ -21,9 +22,6 @@ record HostWord(Kind kind, int fragment, Bytes body) {
     private static final int FIRST = 0x80;
     private static final int FRAGMENT_BITS = 2;
     private static final int TO_LENGTH = 3;
-    private static final int BITS_BEFORE = 84;
-    private static final int BITS_A_BYTE = 12;
-    private static final int BITS_A_MILLI = 2;
 
     /** The kinds, in the order of their numbers on the air. */
     enum Kind {
@@ -99,9 +97,9 @@ record HostWord(Kind kind, int fragment, Bytes body) {
         return new Word(Bytes.join(Bytes.of(first()), body));
     }
 
-    /** What it takes of the air at 2000 bit/s, in ms: 84 + 12 n bits (SPEC 6). */
+    /** What it takes of the air at 2000 bit/s, in ms. */
     long airMillis() {
-        return (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + 1 + TO_LENGTH + body.length())) / BITS_A_MILLI;
+        return Airtime.millis(Frame.HEADER_LENGTH + 1 + TO_LENGTH + body.length());
     }
 
     int first() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import javino.protocol.Address;
+import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
 
@@ -54,7 +55,7 @@ final class Air {
         }
 
         int bits() {
-            return 84 + 12 * (10 + message.length() + (key == null ? 0 : 14));
+            return Airtime.bits(10 + message.length() + (key == null ? 0 : 14));
         }
     }
 

@@ -16,13 +16,13 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import javino.protocol.Airtime;
 
 /** What a trace of the emulator (emulator/README.md) tells of the air. */
 final class AirTrace {
 
     /** How far apart the starts of a packet may lie that its sender and a receiver see, in seconds. */
     private static final double LATENESS = 0.005;
-    private static final int LEAST_BITS = 84;
     private static final double LAST_SECOND = 1e9;
     private static final int PIECES = 8;
     private static final int HEADER_DIGITS = 20;
@@ -105,7 +105,7 @@ final class AirTrace {
         double start = real(event, "start");
         double end = real(event, "end");
         int bits = event.number("bits");
-        if (start >= end || bits < LEAST_BITS) {
+        if (start >= end || bits < Airtime.bits(0)) {
             throw new NumberFormatException("a packet that takes no time");
         }
         String payload = event.text("payload");

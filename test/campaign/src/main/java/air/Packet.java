@@ -4,13 +4,11 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import javino.protocol.Airtime;
 
 /** A packet that was on the air, and what is found out about it. */
 final class Packet {
 
-    /** A trailer counts to its packet, but is not counted by these (SPEC 6). */
-    private static final int FRAMING_BITS = 84;
-    private static final int BITS_PER_DIGIT = 6;
     private static final int SLOT_BITS = 16;
 
     /** What it is drawn as. */
@@ -64,7 +62,7 @@ final class Packet {
         this.trailer = trailer;
         // The first bit is a 0, before its start.
         double bit = (end - start) / (bits - 1);
-        bodyEnd = Math.min(end, start + bit * (FRAMING_BITS + BITS_PER_DIGIT * digits - 1));
+        bodyEnd = Math.min(end, start + bit * (Airtime.bits(digits / 2) - 1));
         slot = bit * SLOT_BITS;
     }
 

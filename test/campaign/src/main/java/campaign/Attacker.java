@@ -8,6 +8,7 @@ import java.util.Random;
 import java.util.function.Function;
 import javino.link.LinkException;
 import javino.protocol.Address;
+import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 
@@ -60,7 +61,7 @@ final class Attacker implements AutoCloseable {
                 while (!ended) {
                     byte[] packet = forger.apply(random);
                     send(packet);
-                    double pause = (84 + 12 * packet.length) / BIT_RATE * (1 - share) / share;
+                    double pause = Airtime.bits(packet.length) / BIT_RATE * (1 - share) / share;
                     timetable.await(timetable.now() - Math.log(1 - random.nextDouble()) * pause, emulator);
                 }
             } catch (LinkException | InterruptedException | AssertionError broken) {

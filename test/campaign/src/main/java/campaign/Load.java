@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import javino.protocol.Airtime;
 
 /** Many boards at rising load: in one range, out of each other's range, and with partners that are absent. */
 final class Load implements Campaign {
@@ -18,7 +19,7 @@ final class Load implements Campaign {
     private static final double TEST_SECONDS = 8;
     private static final double BIT_RATE = 2000;
     /** A sealed content of 16 bytes and its acknowledgement: 40 and 18 bytes of payload (SPEC 6). */
-    static final double EXCHANGE_SECONDS = (84 + 12 * 40 + 84 + 12 * 18) / BIT_RATE;
+    static final double EXCHANGE_SECONDS = (Airtime.bits(40) + Airtime.bits(18)) / BIT_RATE;
     private static final double QUARTER = 0.25;
     private static final double HALF = 0.5;
     private static final double HIGH = 0.75;

@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import javax.xml.parsers.DocumentBuilderFactory;
+import javino.protocol.Airtime;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
@@ -26,7 +27,7 @@ class AirTest {
     private static final double BIT = 1 / 2000.0;
     private static final double SLOT = 16 * BIT;
     /** Of a payload of 24 bytes. */
-    private static final int BITS = 84 + 12 * 24;
+    private static final int BITS = Airtime.bits(24);
     private static final double LENGTH = (BITS - 1) * BIT;
 
     @TempDir

@@ -8,6 +8,7 @@ import harness.TestKeys;
 import java.nio.file.Path;
 import java.util.Map;
 import javino.protocol.Address;
+import javino.protocol.Airtime;
 import javino.protocol.Content;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,7 +22,7 @@ class BrokenOffTest {
 
     /** When the board has begun to send and all is out but for its last bits; the first bit is no carrier. */
     private static double end(int bytes) {
-        return (84 + 12 * bytes - 1 - MISSING_BITS) / BIT_RATE;
+        return (Airtime.bits(bytes) - 1 - MISSING_BITS) / BIT_RATE;
     }
 
     private static Map<String, Object> reset(String board, int bytes) {

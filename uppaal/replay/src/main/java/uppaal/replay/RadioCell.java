@@ -220,7 +220,7 @@ final class RadioCell {
             throw new RefusedException(
                     board.name() + " sends its own packet with " + event.hops() + " hops behind it; expected none");
         }
-        Airtime.check(event, payload, board);
+        AirtimeCheck.check(event, payload, board);
         board.ear.learn(event.number("bits"), start, event.number("end"));
         Message message = null;
         List<Message> answered = List.of();
@@ -524,7 +524,7 @@ final class RadioCell {
             throw new RefusedException(board.name() + " hears a packet with " + event.hops()
                     + " hops behind it; expected " + packet.hops() + ", as it was sent");
         }
-        Airtime.checkArrival(event, packet);
+        AirtimeCheck.checkArrival(event, packet);
         if (packet.board().equals(board.name()) || !packet.reached().add(board.name())) {
             throw new RefusedException(board.name()
                     + " hears a packet again or from itself; expected that each comes once to each other board");

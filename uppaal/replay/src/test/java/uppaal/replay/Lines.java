@@ -12,13 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import javino.protocol.Airtime;
 
 /** A trace that a test spoils. Lines count from 1, as refusals name them. */
 final class Lines {
     /** So that all that tests make up is on the air for less than 0.3 s. */
     private static final int RATE = 4000;
-    private static final int FRAMING_BITS = 84;
-    private static final int BITS_A_DIGIT = 6;
 
     /** Whether its times are a test's, which does not keep to those of boards. */
     boolean madeUp;
@@ -50,7 +49,7 @@ final class Lines {
             }
         });
         if (event.equals("rf-tx") || event.equals("rf-rx")) {
-            int bits = FRAMING_BITS + BITS_A_DIGIT * line.get("payload").getAsString().length();
+            int bits = Airtime.bits(line.get("payload").getAsString().length() / 2);
             line.addProperty("bits", bits);
             line.addProperty("end", line.get("start").getAsDouble() + (bits - 1.0) / RATE);
         }

@@ -1,12 +1,10 @@
 package uppaal.replay;
 
 import java.util.Locale;
+import javino.protocol.Airtime;
 
-/** How long packets are on the air (SPEC 6). */
-final class Airtime {
-    /** Training, start symbol, count and CRC; the last bit is at the packet's end. */
-    private static final int FRAMING_BITS = 84;
-    private static final int BITS_A_BYTE = 12;
+/** Packets must be on the air as long as their bytes take (SPEC 6). */
+final class AirtimeCheck {
     private static final int MARK_BITS = 12;
     private static final int PARITY_BITS = 12 * 17;
     private static final int SHORT_PARITY_BITS = 12 * 13;
@@ -15,7 +13,7 @@ final class Airtime {
     private static final int LEAST_RATE = 90;
     private static final int MOST_RATE = 11_000;
 
-    private Airtime() {
+    private AirtimeCheck() {
     }
 
     /** A packet of ours has as many bits as its bytes need (SPEC 6); a reset or the end may break off a trailer. */
@@ -25,7 +23,7 @@ final class Airtime {
         }
         double bits = event.number("bits");
         String trailer = event.textOrEmpty("trailer");
-        int least = FRAMING_BITS + BITS_A_BYTE * payload.length();
+        int least = Airtime.bits(payload.length());
         int all = least + trailerBits(trailer, payload.length());
         // The trace's end breaks a packet off, too.
         boolean mayBreakOff = event.fields().has("cut") || !board.ear.isSure(event.number("start"), event.seconds());
@@ -57,7 +55,7 @@ final class Airtime {
         }
         double end = event.number("end");
         double bit = (packet.end() - packet.start()) / packet.bits();
-        double least = packet.start() + bit * (FRAMING_BITS + BITS_A_BYTE * packet.payload().length() - 2);
+        double least = packet.start() + bit * (Airtime.bits(packet.payload().length()) - 2);
         if (end < Math.min(least, packet.end()) - RadioCell.DISORDER || end > packet.end() + RadioCell.DISORDER) {
             throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
                     + " its sender has ended it");

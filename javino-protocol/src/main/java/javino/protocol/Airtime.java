@@ -1,0 +1,22 @@
+package javino.protocol;
+
+/** How long packets without their trailers are on the air (SPEC 6). */
+public final class Airtime {
+
+    private static final int FRAMING_BITS = 84;
+    private static final int BITS_A_BYTE = 12;
+    private static final int BITS_A_MILLI = 2;
+
+    private Airtime() {
+    }
+
+    /** @param length of the payload, in bytes. */
+    public static int bits(int length) {
+        return FRAMING_BITS + BITS_A_BYTE * length;
+    }
+
+    /** The time at 2000 bit/s, in ms. @param length of the payload, in bytes. */
+    public static long millis(int length) {
+        return bits(length) / BITS_A_MILLI;
+    }
+}
