@@ -12,14 +12,14 @@ import java.util.List;
 import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
+import javino.protocol.Payload;
 import javino.protocol.Word;
 
 /** Reads the emulator's trace, one JSON line an event (emulator/README.md). */
 final class Trace {
 
-    /** In the payload of a packet: header, and then kind and addressee of a word (SPEC 2, 11.3). */
-    private static final int WORD = 10;
-    private static final int BODY = WORD + 4;
+    /** Of a word: its kind and addressee (SPEC 11.3). */
+    private static final int HEAD = 4;
     private static final List<String> WORDS = List.of("handshake 1", "handshake 2", "handshake 3", "renewal 1",
             "renewal 2", "renewal 3", "asks for a part", "asks for the key of the group");
 
@@ -56,13 +56,11 @@ final class Trace {
 
     /** What one host says to another in a broadcast. */
     private Optional<Hosts> word(JsonObject event) {
-        Bytes frame = Bytes.ofHex(text(event, "payload"));
-        boolean isWord = text(event, "kind").equals("broadcast") && frame.length() >= BODY
-                && Word.isWord(frame.from(WORD));
-        if (!isWord) {
+        Payload payload = Payload.of(Bytes.ofHex(text(event, "payload")));
+        Bytes word = payload.message();
+        if (payload.kind() != Payload.Kind.BROADCAST || word.length() < HEAD || !Word.isWord(word)) {
             return Optional.empty();
         }
-        Bytes word = frame.from(WORD);
         Address to = new Address((int) word.number(1, 4));
         int kind = word.at(0) - 0x80 >> 2;
         String part = kind == 1 ? ", part " + (1 + word.at(0) % 4) : "";

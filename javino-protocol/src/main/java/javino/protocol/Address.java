@@ -92,6 +92,21 @@ public record Address(int value) {
     }
 
     /**
+     * Where a piece of a frame goes (SPEC 7.1).
+     *
+     * @param id    of the frame, 0…63.
+     * @param index of the piece, 0…7, and 8 more if it asks for an answer.
+     */
+    public static Address piece(int id, int index) {
+        return new Address(PIECE_GROUP << 12 | id << 6 | index);
+    }
+
+    /** Where the answer to a frame goes (SPEC 7.3). @param lastBits the last 12 bits of its nonce. */
+    public static Address acknowledgement(int lastBits) {
+        return new Address(ACKNOWLEDGEMENT_GROUP << 12 | lastBits);
+    }
+
+    /**
      * Reads the four bytes at an offset.
      *
      * @throws ProtocolException TOO_SHORT or BAD_DIGIT.

@@ -69,7 +69,13 @@ public record Frame(Address destination, Address origin, Bytes message) {
 
     /** Destination, origin and size: the ten bytes before the message. */
     public Bytes header() {
-        return encode().slice(0, HEADER_LENGTH);
+        return header(destination, origin, message.length());
+    }
+
+    /** The header of a frame whose message has so many bytes. */
+    public static Bytes header(Address destination, Address origin, int length) {
+        return Bytes.join(destination.toBytes(), origin.toBytes(),
+                Bytes.ofText(Digits.format(8 * length, HEADER_LENGTH - SIZE_OFFSET)));
     }
 
     /** The frame's bytes. */

@@ -13,7 +13,6 @@ import java.util.Map;
 /** SPEC 7.3: each kind of answer, and answers that prove nothing. */
 final class AcknowledgementVectors {
 
-    private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     private static final String KEY = "000102030405060708090a0b0c0d0e0f";
     private static final String OTHER_KEY = "2b7e151628aed2a6abf7158809cf4f3c";
     private static final String NONCE = "000102030405";
@@ -47,8 +46,7 @@ final class AcknowledgementVectors {
 
     /** {@code +K} and the last 12 bits of the nonce. */
     private static String address(String nonce) {
-        int last = Integer.parseInt(nonce.substring(9), 16);
-        return "+K" + DIGITS.charAt(last >> 6) + DIGITS.charAt(last & 63);
+        return "+K" + Wire.digits(Integer.parseInt(nonce.substring(9), 16));
     }
 
     private static byte[] frame(String key, int type, String nonce, String sender, String acknowledger, byte[] body) {

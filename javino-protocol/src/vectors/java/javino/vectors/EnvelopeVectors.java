@@ -71,7 +71,7 @@ final class EnvelopeVectors {
 
     static byte[] seal(String key, String origin, String destination, byte[] nonce, byte[] content) {
         byte[] cipher = Crypto.cfb(encryptionKey(key), iv(key, origin, destination, nonce), content);
-        String size = Wire.size(8 * (6 + content.length + 8));
+        String size = Wire.digits(8 * (6 + content.length + 8));
         byte[] signed = join(text(destination + origin + size), nonce, cipher);
         return join(signed, Arrays.copyOf(Crypto.cmac(authenticationKey(key), signed), 8));
     }

@@ -14,7 +14,6 @@ import java.util.Map;
 /** SPEC 7.1: frames of each number of pieces and at each edge, and pieces that no frame has. */
 final class PieceVectors {
 
-    private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     private static final String KEY = "000102030405060708090a0b0c0d0e0f";
     private static final int PART = 67;
     private static final int HEADER = 10;
@@ -50,7 +49,7 @@ final class PieceVectors {
         List<String> pieces = new ArrayList<>();
         for (int at = 0; at < frame.length; at += PART) {
             byte[] part = Arrays.copyOfRange(frame, at, Math.min(at + PART, frame.length));
-            pieces.add(Wire.hex(piece(id, DIGITS.charAt(pieces.size()), new String(frame, 4, 4,
+            pieces.add(Wire.hex(piece(id, (char) ('A' + pieces.size()), new String(frame, 4, 4,
                     StandardCharsets.US_ASCII), part)));
         }
         return vector("frame", Wire.hex(frame), "id", id, "pieces", pieces);
@@ -63,7 +62,7 @@ final class PieceVectors {
     /** A piece that wants an answer: its index digit is raised by 8. */
     private static Map<String, Object> asking(String id, int index) {
         byte[] part = index == 0 ? first("SUPO", "ROMA") : counting(index, 20);
-        return vector("piece", Wire.hex(piece(id, DIGITS.charAt(index + 8), "ROMA", part)), "origin", "ROMA",
+        return vector("piece", Wire.hex(piece(id, (char) ('A' + index + 8), "ROMA", part)), "origin", "ROMA",
                 "id", id, "index", index, "part", Wire.hex(part));
     }
 

@@ -57,14 +57,14 @@ final class Wire {
         return bytes;
     }
 
-    /** The two digits of a size in bits: the first two of the Base64 form of its 12 bits. */
-    static String size(int bits) {
-        byte[] twelve = bytes(bits >> 4, bits << 4, 0);
+    /** A number of 12 bits, such as a size, as two digits: the first two of its Base64 form. */
+    static String digits(int number) {
+        byte[] twelve = bytes(number >> 4, number << 4, 0);
         return Base64.getEncoder().encodeToString(twelve).substring(0, 2);
     }
 
     static byte[] frame(String destination, String origin, byte[] message) {
-        return join(text(destination + origin + size(8 * message.length)), message);
+        return join(text(destination + origin + digits(8 * message.length)), message);
     }
 
     /** CRC-16/X-25 by the textbook: reflect, divide by the unreflected polynomial, reflect back, complement. */

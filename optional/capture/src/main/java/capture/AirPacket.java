@@ -7,6 +7,7 @@ import javino.Printable;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
+import javino.protocol.Payload;
 import javino.protocol.ProtocolException;
 import javino.protocol.Word;
 
@@ -31,10 +32,6 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
     private static final int VERSION = 1;
     private static final int MOST_BYTES_OF_A_TEXT = 255;
     private static final double MICROS_A_SECOND = 1e6;
-    /** Of nonce and tag: SPEC 5. */
-    private static final int ENVELOPE_LENGTH = 14;
-    /** Of the index digit of a piece whose sender wants an answer: SPEC 7.1. */
-    private static final int ASKS = 8;
 
     /** How a packet came, in the order of the numbers of SPEC 10.1. */
     enum How {
@@ -93,14 +90,15 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
                 + switch (kind) {
                     case BROADCAST -> Word.isWord(frame.message()) ? "word, " + frame.message().length() + " bytes"
                             : new String(frame.message().toArray(), StandardCharsets.UTF_8);
-                    case PIECE -> pieceOf(frame);
-                    case DEVICE, MULTICAST -> "sealed, " + (frame.message().length() - ENVELOPE_LENGTH) + " bytes";
+                    case PIECE -> piece(frame.destination());
+                    case DEVICE, MULTICAST -> "sealed, "
+                            + (frame.message().length() - Payload.NONCE_LENGTH - Payload.TAG_LENGTH) + " bytes";
                     default -> frame.message().length() + " bytes";
                 };
     }
 
-    private static String pieceOf(Frame frame) {
-        int index = frame.destination().value() & 0x3F;
-        return index % ASKS + " of " + frame.destination().member().charAt(0) + (index >= ASKS ? ", asks" : "");
+    private String piece(Address to) {
+        Payload piece = Payload.of(payload);
+        return piece.index() + " of " + to.member().charAt(0) + (piece.asks() ? ", asks" : "");
     }
 }

@@ -2,9 +2,8 @@ package gateway;
 
 import java.util.Optional;
 import javino.protocol.Address;
-import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.ProtocolException;
+import javino.protocol.Payload;
 
 /**
  * What belongs together: pieces and the header of their message, acknowledgements and what they answer (SPEC 7.1, 7.3).
@@ -12,12 +11,7 @@ import javino.protocol.ProtocolException;
 final class Conversations {
 
     private static final int MOST = 1024;
-    private static final int NONCE_LENGTH = 6;
-    private static final int PROOF_LENGTH = 8;
-    private static final int INDEX = 3;
     private static final int ID = 2;
-    private static final char LAST_INDEX = 'H';
-    private static final int PIECES = 8;
     /** So long an acknowledgement is on its way to its cell and through it. */
     private static final long UNDER_WAY_MILLIS = 1000;
 
@@ -27,13 +21,14 @@ final class Conversations {
 
     /** A frame was heard, here or elsewhere. */
     void learn(Frame frame, boolean here, long now) {
-        if (isFirstPiece(frame)) {
-            whole(frame).ifPresent(to -> headers.renew(message(frame), to));
+        Payload packet = Payload.of(frame.encode());
+        if (packet.whole() != packet) {
+            destination(packet.whole()).ifPresent(to -> headers.renew(message(frame), to));
         }
         if (here) {
             question(frame).ifPresent(question -> awaited.renew(question, true));
             if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT
-                    && frame.message().length() == PROOF_LENGTH) {
+                    && frame.message().length() == Payload.TAG_LENGTH) {
                 given.renew(answer(frame), now);
             }
         }
@@ -56,17 +51,8 @@ final class Conversations {
 
     /** By what an acknowledgement of a frame is known: who answers, and the last 12 bits of the nonce. */
     private static Optional<String> question(Frame frame) {
-        Bytes message = frame.message();
-        Address to = frame.destination();
-        if (isFirstPiece(frame)) {
-            to = whole(frame).orElse(to);
-            message = message.length() > Frame.HEADER_LENGTH ? message.from(Frame.HEADER_LENGTH) : Bytes.EMPTY;
-        }
-        if (to.kind() != Address.Kind.DEVICE && to.kind() != Address.Kind.MULTICAST
-                || message.length() < NONCE_LENGTH) {
-            return Optional.empty();
-        }
-        return Optional.of(to + " " + (message.number(NONCE_LENGTH - 2, NONCE_LENGTH) & 0xFFF));
+        Payload whole = Payload.of(frame.encode()).whole();
+        return whole.hasNonce() ? Optional.of(whole.destination() + " " + whole.lastBits()) : Optional.empty();
     }
 
     private static String answer(Frame acknowledgement) {
@@ -78,17 +64,11 @@ final class Conversations {
         return piece.origin() + " " + piece.destination().toString().charAt(ID);
     }
 
-    private static boolean isFirstPiece(Frame frame) {
-        return frame.destination().kind() == Address.Kind.PIECE
-                && (frame.destination().value() & 0x3F) % PIECES == 0;
-    }
-
     /** Whom the message is for that a first piece begins. */
-    private static Optional<Address> whole(Frame first) {
+    private static Optional<Address> destination(Payload whole) {
         try {
-            Address to = Address.parse(first.message().slice(0, Address.LENGTH).text());
-            return Optional.of(to);
-        } catch (ProtocolException | IllegalArgumentException | IndexOutOfBoundsException none) {
+            return Optional.of(Address.parse(whole.destination()));
+        } catch (IllegalArgumentException none) {
             return Optional.empty();
         }
     }

@@ -11,12 +11,12 @@ import javino.protocol.Address;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
+import javino.protocol.Payload;
 
 /** A board in a cell that is not one of its own: it sends what it likes, whatever is on the air (`Transmitter`). */
 final class Attacker implements AutoCloseable {
 
     private static final double BIT_RATE = 2000;
-    private static final int PART = 67;
 
     private final Field.Post post;
     private final Transmitter transmitter;
@@ -85,9 +85,8 @@ final class Attacker implements AutoCloseable {
 
     /** A piece that begins a message, and asks which of it are here. */
     static byte[] forgedPiece(Field.Post from, Field.Post to, Random random) {
-        Bytes begun = new Frame(to.address(), from.address(), random(400, random)).encode().slice(0, PART);
-        Address piece = Address.parse("+F" + "ABCDEFGHIJKLMNOPQRSTUVWXYZ".charAt(random.nextInt(26)) + "I");
-        return new Frame(piece, from.address(), begun).encode().toArray();
+        Bytes begun = new Frame(to.address(), from.address(), random(400, random)).encode().slice(0, Payload.PART_LENGTH);
+        return new Frame(Address.piece(random.nextInt(26), 8), from.address(), begun).encode().toArray();
     }
 
     /**
@@ -97,11 +96,8 @@ final class Attacker implements AutoCloseable {
      * @param ended how many of its messages have ended: their ids run from 0 (SPEC 7.1), and one is under way.
      */
     static byte[] forgedEnd(Field.Post from, long ended, Random random) {
-        String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        char id = digits.charAt((int) ((ended + 1) % digits.length()));
-        return new Frame(Address.parse("+F" + id + digits.charAt(1 + random.nextInt(3))), from.address(),
-                random(1, random))
-                .encode().toArray();
+        Address piece = Address.piece((int) (ended + 1) % 64, 1 + random.nextInt(3));
+        return new Frame(piece, from.address(), random(1, random)).encode().toArray();
     }
 
     /** A broadcast of nothing that a host hands on, so that only the way to there is taken up. */

@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import javino.protocol.Address;
+import javino.protocol.Frame;
+import javino.protocol.Payload;
 
 /**
  * A part of a packet's bytes (SPEC 2, 5, 7).
@@ -13,10 +16,10 @@ import java.util.Random;
  */
 record Region(String name, int begin, int end) {
 
-    private static final int ADDRESS = 4;
-    private static final int HEADER = 10;
-    private static final int NONCE = 6;
-    private static final int TAG = 8;
+    private static final int ADDRESS = Address.LENGTH;
+    private static final int HEADER = Frame.HEADER_LENGTH;
+    private static final int NONCE = Payload.NONCE_LENGTH;
+    private static final int TAG = Payload.TAG_LENGTH;
     private static final int BITS = 8;
 
     /** The parts of a packet of a kind, as the trace calls it. */

@@ -2,6 +2,7 @@ package uppaal.replay;
 
 import java.util.Locale;
 import javino.protocol.Airtime;
+import javino.protocol.Payload;
 
 /** Packets must be on the air as long as their bytes take (SPEC 6). */
 final class AirtimeCheck {
@@ -23,8 +24,8 @@ final class AirtimeCheck {
         }
         double bits = event.number("bits");
         String trailer = event.textOrEmpty("trailer");
-        int least = Airtime.bits(payload.length());
-        int all = least + trailerBits(trailer, payload.length());
+        int least = Airtime.bits(payload.bytes().length());
+        int all = least + trailerBits(trailer, payload.bytes().length());
         // The trace's end breaks a packet off, too.
         boolean mayBreakOff = event.fields().has("cut") || !board.ear.isSure(event.number("start"), event.seconds());
         if (bits != all && !(mayBreakOff && bits >= least && bits < all)) {
@@ -55,7 +56,7 @@ final class AirtimeCheck {
         }
         double end = event.number("end");
         double bit = (packet.end() - packet.start()) / packet.bits();
-        double least = packet.start() + bit * (Airtime.bits(packet.payload().length()) - 2);
+        double least = packet.start() + bit * (Airtime.bits(packet.payload().bytes().length()) - 2);
         if (end < Math.min(least, packet.end()) - RadioCell.DISORDER || end > packet.end() + RadioCell.DISORDER) {
             throw new RefusedException(event.board() + " hears a packet end " + (end < least ? "before" : "after")
                     + " its sender has ended it");

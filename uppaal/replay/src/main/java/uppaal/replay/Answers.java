@@ -1,9 +1,9 @@
 package uppaal.replay;
 
 import java.util.Collection;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import javino.protocol.Payload;
 
 /** The bytes of acknowledgements (SPEC 7.3). */
 final class Answers {
@@ -31,20 +31,20 @@ final class Answers {
 
     /** Whether an acknowledgement may answer a frame. */
     static boolean mayMean(Payload payload, Frame frame) {
-        return frame.isSealed() && (frame.isUnicast() || payload.message().length == STALE)
-                && Payload.lastBits(frame.nonceHex) == payload.answered()
-                && Payload.concerns(frame.destination, payload.origin());
+        return frame.isSealed() && (frame.isUnicast() || payload.message().length() == STALE)
+                && Frame.lastBits(frame.nonceHex) == payload.answered()
+                && Frame.concerns(frame.destination, payload.origin());
     }
 
     static boolean isProof(SharedKey key, Payload payload, Frame frame) {
-        Integer type = TYPES.get(payload.message().length);
+        Integer type = TYPES.get(payload.message().length());
         return type != null
-                && key.isProof(type, frame.nonce(), frame.origin, payload.origin(), payload.message());
+                && key.isProof(type, frame.nonce(), frame.origin, payload.origin(), payload.message().toArray());
     }
 
     static boolean asksParity(SharedKey key, Payload payload, Frame frame) {
-        return key.asksParity(TYPES.get(payload.message().length), frame.nonce(), frame.origin, payload.origin(),
-                payload.message());
+        return key.asksParity(TYPES.get(payload.message().length()), frame.nonce(), frame.origin, payload.origin(),
+                payload.message().toArray());
     }
 
     /**
@@ -53,8 +53,8 @@ final class Answers {
      */
     static void check(Desk desk, Payload payload, double now, List<Frame> meant, List<Frame> proved)
             throws RefusedException {
-        if (!TYPES.containsKey(payload.message().length)) {
-            throw new RefusedException(desk.name + " acknowledges with " + payload.message().length
+        if (!TYPES.containsKey(payload.message().length())) {
+            throw new RefusedException(desk.name + " acknowledges with " + payload.message().length()
                     + " bytes; expected 8, 9 or 16");
         }
         if (meant.isEmpty()) {
@@ -65,15 +65,15 @@ final class Answers {
             throw new RefusedException(desk.name + " acknowledges with a wrong proof; expected that of "
                     + meant.get(meant.size() - 1));
         }
-        if (payload.message().length == PIECES) {
+        if (payload.message().length() == PIECES) {
             checkPieces(desk, payload, proved);
-        } else if (payload.message().length == STALE) {
+        } else if (payload.message().length() == STALE) {
             checkUptime(desk, payload, now);
         }
     }
 
     private static void checkPieces(Desk desk, Payload payload, List<Frame> proved) throws RefusedException {
-        int told = payload.message()[0] & 0xFF;
+        int told = payload.message().at(0);
         int possible = 0;
         for (Frame frame : proved) {
             int come = come(desk, frame);
@@ -99,7 +99,7 @@ final class Answers {
     }
 
     private static void checkUptime(Desk desk, Payload payload, double now) throws RefusedException {
-        int told = (payload.message()[SharedKey.NONCE] & 0xFF) << 8 | payload.message()[SharedKey.NONCE + 1] & 0xFF;
+        int told = (int) payload.message().number(Payload.NONCE_LENGTH, Payload.NONCE_LENGTH + 2);
         double most = UNITS_A_SECOND * (1 + (now - desk.resetAt) * (1 + DRIFT));
         double least = desk.greetedAt < 0 ? 0 : UNITS_A_SECOND * ((now - desk.greetedAt) * (1 - DRIFT) - 1);
         if (told > most || told < Math.min(least, MOST_UNITS)) {
@@ -118,7 +118,7 @@ final class Answers {
     /** A floor is not below what is stale, and at most 31 above what the board can have had of this origin and key. */
     static void checkFloor(Desk desk, Payload payload, List<Frame> proved, Collection<Frame> ours)
             throws RefusedException {
-        long floor = Long.parseLong(HexFormat.of().formatHex(payload.message(), 0, SharedKey.NONCE), 16);
+        long floor = payload.message().number(0, Payload.NONCE_LENGTH);
         for (Frame frame : proved) {
             long highest = ours.stream().filter(each -> each.isSealed() && each.origin.equals(frame.origin)
                     && each.destination.equals(frame.destination)).mapToLong(Frame::nonceNumber).max()

@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import javino.protocol.Payload;
 
 /**
  * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards
@@ -92,10 +93,8 @@ final class Bytes {
     }
 
     /** Somebody begins to send a packet. */
-    void begin(Event event) throws RefusedException {
-        Payload payload = Payload.of(event);
+    void begin(Event event, Payload payload) throws RefusedException {
         Desk desk = desk(event);
-        Fields.check(event, payload);
         boolean isOwn = desk.ids.contains(payload.origin());
         if (payload.isAcknowledgement()) {
             answer(desk, payload, event.number("start"));
@@ -176,11 +175,11 @@ final class Bytes {
         if (frame.isSealed() && frame.contentLength() < 0) {
             return "no room for nonce and tag";
         }
-        if (payload.isPiece() && frame.length <= Payload.PART + Frame.HEADER) {
+        if (payload.isPiece() && frame.length <= Payload.PART_LENGTH + Frame.HEADER) {
             return "a frame that fits one packet";
         }
-        if (payload.isPiece() && frame.first.length != Payload.PART) {
-            return frame.first.length + " bytes; expected " + Payload.PART;
+        if (payload.isPiece() && frame.first.length != Payload.PART_LENGTH) {
+            return frame.first.length + " bytes; expected " + Payload.PART_LENGTH;
         }
         return payload.isPiece() && payload.asks() && !frame.isUnicast() ? "a wish for an answer, though to many" : "";
     }
@@ -195,7 +194,7 @@ final class Bytes {
         if (payload.asks() && !frame.isUnicast()) {
             throw new RefusedException(desk.name + " asks for an answer to a piece of a message to many");
         }
-        if (payload.index() >= frame.pieces() || !frame.hasPiece(payload.index(), payload.message())) {
+        if (payload.index() >= frame.pieces() || !frame.hasPiece(payload.index(), payload.message().toArray())) {
             throw new RefusedException(desk.name + " sends other bytes as piece " + payload.index() + " of " + frame
                     + "; expected those of the whole that it has sealed and cut");
         }
@@ -208,7 +207,7 @@ final class Bytes {
                     .map(desk -> desk.cut.get(payload.pieceId())).filter(Objects::nonNull)
                     // Of one whose bytes are not known a board's own piece is still to be the first that counts.
                     .filter(cut -> cut.isBroadcast() && cut.bytes != null && payload.index() < cut.pieces())
-                    .filter(cut -> !cut.hasPiece(payload.index(), payload.message()))
+                    .filter(cut -> !cut.hasPiece(payload.index(), payload.message().toArray()))
                     .forEach(cut -> cut.hasOtherPiece = true);
         }
         Frame frame = payload.index() == 0 ? new Frame(payload, start) : null;
@@ -239,7 +238,7 @@ final class Bytes {
      */
     void reach(Event event, Payload sent) throws RefusedException {
         if (event.fields().has("payload")) {
-            Fields.check(event, Payload.of(event));
+            Fields.payload(event);
         }
         if (sent.isPiece()) {
             desk(event).pieces.put(Answers.place(sent.origin(), sent.pieceId(), sent.index()), event.seconds());
@@ -255,14 +254,14 @@ final class Bytes {
             proofs += !opener.hasKeys() ? 0 : 1;
             Answers.check(desk, payload, start, meant, proved);
             checkParity(desk, payload, proved);
-            if (payload.message().length == Answers.STALE) {
+            if (payload.message().length() == Answers.STALE) {
                 Answers.checkFloor(desk, payload, proved, frames.values());
             }
         }
-        if (payload.message().length == Answers.PIECES) {
+        if (payload.message().length() == Answers.PIECES) {
             proved.forEach(frame -> frame.isAnswered = true);
         }
-        if (payload.message().length == Answers.STALE) {
+        if (payload.message().length() == Answers.STALE) {
             for (Frame frame : proved) {
                 desks.values().stream().filter(sender -> sender.ids.contains(frame.origin))
                         .forEach(sender -> sender.goOnAbove(frame));
@@ -310,6 +309,6 @@ final class Bytes {
 
     private static boolean isHanded(Frame frame, Event event) {
         return frame.origin.equals(event.text("origin")) && frame.destination.equals(event.text("destination"))
-                && event.text("id").equals(frame.isBroadcast() ? NO_ID : Payload.id(frame.nonceHex));
+                && event.text("id").equals(frame.isBroadcast() ? NO_ID : Frame.id(frame.nonceHex));
     }
 }

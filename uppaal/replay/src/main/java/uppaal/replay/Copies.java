@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import javino.protocol.Payload;
 
 /** What a board may send as a relay (SPEC 7.5): copies of unicasts that came to it, and of their acknowledgements. */
 final class Copies {
@@ -117,14 +118,14 @@ final class Copies {
         if (isAnswer(payload)) {
             packets.values().stream().filter(copied -> copied.isAnsweredBy(payload))
                     .forEach(copied -> answered(copied, packet, undamaged));
-        } else if (payload.isForDevice() && !ids.contains(payload.origin()) && !ids.contains(payload.destination())) {
+        } else if (payload.kind() == Payload.Kind.UNICAST && payload.hasNonce() && !ids.contains(payload.origin()) && !ids.contains(payload.destination())) {
             unicast(packet, undamaged, seconds);
         }
     }
 
     private static boolean isAnswer(Payload payload) {
         return payload.isAcknowledgement()
-                && (payload.message().length == Answers.DELIVERED || payload.message().length == Answers.STALE);
+                && (payload.message().length() == Answers.DELIVERED || payload.message().length() == Answers.STALE);
     }
 
     private void unicast(Packet packet, boolean undamaged, double seconds) {

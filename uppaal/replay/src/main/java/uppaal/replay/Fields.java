@@ -1,24 +1,34 @@
 package uppaal.replay;
 
+import com.google.gson.JsonParseException;
 import java.nio.charset.StandardCharsets;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import javino.protocol.Payload;
 
 /** What a line says of a packet beside its bytes must be what the bytes say. */
 final class Fields {
-    private static final int ADDRESS = 4;
-    private static final int INDEX_AT = 3;
-    private static final int INDEXES = 16;
     private static final Map<Integer, String> ANSWERS = Map.of(8, "delivered", 9, "pieces", 16, "stale");
 
     private Fields() {
     }
 
-    static void check(Event event, Payload payload) throws RefusedException {
+    /** @throws JsonParseException where the event has no packet */
+    static Payload payload(Event event) throws RefusedException {
+        try {
+            event.text("kind");
+            Payload payload = Payload.of(javino.protocol.Bytes.ofHex(event.text("payload")));
+            check(event, payload);
+            return payload;
+        } catch (IllegalArgumentException wrong) {
+            throw new JsonParseException("a payload that is not in hexadecimal digits", wrong);
+        }
+    }
+
+    private static void check(Event event, Payload payload) throws RefusedException {
         Map<String, String> said = new LinkedHashMap<>();
-        said.put("kind", kind(payload));
-        if (!said.get("kind").equals("no frame")) {
+        said.put("kind", payload.kind().toString());
+        if (payload.kind() != Payload.Kind.NO_FRAME) {
             said.put("destination", payload.destination());
             said.put("origin", payload.origin());
         }
@@ -27,9 +37,9 @@ final class Fields {
             said.put("index", "" + payload.index());
             said.put("asks", "" + payload.asks());
         } else if (payload.isAcknowledgement()) {
-            said.put("answers", ANSWERS.getOrDefault(payload.message().length, "unknown"));
+            said.put("answers", ANSWERS.getOrDefault(payload.message().length(), "unknown"));
         } else if (event.fields().has("content")) {
-            said.put("content", new String(payload.message(), StandardCharsets.UTF_8));
+            said.put("content", new String(payload.message().toArray(), StandardCharsets.UTF_8));
         }
         for (Map.Entry<String, String> field : said.entrySet()) {
             String told = event.textOrEmpty(field.getKey());
@@ -39,20 +49,5 @@ final class Fields {
                         + (field.getValue().equals("no frame") ? ": the size in their header is not theirs" : ""));
             }
         }
-    }
-
-    private static String kind(Payload payload) {
-        byte[] frame = HexFormat.of().parseHex(payload.hex());
-        if (Payload.lengthIn(frame) != frame.length) {
-            return "no frame";
-        }
-        String to = new String(frame, 0, ADDRESS, StandardCharsets.US_ASCII);
-        if (to.startsWith("//")) {
-            return to.equals(Payload.ALL) ? "broadcast" : "multicast";
-        }
-        if (to.startsWith("+F") && Payload.digit(to, INDEX_AT) < INDEXES) {
-            return "piece";
-        }
-        return to.startsWith("+K") ? "acknowledgement" : to.matches("[+/].*") ? "reserved" : "unicast";
     }
 }

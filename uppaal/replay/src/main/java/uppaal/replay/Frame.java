@@ -4,14 +4,17 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
+import javino.protocol.Payload;
 
 /** A frame of which the first packet was on the air: what is known of its bytes. */
 final class Frame {
-    static final int HEADER = 10;
+    static final int HEADER = javino.protocol.Frame.HEADER_LENGTH;
+    /** The destination of broadcasts. */
+    static final String ALL = "////";
     /** Where a sealed content begins. */
-    static final int CONTENT = HEADER + SharedKey.NONCE;
+    static final int CONTENT = HEADER + Payload.NONCE_LENGTH;
     /** What is not content in a sealed frame. */
-    static final int SEALED = CONTENT + SharedKey.TAG;
+    static final int SEALED = CONTENT + Payload.TAG_LENGTH;
 
     final String origin;
     final String destination;
@@ -45,11 +48,12 @@ final class Frame {
     /** @param first the first packet's payload */
     Frame(Payload first, double begun) {
         Payload whole = first.whole();
-        this.first = first.frame();
+        var part = first.isPiece() ? first.message() : first.bytes();
+        this.first = part.toArray();
         this.begun = begun;
         origin = whole.origin();
         destination = whole.destination();
-        length = Payload.lengthIn(this.first);
+        length = Payload.lengthIn(part);
         nonceHex = isSealed() && this.first.length >= CONTENT ? HexFormat.of().formatHex(nonce()) : "";
         pieceId = first.isPiece() ? first.pieceId() : -1;
         bytes = first.isPiece() ? null : this.first;
@@ -57,7 +61,7 @@ final class Frame {
     }
 
     boolean isBroadcast() {
-        return destination.equals(Payload.ALL);
+        return destination.equals(ALL);
     }
 
     boolean isSealed() {
@@ -82,7 +86,32 @@ final class Frame {
     }
 
     int pieces() {
-        return (length + Payload.PART - 1) / Payload.PART;
+        return pieces(length);
+    }
+
+    private static int pieces(int length) {
+        return (length + Payload.PART_LENGTH - 1) / Payload.PART_LENGTH;
+    }
+
+    /** How many pieces the frame has of which this is the first packet. */
+    static int pieces(Payload first) {
+        return first.isPiece() ? Math.max(1, pieces(Payload.lengthIn(first.message()))) : 1;
+    }
+
+    /** What a host is told of a nonce: the last byte of the epoch, and the last two of the counter. */
+    static String id(String nonce) {
+        return nonce.substring(4, 6) + nonce.substring(8);
+    }
+
+    /** The last 12 bits of a nonce. */
+    static int lastBits(String nonce) {
+        return Integer.parseInt(nonce.substring(9), 16);
+    }
+
+    /** Whether devices with this address are meant. */
+    static boolean concerns(String destination, String id) {
+        return destination.equals(ALL) || destination.equals(id)
+                || destination.startsWith("//") && id.startsWith(destination.substring(2));
     }
 
     /** Whether another frame is this one, as far as the first packets tell. */
@@ -92,8 +121,8 @@ final class Frame {
 
     /** Whether these are the bytes of a later piece: those of the frame, or as many, and the same each time. */
     boolean hasPiece(int index, byte[] piece) {
-        int from = index * Payload.PART;
-        int to = Math.min(length, from + Payload.PART);
+        int from = index * Payload.PART_LENGTH;
+        int to = Math.min(length, from + Payload.PART_LENGTH);
         if (bytes != null) {
             return Arrays.equals(bytes, from, to, piece, 0, piece.length);
         }

@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import javino.protocol.Payload;
 
 /**
  * One message, with its ends at the boards.
@@ -70,7 +71,7 @@ final class Message {
      * @param scenes those in which its ends are replayed
      */
     Message(Payload whole, int pieces, String content, Scenes scenes) {
-        kind = whole.kind();
+        kind = whole.kind().toString();
         origin = whole.origin();
         destination = whole.destination();
         nonce = isBroadcast() ? "" : whole.nonce();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import javino.protocol.Payload;
 
 /** Finds which of its host's messages a board has put into a frame, with the run's keys or without. */
 final class Opener {
@@ -87,7 +88,7 @@ final class Opener {
             return false;
         }
         if (frame.isBroadcast()) {
-            byte[] header = Payload.header(frame.destination, frame.origin, asked.content.length);
+            byte[] header = SharedKey.header(frame.destination, frame.origin, asked.content.length);
             return is(frame, SharedKey.join(header, asked.content), null, asked.content);
         }
         return shared.stream().anyMatch(key -> is(frame,
@@ -141,7 +142,7 @@ final class Opener {
 
     private static boolean hasWrongTag(Frame frame, SharedKey key, byte[] content) {
         byte[] right = key.seal(frame.destination, frame.origin, frame.nonce(), content);
-        int end = Math.min(frame.length - SharedKey.TAG, frame.first.length);
+        int end = Math.min(frame.length - Payload.TAG_LENGTH, frame.first.length);
         return right.length == frame.length && Arrays.equals(right, 0, end, frame.first, 0, end);
     }
 }

@@ -3,6 +3,7 @@ package uppaal.replay;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import javino.protocol.Payload;
 
 /**
  * A packet that a board has sent.

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Predicate;
+import javino.protocol.Payload;
 
 /**
  * All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. Their
@@ -187,7 +188,7 @@ final class RadioCell {
     /** A host has given its board a packet of another device to send. */
     void relay(Event event) throws RefusedException {
         Transmission relayed =
-                new Transmission((int) event.number("number"), Payload.ALL, event.number("asked"));
+                new Transmission((int) event.number("number"), Frame.ALL, event.number("asked"));
         relayed.relayed = event.text("payload");
         board(event.board()).transmit(relayed);
     }
@@ -203,9 +204,8 @@ final class RadioCell {
     }
 
     /** A board, or somebody's transmitter, begins to send. */
-    void begin(Event event) throws RefusedException {
+    void begin(Event event, Payload payload) throws RefusedException {
         Station board = board(event.board());
-        Payload payload = Payload.of(event);
         double start = event.number("start");
         if (start < board.lastEnd() - DISORDER) {
             throw new RefusedException(
@@ -233,7 +233,7 @@ final class RadioCell {
                 message.send(payload);
             }
         } else if (payload.isAcknowledgement()) {
-            answer = ANSWERS.getOrDefault(payload.message().length, "");
+            answer = ANSWERS.getOrDefault(payload.message().length(), "");
             answered = own ? acknowledge(start, board, payload, answer)
                     : answers.getOrDefault(payload.hex(), List.of());
             owner = own && answered.size() == 1 ? answered.get(0).receiver(board) : null;
@@ -377,7 +377,7 @@ final class RadioCell {
     private Message known(Station board, Payload payload) {
         if (payload.index() == 0) {
             Payload whole = payload.whole();
-            if (!whole.kind().equals("broadcast")) {
+            if (whole.kind() != Payload.Kind.BROADCAST) {
                 return messages.get(key(whole));
             }
             return board.current(whole.destination()).map(transmission -> transmission.message)
@@ -392,8 +392,8 @@ final class RadioCell {
 
     private Message entered(double start, Payload payload, String prefix) throws RefusedException {
         Payload whole = payload.whole();
-        String content = payload.isPiece() ? "" : HexFormat.of().formatHex(payload.message());
-        Message message = new Message(whole, payload.pieces(), content, scenes);
+        String content = payload.isPiece() ? "" : payload.message().hex();
+        Message message = new Message(whole, Frame.pieces(payload), content, scenes);
         messages.put(message.isBroadcast() ? "broadcast " + broadcasts++ : prefix + key(whole), message);
         for (Station board : boards.values()) {
             String highest = board.highest.get(message.origin + message.destination);
@@ -430,10 +430,10 @@ final class RadioCell {
     /** What somebody sends who is no board of ours: again what was sent before, something of its own, or a forgery. */
     private Message strange(Payload payload) throws RefusedException {
         Payload whole = payload.whole();
-        if (byPayload.containsKey(payload.identity()) && !whole.kind().equals("broadcast")) {
+        if (byPayload.containsKey(payload.identity()) && whole.kind() != Payload.Kind.BROADCAST) {
             return byPayload.get(payload.identity());
         }
-        boolean broadcast = whole.kind().equals("broadcast");
+        boolean broadcast = whole.kind() == Payload.Kind.BROADCAST;
         boolean honest = broadcast || !isOurs(payload.origin());
         boolean begins = payload.index() == 0 && whole.isData() && (broadcast || !whole.nonce().isEmpty());
         if (!begins || !honest && !payload.isPiece()) {
@@ -495,7 +495,7 @@ final class RadioCell {
         }
         able.forEach(message -> heed(board, message));
         meet(board, able::contains);
-        if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message()[0], start) > LOST) {
+        if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message().at(0), start) > LOST) {
             throw new RefusedException(board.name() + " answers " + (LOST + 1)
                     + " times in a row without a piece that came undamaged: " + able.get(0));
         }
@@ -509,7 +509,7 @@ final class RadioCell {
     private static boolean isAnswered(Message message, Station board, Payload acknowledgement, String answer) {
         boolean kind = message.isUnicast() || message.kind.equals("multicast") && answer.equals("stale");
         return kind && board.isConcernedBy(message.destination)
-                && Payload.lastBits(message.nonce) == acknowledgement.answered();
+                && Frame.lastBits(message.nonce) == acknowledgement.answered();
     }
 
     /** A packet has come to a board undamaged; or so that it may have mended it. */
@@ -560,7 +560,7 @@ final class RadioCell {
     /** A sender may hear a copy of what it has sent itself: a relay carries it. */
     private void copied(Packet packet, Station board, boolean undamaged, double seconds) throws RefusedException {
         Payload payload = packet.payload();
-        Message message = payload.kind().equals("unicast") ? messages.get(key(payload)) : null;
+        Message message = payload.kind() == Payload.Kind.UNICAST ? messages.get(key(payload)) : null;
         if (message != null && board.hasBeen(message.origin) && message.sender() != null) {
             message.perhaps(seconds, "copy_comes");
             message.copied(undamaged ? seconds : Double.NEGATIVE_INFINITY);
@@ -599,7 +599,7 @@ final class RadioCell {
             } else if (packet.answer().equals("stale")) {
                 packet.answered().get(0).outdate();
             } else if (packet.answer().equals("pieces")) {
-                packet.answered().get(0).told(payload.message()[0]);
+                packet.answered().get(0).told(payload.message().at(0));
             }
         }
     }
@@ -701,7 +701,7 @@ final class RadioCell {
             String content = HexFormat.of().formatHex(event.textOrEmpty("content").getBytes(StandardCharsets.UTF_8));
             return message.content.isEmpty() || content.isEmpty() || content.equals(message.content);
         }
-        return event.text("id").equals(Payload.id(message.nonce));
+        return event.text("id").equals(Frame.id(message.nonce));
     }
 
     /** A host says that it has taken a message and those before it; or the board confirms that. */

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.TreeSet;
+import javino.protocol.Payload;
 
 /**
  * Replays a trace of emulated boards in the automata of {@code delivery.xml} and {@code handover.xml}: what was on the
@@ -290,8 +291,9 @@ public final class Replay {
         Event event = step.event();
         switch (step.part()) {
             case BEGIN -> {
-                bytes.begin(event);
-                cell.begin(event);
+                Payload payload = Fields.payload(event);
+                bytes.begin(event, payload);
+                cell.begin(event, payload);
             }
             case CARRIER -> cell.carrier(event, step.seconds());
             case END -> cell.end(event);

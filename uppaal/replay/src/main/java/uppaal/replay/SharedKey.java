@@ -7,13 +7,13 @@ import java.util.Optional;
 import javax.crypto.Cipher;
 import javax.crypto.spec.IvParameterSpec;
 import javax.crypto.spec.SecretKeySpec;
+import javino.protocol.Address;
+import javino.protocol.Payload;
 import javino.vectors.Crypto;
 
 /** A key that devices share: what they seal and prove with it (SPEC 5 and 7.3). */
 final class SharedKey {
-    static final int NONCE = 6;
-    static final int TAG = 8;
-    private static final int ADDRESS = 4;
+    private static final int ADDRESS = Address.LENGTH;
     /** What a proof's type differs by where its maker asks for parity. */
     private static final int ASKS_PARITY = 0x10;
 
@@ -26,21 +26,26 @@ final class SharedKey {
         authentication = Crypto.kdf(key, "JavinoMac");
     }
 
+    /** The header of a frame whose message has so many bytes. */
+    static byte[] header(String destination, String origin, int length) {
+        return javino.protocol.Frame.header(Address.parse(destination), Address.parse(origin), length).toArray();
+    }
+
     /** The frame as it crosses the air. */
     byte[] seal(String destination, String origin, byte[] nonce, byte[] content) {
-        byte[] header = Payload.header(destination, origin, NONCE + content.length + TAG);
+        byte[] header = header(destination, origin, Payload.NONCE_LENGTH + content.length + Payload.TAG_LENGTH);
         byte[] cipher = Crypto.cfb(encryption, iv(destination, origin, nonce), content);
         byte[] signed = join(header, nonce, cipher);
-        return join(signed, Arrays.copyOf(Crypto.cmac(authentication, signed), TAG));
+        return join(signed, Arrays.copyOf(Crypto.cmac(authentication, signed), Payload.TAG_LENGTH));
     }
 
     /** The content of a sealed frame; nothing where its tag is wrong. */
     Optional<byte[]> open(byte[] frame) {
-        int end = frame.length - TAG;
+        int end = frame.length - Payload.TAG_LENGTH;
         if (end < Frame.CONTENT) {
             return Optional.empty();
         }
-        byte[] tag = Arrays.copyOf(Crypto.cmac(authentication, Arrays.copyOf(frame, end)), TAG);
+        byte[] tag = Arrays.copyOf(Crypto.cmac(authentication, Arrays.copyOf(frame, end)), Payload.TAG_LENGTH);
         return Arrays.equals(tag, Arrays.copyOfRange(frame, end, frame.length)) ? Optional.of(decrypt(frame, end))
                 : Optional.empty();
     }
@@ -79,14 +84,14 @@ final class SharedKey {
     }
 
     private boolean isExactly(int type, byte[] nonce, String sender, String acknowledger, byte[] message) {
-        int end = message.length - TAG;
+        int end = message.length - Payload.TAG_LENGTH;
         byte[] claim = join(nonce, ascii(sender + acknowledger), Arrays.copyOf(message, end));
         return Arrays.equals(Arrays.copyOfRange(message, end, message.length), proof(type, claim));
     }
 
     /** The proof of what is claimed: nonce, sender, acknowledger and what comes before the proof. */
     byte[] proof(int type, byte[] claim) {
-        return Arrays.copyOf(Crypto.cmac(authentication, join(new byte[] {(byte) type}, claim)), TAG);
+        return Arrays.copyOf(Crypto.cmac(authentication, join(new byte[] {(byte) type}, claim)), Payload.TAG_LENGTH);
     }
 
     static byte[] join(byte[]... parts) {

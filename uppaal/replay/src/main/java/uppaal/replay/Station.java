@@ -13,6 +13,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import javino.protocol.Payload;
 
 /** A board: who it is, what its host has it send, and what it has handed to its host. */
 final class Station {
@@ -122,7 +123,7 @@ final class Station {
     }
 
     boolean isConcernedBy(String destination) {
-        return ids.stream().anyMatch(own -> Payload.concerns(destination, own));
+        return ids.stream().anyMatch(own -> Frame.concerns(destination, own));
     }
 
     /** What it sent at that time, as far as that is known. */
@@ -151,7 +152,7 @@ final class Station {
         }
         transmission.check = checks.get(transmission.destination);
         transmission.mayFail =
-                !transmission.destination.equals(Payload.ALL) && !checks.containsKey(transmission.destination);
+                !transmission.destination.equals(Frame.ALL) && !checks.containsKey(transmission.destination);
         waiting.add(transmission);
         numbered.remove(transmission.number);
         numbered.put(transmission.number, transmission);

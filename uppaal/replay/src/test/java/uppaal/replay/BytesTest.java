@@ -16,6 +16,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import javino.protocol.Payload;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -94,7 +95,7 @@ class BytesTest {
         byte[] right = sealed("SUPP", FIRST, HELP);
         assertRefused(asked("SUPP", HELP).unheard("police", changed(right, -1)),
                 "with a wrong tag; expected that of 'tell;help'");
-        assertRefused(asked("SUPP", HELP).unheard("police", withZeros(right, SharedKey.TAG)), "with a wrong tag");
+        assertRefused(asked("SUPP", HELP).unheard("police", withZeros(right, Payload.TAG_LENGTH)), "with a wrong tag");
         assertRefused(asked("SUPP", HELP).unheard("police", changed(right, Frame.CONTENT)),
                 "police sends a message to SUPP under nonce 000001000000 that opens under none of the 1 keys for it");
         assertRefused(asked("SUPP", HELP).unheard("police", sealed("SUPP", FIRST, "tell;halp")),
@@ -116,7 +117,7 @@ class BytesTest {
         byte[] right = sealed("SUPP", FIRST, HELP);
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", withCipher(right, utf8(HELP))),
                 "police sends a message to SUPP in the clear: 'tell;help'; expected it sealed");
-        byte[] plain = SharedKey.join(Payload.header("SUPP", "SUPO", 14), utf8(HELP), new byte[5]);
+        byte[] plain = SharedKey.join(SharedKey.header("SUPP", "SUPO", 14), utf8(HELP), new byte[5]);
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", plain), "in the clear");
         byte[] first = BEGIN.clone();
         System.arraycopy(utf8(LONG), 0, first, Frame.HEADER + Frame.CONTENT, 51);
@@ -133,7 +134,7 @@ class BytesTest {
                         + "bytes say: the size");
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", sealed("SUPP", FIRST, HELP + "!")),
                 "with a content of 10 bytes; expected 9");
-        byte[] small = SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]);
+        byte[] small = SharedKey.join(SharedKey.header("SUPP", "SUPO", 13), new byte[13]);
         assertRefusedEvenWithoutKeys(asked("SUPP", HELP).unheard("police", small), "no room for nonce and tag");
     }
 
@@ -172,9 +173,9 @@ class BytesTest {
                 "that opens under none of the 1 keys for it");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", changed(END, 20)),
                 "police sends other bytes as piece 1 of SUPO to SUPP, nonce 000001000000; expected those of the whole");
-        assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", withZeros(END, SharedKey.TAG)),
+        assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", withZeros(END, Payload.TAG_LENGTH)),
                 "sends other bytes as piece 1");
-        byte[] shorter = SharedKey.join(Payload.header("+FAJ", "SUPO", 2), new byte[2]);
+        byte[] shorter = SharedKey.join(SharedKey.header("+FAJ", "SUPO", 2), new byte[2]);
         assertRefusedEvenWithoutKeys(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", shorter),
                 "sends other bytes as piece 1");
         assertRefusedEvenWithoutKeys(
@@ -278,7 +279,7 @@ class BytesTest {
     @Test
     void proof_thatIsWrong_isRefusedByName() {
         byte[] right = acknowledgement(FIRST, "");
-        for (byte[] wrong : List.of(changed(right, -1), withZeros(right, SharedKey.TAG),
+        for (byte[] wrong : List.of(changed(right, -1), withZeros(right, Payload.TAG_LENGTH),
                 SharedKey.join(acknowledgement("000002000000", "")))) {
             assertRefused(delivered().unheard("support", wrong),
                     "support acknowledges with a wrong proof; expected that of SUPO to SUPP, nonce 000001000000");
@@ -494,9 +495,9 @@ class BytesTest {
     void stranger_maySendAnything_butAForgeryIsNeverHanded() {
         byte[] right = sealed("SUPP", FIRST, HELP);
         byte[] header =
-                SharedKey.join(Payload.header("+FAA", "SUPO", Frame.HEADER), Payload.header("SUPP", "SUPO", 200));
+                SharedKey.join(SharedKey.header("+FAA", "SUPO", Frame.HEADER), SharedKey.header("SUPP", "SUPO", 200));
         for (byte[] any : List.of(changed(right, -1), header, new byte[] {1, 2, 3}, BEGIN, changed(END, -1),
-                acknowledgement(SECOND, ""), SharedKey.join(Payload.header("SUPP", "SUPO", 13), new byte[13]))) {
+                acknowledgement(SECOND, ""), SharedKey.join(SharedKey.header("SUPP", "SUPO", 13), new byte[13]))) {
             assertAccepted(new Talk().sends("thief", any), "0 messages opened, 0 proofs");
         }
         assertAccepted(asked("SUPP", HELP).unheard("police", right).sends("thief", right).hands(0, FIRST, HELP),

@@ -7,6 +7,8 @@ import java.util.HashMap;
 import java.util.HexFormat;
 
 import java.util.Map;
+import javino.protocol.Address;
+import javino.protocol.Payload;
 
 /** A trace of two boards, the police SUPO and the support SUPP, with what they would send. One event a second. */
 final class Talk {
@@ -16,7 +18,7 @@ final class Talk {
     static final String LONG = "tell;" + "x".repeat(70);
     private static final Map<Integer, Integer> TYPES = Map.of(0, 6, 1, 7, 8, 8);
     private static final int ASKS_PARITY = 0x10;
-    private static final int PIECE = 67;
+    private static final int PIECE = Payload.PART_LENGTH;
 
     final Lines lines = new Lines();
 
@@ -86,10 +88,7 @@ final class Talk {
     }
 
     static String kind(byte[] payload) {
-        String to = Payload.lengthIn(payload) == payload.length ? new String(payload, 0, 4, StandardCharsets.US_ASCII)
-                : "";
-        return to.isEmpty() ? "no frame" : to.startsWith("+F") ? "piece" : to.startsWith("+K") ? "acknowledgement"
-                : to.equals("////") ? "broadcast" : to.startsWith("//") ? "multicast" : "unicast";
+        return Payload.of(javino.protocol.Bytes.copyOf(payload)).kind().toString();
     }
 
     static byte[] sealed(String destination, String nonce, String content) {
@@ -99,13 +98,13 @@ final class Talk {
 
     static byte[] broadcast(String content) {
         byte[] message = content.getBytes(StandardCharsets.UTF_8);
-        return SharedKey.join(Payload.header("////", "SUPO", message.length), message);
+        return SharedKey.join(SharedKey.header("////", "SUPO", message.length), message);
     }
 
     /** @param digits of the id and the index */
     static byte[] piece(String digits, byte[] frame, int index) {
         byte[] message = Arrays.copyOfRange(frame, index * PIECE, Math.min(frame.length, (index + 1) * PIECE));
-        return SharedKey.join(Payload.header("+F" + digits, "SUPO", message.length), message);
+        return SharedKey.join(SharedKey.header("+F" + digits, "SUPO", message.length), message);
     }
 
     /** The support acknowledges. */
@@ -118,10 +117,8 @@ final class Talk {
         int type = TYPES.get(said.length) + (asksParity ? ASKS_PARITY : 0);
         byte[] proof = PAIR.proof(type, SharedKey.join(HexFormat.of().parseHex(nonce),
                 "SUPOSUPP".getBytes(StandardCharsets.US_ASCII), said));
-        int last = Payload.lastBits(nonce);
-        String digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         return SharedKey.join(
-                Payload.header("+K" + digits.charAt(last >> 6) + digits.charAt(last & 63), "SUPP",
+                SharedKey.header(Address.acknowledgement(Frame.lastBits(nonce)).toString(), "SUPP",
                         said.length + proof.length),
                 said, proof);
     }
