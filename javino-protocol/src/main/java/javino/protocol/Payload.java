@@ -2,35 +2,28 @@ package javino.protocol;
 
 import java.nio.charset.StandardCharsets;
 
-/** What crosses the air in one packet, as far as it can be read without keys (SPEC 2, 5 and 7): it may be anything. */
-public final class Payload {
+/**
+ * What crosses the air in one packet, as far as it can be read without keys (SPEC 2, 5 and 7): it may be anything.
+ *
+ * @param kind  by its bytes; if these are only the beginning of a frame, by its header.
+ * @param bytes all of it.
+ */
+public record Payload(Kind kind, Bytes bytes) {
 
     /** The longest part of a frame in a piece. */
     public static final int PART_LENGTH = 67;
-    /** Of a sealed message: the nonce before its content, and the tag behind it. */
+    /** Of a sealed message: the nonce before its content. */
     public static final int NONCE_LENGTH = 6;
-    /** The tag; also the proof at the end of an acknowledgement. */
+    /** The tag behind a sealed content; also the proof at the end of an acknowledgement. */
     public static final int TAG_LENGTH = 8;
 
-    private static final int SIZE_OFFSET = 8;
+    private static final int SIZE_OFFSET = 2 * Address.LENGTH;
     private static final int ASKS = 8;
 
     /** What a payload is, named as in a trace of the emulator. */
     public enum Kind {
-        /** A message to one device. */
-        UNICAST("unicast"),
-        /** A message to a group. */
-        MULTICAST("multicast"),
-        /** A message to all. */
-        BROADCAST("broadcast"),
-        /** A part of a longer frame. */
-        PIECE("piece"),
-        /** The answer to a frame. */
-        ACKNOWLEDGEMENT("acknowledgement"),
-        /** A frame to another address. */
-        RESERVED("reserved"),
-        /** Other bytes. */
-        NO_FRAME("no frame");
+        UNICAST("unicast"), MULTICAST("multicast"), BROADCAST("broadcast"), PIECE("piece"),
+        ACKNOWLEDGEMENT("acknowledgement"), RESERVED("reserved"), NO_FRAME("no frame");
 
         private final String text;
 
@@ -44,32 +37,15 @@ public final class Payload {
         }
     }
 
-    private final Kind kind;
-    private final Bytes bytes;
-    private final String hex;
-    private final String destination;
-    private final String origin;
-    private final Bytes message;
-
-    private Payload(Kind kind, Bytes bytes) {
-        boolean isFrame = kind != Kind.NO_FRAME;
-        this.kind = kind;
-        this.bytes = bytes;
-        hex = bytes.hex();
-        destination = isFrame ? address(bytes, 0) : "";
-        origin = isFrame ? address(bytes, Address.LENGTH) : "";
-        message = isFrame ? bytes.from(Frame.HEADER_LENGTH) : bytes;
-    }
-
     /** Reads a packet's payload. */
     public static Payload of(Bytes bytes) {
-        return new Payload(lengthIn(bytes) == bytes.length() ? kind(address(bytes, 0)) : Kind.NO_FRAME, bytes);
+        return new Payload(lengthIn(bytes) == bytes.length() ? kind(text(bytes, 0)) : Kind.NO_FRAME, bytes);
     }
 
     private static Kind kind(String to) {
-        Kind toDevices = kindOfFrame(to);
-        if (toDevices != Kind.UNICAST || Digits.value(to.charAt(0)) < Digits.value('+')) {
-            return toDevices;
+        Kind ofFrame = kindOfFrame(to);
+        if (ofFrame != Kind.UNICAST || Digits.value(to.charAt(0)) < Digits.value('+')) {
+            return ofFrame;
         }
         boolean isPiece = to.startsWith("+F") && Digits.value(to.charAt(3)) < 2 * ASKS;
         return isPiece ? Kind.PIECE : to.startsWith("+K") ? Kind.ACKNOWLEDGEMENT : Kind.RESERVED;
@@ -79,7 +55,7 @@ public final class Payload {
         return to.equals("////") ? Kind.BROADCAST : to.startsWith("//") ? Kind.MULTICAST : Kind.UNICAST;
     }
 
-    private static String address(Bytes bytes, int at) {
+    private static String text(Bytes bytes, int at) {
         return new String(bytes.slice(at, at + Address.LENGTH).toArray(), StandardCharsets.US_ASCII);
     }
 
@@ -91,42 +67,34 @@ public final class Payload {
         return bits >= 0 && bits % 8 == 0 ? Frame.HEADER_LENGTH + bits / 8 : 0;
     }
 
-    /** What it is. */
-    public Kind kind() {
-        return kind;
+    private boolean isFrame() {
+        return kind != Kind.NO_FRAME;
     }
 
-    /** All bytes. */
-    public Bytes bytes() {
-        return bytes;
-    }
-
-    /** All bytes in hexadecimal digits. */
+    /** All of it in hexadecimal digits. */
     public String hex() {
-        return hex;
+        return bytes.hex();
     }
 
-    /** What follows the header of a frame; else all. */
-    public Bytes message() {
-        return message;
-    }
-
-    /** The address of whom it is for; empty if it is no frame. */
+    /** The address that it goes to; empty if it is no frame. */
     public String destination() {
-        return destination;
+        return isFrame() ? text(bytes, 0) : "";
     }
 
     /** The address of its sender; empty if it is no frame. */
     public String origin() {
-        return origin;
+        return isFrame() ? text(bytes, Address.LENGTH) : "";
     }
 
-    /** Whether it is a part of a longer frame. */
+    /** What follows the header of a frame; else all. */
+    public Bytes message() {
+        return isFrame() ? bytes.from(Frame.HEADER_LENGTH) : bytes;
+    }
+
     public boolean isPiece() {
         return kind == Kind.PIECE;
     }
 
-    /** Whether it answers a frame. */
     public boolean isAcknowledgement() {
         return kind == Kind.ACKNOWLEDGEMENT;
     }
@@ -162,27 +130,27 @@ public final class Payload {
 
     /** What it is a part of: of a first piece the frame whose header it holds, as far as it is there; else itself. */
     public Payload whole() {
-        boolean begins = isPiece() && index() == 0 && message.length() >= Frame.HEADER_LENGTH;
-        return begins ? new Payload(kindOfFrame(address(message, 0)), message) : this;
+        boolean begins = isPiece() && index() == 0 && message().length() >= Frame.HEADER_LENGTH;
+        return begins ? new Payload(kindOfFrame(text(message(), 0)), message()) : this;
     }
 
     /** Whether it is a message to a device or a group, in one packet and with room for a nonce. */
     public boolean hasNonce() {
-        return (kind == Kind.UNICAST || kind == Kind.MULTICAST) && message.length() >= NONCE_LENGTH;
+        return (kind == Kind.UNICAST || kind == Kind.MULTICAST) && message().length() >= NONCE_LENGTH;
     }
 
     /** Of a message with room for nonce and tag: the nonce in hexadecimal digits; else empty. */
     public String nonce() {
-        return message.length() < NONCE_LENGTH + TAG_LENGTH ? "" : message.slice(0, NONCE_LENGTH).hex();
+        return message().length() < NONCE_LENGTH + TAG_LENGTH ? "" : message().slice(0, NONCE_LENGTH).hex();
     }
 
     /** The last 12 bits of the nonce. */
     public int lastBits() {
-        return (int) message.number(NONCE_LENGTH - 2, NONCE_LENGTH) & 0xFFF;
+        return (int) message().number(NONCE_LENGTH - 2, NONCE_LENGTH) & 0xFFF;
     }
 
     /** The same for every time that the same piece, or frame, is sent. */
     public String identity() {
-        return isPiece() ? "piece " + origin + pieceId() + "/" + index() + message.hex() : hex;
+        return isPiece() ? "piece " + origin() + pieceId() + "/" + index() + message().hex() : hex();
     }
 }

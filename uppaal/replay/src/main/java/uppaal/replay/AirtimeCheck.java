@@ -3,6 +3,7 @@ package uppaal.replay;
 import java.util.Locale;
 import javino.protocol.Airtime;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /** Packets must be on the air as long as their bytes take (SPEC 6). */
 final class AirtimeCheck {
@@ -18,21 +19,21 @@ final class AirtimeCheck {
     }
 
     /** A packet of ours has as many bits as its bytes need (SPEC 6); a reset or the end may break off a trailer. */
-    static void check(Event event, Payload payload, Station board) throws RefusedException {
+    static void check(TraceEvent event, Payload payload, Station board) throws RefusedException {
         if (!board.isNamed() && !board.copies.isOn()) {
             return;
         }
-        double bits = event.number("bits");
+        double bits = event.real("bits");
         String trailer = event.textOrEmpty("trailer");
         int least = Airtime.bits(payload.bytes().length());
         int all = least + trailerBits(trailer, payload.bytes().length());
         // The trace's end breaks a packet off, too.
-        boolean mayBreakOff = event.fields().has("cut") || !board.ear.isSure(event.number("start"), event.seconds());
+        boolean mayBreakOff = event.has("cut") || !board.ear.isSure(event.real("start"), event.seconds());
         if (bits != all && !(mayBreakOff && bits >= least && bits < all)) {
             throw new RefusedException(event.board() + " sends " + (int) bits + " bits; expected " + all
                     + " for these bytes" + (trailer.isEmpty() ? "" : " and this trailer"));
         }
-        double seconds = event.number("end") - event.number("start");
+        double seconds = event.real("end") - event.real("start");
         double rate = (bits - 1) / seconds;
         if (!(rate >= LEAST_RATE && rate <= MOST_RATE && (mayBreakOff || board.ear.fits(bits, seconds)))) {
             throw new RefusedException(String.format(Locale.ROOT,
@@ -50,11 +51,11 @@ final class AirtimeCheck {
     }
 
     /** What reaches a board takes as long as it was sent, but for a trailer. */
-    static void checkArrival(Event event, Packet packet) throws RefusedException {
-        if (!event.fields().has("payload")) {
+    static void checkArrival(TraceEvent event, Packet packet) throws RefusedException {
+        if (!event.has("payload")) {
             return;
         }
-        double end = event.number("end");
+        double end = event.real("end");
         double bit = (packet.end() - packet.start()) / packet.bits();
         double least = packet.start() + bit * (Airtime.bits(packet.payload().bytes().length()) - 2);
         if (end < Math.min(least, packet.end()) - RadioCell.DISORDER || end > packet.end() + RadioCell.DISORDER) {

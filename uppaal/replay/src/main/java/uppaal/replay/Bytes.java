@@ -1,6 +1,5 @@
 package uppaal.replay;
 
-import com.google.gson.JsonParseException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -13,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /**
  * Holds the bytes of each packet to what SPEC 2, 5 and 7 say of them, and to what hosts gave and got. What our boards
@@ -53,7 +53,7 @@ final class Bytes {
         return content == null ? "what nobody knows" : "'" + shown(new String(content, StandardCharsets.UTF_8)) + "'";
     }
 
-    private Desk desk(Event event) {
+    private Desk desk(TraceEvent event) {
         return desk(event.board());
     }
 
@@ -61,57 +61,57 @@ final class Bytes {
         return desks.computeIfAbsent(board, Desk::new);
     }
 
-    void reset(Event event) {
+    void reset(TraceEvent event) {
         desk(event).reset(event.seconds());
     }
 
-    void named(Event event) throws RefusedException {
+    void named(TraceEvent event) throws RefusedException {
         Desk desk = desk(event);
         desk.ids.add(event.text("id"));
-        if (event.fields().has("epoch")) {
+        if (event.has("epoch")) {
             desk.greetedAt = desk.greetedAt < 0 ? event.seconds() : desk.greetedAt;
             desk.told(HexFormat.fromHexDigits(event.text("epoch")));
         }
     }
 
-    void transmit(Event event) {
+    void transmit(TraceEvent event) {
         desk(event).ask(
-                new Desk.Asked((int) event.number("number"), event.text("destination"), content(event)));
+                new Desk.Asked(event.number("number"), event.text("destination"), content(event)));
     }
 
-    void outcome(Event event) {
-        desk(event).end((int) event.number("number"));
+    void outcome(TraceEvent event) {
+        desk(event).end(event.number("number"));
     }
 
     /** What the event says was said; null where it does not say that, and without keys it need not. */
-    private byte[] content(Event event) {
+    private byte[] content(TraceEvent event) {
         Optional<byte[]> said = event.said();
         if (said.isEmpty() && opener.hasKeys()) {
-            throw new JsonParseException("an event '" + event.name() + "' without 'content'");
+            throw event.wrong("an event '" + event.name() + "' without 'content'");
         }
         return said.orElse(null);
     }
 
     /** Somebody begins to send a packet. */
-    void begin(Event event, Payload payload) throws RefusedException {
+    void begin(TraceEvent event, Payload payload) throws RefusedException {
         Desk desk = desk(event);
         boolean isOwn = desk.ids.contains(payload.origin());
         if (payload.isAcknowledgement()) {
-            answer(desk, payload, event.number("start"));
+            answer(desk, payload, event.real("start"));
         } else if (!payload.isData()) {
             return;
         } else if (!isOwn) {
-            remember(payload, event.number("start"));
+            remember(payload, event.real("start"));
         } else if (payload.index() != 0) {
             later(desk, payload);
         } else {
-            first(desk, new Frame(payload, event.number("start")), payload);
+            first(desk, new Frame(payload, event.real("start")), payload);
         }
         Frame cut = isOwn && payload.isPiece() ? desk.cut.get(payload.pieceId()) : null;
         if (cut != null) {
             order(desk, cut, payload);
         }
-        if (event.fields().has("trailer")) {
+        if (event.has("trailer")) {
             trailed.add(payload.origin() + (cut == null ? payload.destination() : cut.destination));
         }
     }
@@ -236,8 +236,8 @@ final class Bytes {
      *
      * @param sent as its sender has sent it
      */
-    void reach(Event event, Payload sent) throws RefusedException {
-        if (event.fields().has("payload")) {
+    void reach(TraceEvent event, Payload sent) throws RefusedException {
+        if (event.has("payload")) {
             Fields.payload(event);
         }
         if (sent.isPiece()) {
@@ -290,7 +290,7 @@ final class Bytes {
     }
 
     /** A board hands its host a message: what was said, and to whom. */
-    void hand(Event event) throws RefusedException {
+    void hand(TraceEvent event) throws RefusedException {
         byte[] content = content(event);
         if (content == null) {
             return;
@@ -307,7 +307,7 @@ final class Bytes {
         }
     }
 
-    private static boolean isHanded(Frame frame, Event event) {
+    private static boolean isHanded(Frame frame, TraceEvent event) {
         return frame.origin.equals(event.text("origin")) && frame.destination.equals(event.text("destination"))
                 && event.text("id").equals(frame.isBroadcast() ? NO_ID : Frame.id(frame.nonceHex));
     }

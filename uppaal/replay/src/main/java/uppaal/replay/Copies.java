@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /** What a board may send as a relay (SPEC 7.5): copies of unicasts that came to it, and of their acknowledgements. */
 final class Copies {
@@ -118,9 +119,10 @@ final class Copies {
         if (isAnswer(payload)) {
             packets.values().stream().filter(copied -> copied.isAnsweredBy(payload))
                     .forEach(copied -> answered(copied, packet, undamaged));
-        } else if (payload.kind() == Payload.Kind.UNICAST && payload.hasNonce() && !ids.contains(payload.origin()) && !ids.contains(payload.destination())) {
-            unicast(packet, undamaged, seconds);
-        }
+        } else if (payload.kind() == Payload.Kind.UNICAST && payload.hasNonce() && !ids.contains(payload.origin())
+                && !ids.contains(payload.destination())) {
+                    unicast(packet, undamaged, seconds);
+                }
     }
 
     private static boolean isAnswer(Payload payload) {
@@ -203,8 +205,8 @@ final class Copies {
     }
 
     /** The board begins to send a packet of somebody else's. */
-    void sends(Event event, Payload payload, Ear ear) throws RefusedException {
-        double start = event.number("start");
+    void sends(TraceEvent event, Payload payload, Ear ear) throws RefusedException {
+        double start = event.real("start");
         if (on != null && !on) {
             throw new RefusedException(name + " copies " + what(payload) + "; expected that it relays nothing");
         }
@@ -247,12 +249,12 @@ final class Copies {
         copied.handedOn = false;
         copied.hops = event.hops();
         copied.quiet = REPEAT;
-        copied.happened = event.number("end");
+        copied.happened = event.real("end");
         copied.seen = copied.happened;
         copied.repeatedFrom = copied.happened + (REPEAT_AFTER - EARLY) * ear.slot();
     }
 
-    private void sendsAnswer(Event event, Payload payload, double start, Ear ear) throws RefusedException {
+    private void sendsAnswer(TraceEvent event, Payload payload, double start, Ear ear) throws RefusedException {
         Optional<Copied> able = packets.values().stream()
                 .filter(copied -> copied.copied && copied.answers.containsKey(payload.hex())).findFirst();
         if (able.isEmpty()) {
@@ -266,11 +268,11 @@ final class Copies {
         }
         checkQuiet(what(payload), copied.carried == 0 ? ANSWER : AGAIN, start, ear);
         copied.carried++;
-        copied.happened = event.number("end");
+        copied.happened = event.real("end");
     }
 
-    private void checkForm(Event event, Payload payload, boolean[] came) throws RefusedException {
-        if (event.fields().has("trailer")) {
+    private void checkForm(TraceEvent event, Payload payload, boolean[] came) throws RefusedException {
+        if (event.has("trailer")) {
             throw new RefusedException(name + " copies " + what(payload) + " with a trailer; expected none");
         }
         if (!came[(event.hops() + MODULUS - 1) % MODULUS]) {
@@ -293,9 +295,9 @@ final class Copies {
     }
 
     /** Unicasts that nobody acknowledges take a tenth of the air at most. */
-    private void pay(Event event, Payload payload, Copied copied) throws RefusedException {
-        double start = event.number("start");
-        double cost = event.number("end") - start;
+    private void pay(TraceEvent event, Payload payload, Copied copied) throws RefusedException {
+        double start = event.real("start");
+        double cost = event.real("end") - start;
         credit = filled == Double.NEGATIVE_INFINITY ? credit
                 : Math.min(MOST_CREDIT, credit + (start - filled) * SHARE * ROUNDED);
         filled = start;

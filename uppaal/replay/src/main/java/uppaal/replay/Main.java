@@ -1,12 +1,11 @@
 package uppaal.replay;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Set;
+import trace.TraceReader;
 
 /** {@code gradle checkTrace}: says in one line whether the model allows what a trace tells. */
 public final class Main {
@@ -33,8 +32,8 @@ public final class Main {
             return 2;
         }
         Replay replay = keys == null ? new Replay() : new Replay(keys);
-        try (BufferedReader lines = Files.newBufferedReader(file)) {
-            lines.lines().forEach(replay::line);
+        try {
+            TraceReader.read(file, replay::event);
             replay.finish();
         } catch (IllegalArgumentException wrong) {
             System.err.println("model: " + file + ", " + wrong.getMessage());
@@ -42,7 +41,7 @@ public final class Main {
         } catch (NoSuchFileException missing) {
             System.err.println("model: " + file + ": there is no such file");
             return 2;
-        } catch (IOException | UncheckedIOException unreadable) {
+        } catch (IOException unreadable) {
             System.err.println("model: " + file + " cannot be read: " + unreadable);
             return 2;
         }

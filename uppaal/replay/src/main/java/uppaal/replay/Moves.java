@@ -3,6 +3,7 @@ package uppaal.replay;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import trace.TraceEvent;
 
 /**
  * Holds what hosts say to each other of agents that move to the automata of {@code handover.xml} (SPEC 9). It passes
@@ -25,7 +26,7 @@ final class Moves {
     }
 
     /** A host wants a message to be sent. */
-    void says(Event event) throws RefusedException {
+    void says(TraceEvent event) throws RefusedException {
         Optional<MoveWord> said = event.said().flatMap(MoveWord::of);
         if (said.isEmpty()) {
             return;
@@ -77,7 +78,7 @@ final class Moves {
     }
 
     /** A board hands a message to its host. What goes to many, a host drops, and what has no such form. */
-    void hears(Event event) {
+    void hears(TraceEvent event) {
         Optional<MoveWord> said = event.said().flatMap(MoveWord::of).filter(MoveWord::isRight);
         if (said.isEmpty() || event.text("destination").startsWith("//")) {
             return;
@@ -120,7 +121,7 @@ final class Moves {
     }
 
     /** A board says hello, perhaps to a host that has been started again. */
-    void greets(Event event) {
+    void greets(TraceEvent event) {
         ends.values().stream().filter(end -> end.board.equals(event.board())).forEach(MoveEnd::mayDie);
     }
 

@@ -17,6 +17,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Predicate;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /**
  * All boards, and all messages of which something was on the air. Tells the messages' automata what boards do. Their
@@ -81,7 +82,7 @@ final class RadioCell {
      *
      * @param power whether it loses its RAM
      */
-    void reset(Event event, boolean power) throws RefusedException {
+    void reset(TraceEvent event, boolean power) throws RefusedException {
         Station board = board(event.board());
         boolean wasOff = board.turns(event.name().equals("fault"));
         if (board.lastEnd() > event.seconds() + DISORDER + board.ear.slot()) {
@@ -114,19 +115,19 @@ final class RadioCell {
     }
 
     /** A host has its board's radio opened or blocked. */
-    void radio(Event event) {
+    void radio(TraceEvent event) {
         Station board = board(event.board());
         board.open(event.text("radio").equals("open"), event.seconds());
         forgetHeard(board);
     }
 
     /** A board tells whether it is a relay. */
-    void relaying(Event event) {
+    void relaying(TraceEvent event) {
         board(event.board()).copies.set(event.text("relaying").equals("on"));
     }
 
     /** A host has done something with a key. */
-    void key(Event event) throws RefusedException {
+    void key(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
         String step = event.text("step");
         String address = event.text("address");
@@ -148,7 +149,7 @@ final class RadioCell {
     }
 
     /** The run is over: up to now a board has done all that was due. */
-    void over(Event event) throws RefusedException {
+    void over(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
         for (Message message : messages.values()) {
             message.await(event.seconds(), board);
@@ -174,21 +175,21 @@ final class RadioCell {
         }
     }
 
-    void named(Event event) {
+    void named(TraceEvent event) {
         board(event.board()).name(event.text("id"));
     }
 
-    void transmit(Event event) throws RefusedException {
+    void transmit(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
-        board.transmit(new Transmission((int) event.number("number"), event.text("destination"),
-                event.number("asked")));
-        crowd(event.number("asked"), board);
+        board.transmit(new Transmission(event.number("number"), event.text("destination"),
+                event.real("asked")));
+        crowd(event.real("asked"), board);
     }
 
     /** A host has given its board a packet of another device to send. */
-    void relay(Event event) throws RefusedException {
+    void relay(TraceEvent event) throws RefusedException {
         Transmission relayed =
-                new Transmission((int) event.number("number"), Frame.ALL, event.number("asked"));
+                new Transmission(event.number("number"), Frame.ALL, event.real("asked"));
         relayed.relayed = event.text("payload");
         board(event.board()).transmit(relayed);
     }
@@ -204,9 +205,9 @@ final class RadioCell {
     }
 
     /** A board, or somebody's transmitter, begins to send. */
-    void begin(Event event, Payload payload) throws RefusedException {
+    void begin(TraceEvent event, Payload payload) throws RefusedException {
         Station board = board(event.board());
-        double start = event.number("start");
+        double start = event.real("start");
         if (start < board.lastEnd() - DISORDER) {
             throw new RefusedException(
                     board.name() + " begins to send; expected that its last packet ends first");
@@ -221,7 +222,7 @@ final class RadioCell {
                     board.name() + " sends its own packet with " + event.hops() + " hops behind it; expected none");
         }
         AirtimeCheck.check(event, payload, board);
-        board.ear.learn(event.number("bits"), start, event.number("end"));
+        board.ear.learn(event.real("bits"), start, event.real("end"));
         Message message = null;
         List<Message> answered = List.of();
         String answer = "";
@@ -244,26 +245,26 @@ final class RadioCell {
         board.questions.pass(start, board.ear);
         board.ear.begin(start, payload.isData() && !copy ? "own_message" : "own_answer", owner);
         board.send(
-                new Packet(board.name(), payload, start, event.number("end"), event.number("bits"), message, answered,
+                new Packet(board.name(), payload, start, event.real("end"), event.real("bits"), message, answered,
                         answer, event.hops(), owner));
     }
 
     /** It has ended to send. */
-    void end(Event event) throws RefusedException {
+    void end(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
-        board.ear.end(event.number("end"), "own_end",
-                board.sentAt(event.number("start")).map(Packet::owner).orElse(null));
+        board.ear.end(event.real("end"), "own_end",
+                board.sentAt(event.real("start")).map(Packet::owner).orElse(null));
     }
 
     /** A board may hear somebody else from now on. */
-    void carrier(Event event, double seconds) throws RefusedException {
+    void carrier(TraceEvent event, double seconds) throws RefusedException {
         Station board = board(event.board());
         board.questions.pass(seconds, board.ear);
         board.ear.begin(seconds, "carrier", null);
     }
 
     /** And no longer. */
-    void silence(Event event, double seconds) throws RefusedException {
+    void silence(TraceEvent event, double seconds) throws RefusedException {
         board(event.board()).ear.end(seconds, "silence", null);
     }
 
@@ -271,7 +272,7 @@ final class RadioCell {
      * A board tells its host something: before that, all that has ended. It tells several outcomes in one reply, so
      * that what one reply lacks is known with the next.
      */
-    void tell(Event event) throws RefusedException {
+    void tell(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
         boolean outcome = event.name().equals("host-outcome");
         double before = board.lastReply(event.seconds());
@@ -295,7 +296,7 @@ final class RadioCell {
             }
         }
         for (Transmission transmission : board.open().toList()) {
-            boolean told = outcome && transmission.number == event.number("number");
+            boolean told = outcome && transmission.number == event.real("number");
             End sender = told || transmission.message == null ? null : transmission.message.sender();
             if (sender != null && sender.ended() < reply - LATE) {
                 throw new RefusedException(board.name() + " tells its host something, and not how a message has ended ("
@@ -513,14 +514,14 @@ final class RadioCell {
     }
 
     /** A packet has come to a board undamaged; or so that it may have mended it. */
-    void reach(Event event, double seconds) throws RefusedException {
+    void reach(TraceEvent event, double seconds) throws RefusedException {
         Station board = board(event.board());
         Packet packet = source(event).orElseThrow(() -> new RefusedException(board.name()
                 + " hears a packet; expected that a board has sent it"));
-        if (event.fields().has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
+        if (event.has("payload") && !packet.payload().hex().equals(event.text("payload"))) {
             throw new RefusedException(board.name() + " hears a packet that is not as it was sent");
         }
-        if (event.fields().has("payload") && event.hops() != packet.hops()) {
+        if (event.has("payload") && event.hops() != packet.hops()) {
             throw new RefusedException(board.name() + " hears a packet with " + event.hops()
                     + " hops behind it; expected " + packet.hops() + ", as it was sent");
         }
@@ -529,8 +530,8 @@ final class RadioCell {
             throw new RefusedException(board.name()
                     + " hears a packet again or from itself; expected that each comes once to each other board");
         }
-        boolean undamaged = event.fields().has("payload") && board.lastEnd() < packet.start()
-                && board.ear.isSure(packet.start(), event.number("end") - DISORDER);
+        boolean undamaged = event.has("payload") && board.lastEnd() < packet.start()
+                && board.ear.isSure(packet.start(), event.real("end") - DISORDER);
         hear(packet, board, undamaged, seconds);
         board.copies.hears(packet, undamaged, seconds);
         copied(packet, board, undamaged, seconds);
@@ -653,16 +654,16 @@ final class RadioCell {
     }
 
     /** The packet that somebody hears; nothing where the trace has not told who sends it. */
-    Optional<Packet> source(Event event) {
-        double start = event.number("start");
-        Collection<Station> from = event.fields().has("from") ? List.of(board(event.text("from"))) : boards.values();
+    Optional<Packet> source(TraceEvent event) {
+        double start = event.real("start");
+        Collection<Station> from = event.has("from") ? List.of(board(event.text("from"))) : boards.values();
         return from.stream().flatMap(board -> board.sentAt(start).stream()).findFirst();
     }
 
     /** A board has handed a message to its host. */
-    void hand(Event event) throws RefusedException {
+    void hand(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
-        int number = (int) event.number("number");
+        int number = event.number("number");
         Message before = board.handed.get(number);
         if (before != null && isHanded(before, event)) {
             before.receiver(event.seconds(), board, "hand_again");
@@ -693,7 +694,7 @@ final class RadioCell {
         board.met(which).forEach(message -> missed.remove(message.sort()));
     }
 
-    private static boolean isHanded(Message message, Event event) {
+    private static boolean isHanded(Message message, TraceEvent event) {
         if (!message.origin.equals(event.text("origin")) || !message.destination.equals(event.text("destination"))) {
             return false;
         }
@@ -705,9 +706,9 @@ final class RadioCell {
     }
 
     /** A host says that it has taken a message and those before it; or the board confirms that. */
-    void take(Event event, String step) throws RefusedException {
+    void take(TraceEvent event, String step) throws RefusedException {
         Station board = board(event.board());
-        int number = (int) event.number("number");
+        int number = event.number("number");
         if (step.equals("taking")) {
             board.take(number, event.seconds());
         } else if (!board.confirm(number)) {
@@ -762,11 +763,11 @@ final class RadioCell {
     }
 
     /** A board tells its host how a transmission ended. */
-    void outcome(Event event) throws RefusedException {
+    void outcome(TraceEvent event) throws RefusedException {
         Station board = board(event.board());
         String outcome = event.text("outcome");
         Transmission transmission =
-                board.numbered((int) event.number("number")).orElseThrow(() -> new RefusedException(board.name()
+                board.numbered(event.number("number")).orElseThrow(() -> new RefusedException(board.name()
                         + " reports " + outcome + " for a message that its host has not given it"));
         if (!transmission.outcome.isEmpty()) {
             if (!transmission.outcome.equals(outcome)) {

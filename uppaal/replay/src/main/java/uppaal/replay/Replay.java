@@ -3,7 +3,6 @@ package uppaal.replay;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParseException;
 import com.google.gson.JsonPrimitive;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -14,6 +13,7 @@ import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.TreeSet;
 import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /**
  * Replays a trace of emulated boards in the automata of {@code delivery.xml} and {@code handover.xml}: what was on the
@@ -39,7 +39,7 @@ public final class Replay {
         BEGIN, CARRIER, EVENT, END, SILENCE
     }
 
-    private record Step(double seconds, Event event, Part part) {}
+    private record Step(double seconds, TraceEvent event, Part part) {}
 
     /** A packet that breaks off is not in the trace: so long it may have been, in seconds, before a board was reset. */
     private static final double BROKEN_OFF = 2;
@@ -56,7 +56,7 @@ public final class Replay {
     private final PriorityQueue<Step> steps =
             new PriorityQueue<>(
                     Comparator.comparingDouble(Step::seconds).thenComparing(step -> step.part() != Part.BEGIN)
-                            .thenComparing(step -> step.event().index()).thenComparing(Step::part));
+                            .thenComparing(step -> step.event().number()).thenComparing(Step::part));
     private final Disturbances disturbances = new Disturbances();
     private final Keys keys;
     private final Scenes scenes;
@@ -103,39 +103,37 @@ public final class Replay {
         disturbances.add(0, Double.POSITIVE_INFINITY);
     }
 
-    /**
-     * Takes the next line.
-     *
-     * @throws IllegalArgumentException where it is no line of a trace
-     */
+    /** Takes the next line, as {@link #event}. */
     public synchronized void line(String line) {
         lines++;
+        if (refusal == null) {
+            event(TraceEvent.parse(lines, line));
+        }
+    }
+
+    /**
+     * Takes the next event.
+     *
+     * @throws trace.MalformedEventException where it, or one before it, lacks something
+     */
+    public synchronized void event(TraceEvent event) {
         if (refusal != null) {
             return;
         }
-        try {
-            Event event = Event.parse(lines, line);
-            if (event.seconds() < now - DISORDER) {
-                refuse(event, "time runs backwards; expected a time of " + String.format(Locale.ROOT, "%.6f s", now)
-                        + " or later");
-                return;
-            }
-            now = Math.max(now, event.seconds());
-            enter(event);
-        } catch (JsonParseException wrong) {
-            throw wrong(lines, wrong);
+        if (event.seconds() < now - DISORDER) {
+            refuse(event, "time runs backwards; expected a time of " + String.format(Locale.ROOT, "%.6f s", now)
+                    + " or later");
+            return;
         }
+        now = Math.max(now, event.seconds());
+        enter(event);
         perform(now - LATEST);
-    }
-
-    private static IllegalArgumentException wrong(int line, JsonParseException why) {
-        return new IllegalArgumentException("line " + line + " is no line of a trace: " + why.getMessage(), why);
     }
 
     /**
      * The trace has ended.
      *
-     * @throws IllegalArgumentException where one of its last lines was none of a trace
+     * @throws trace.MalformedEventException where one of its last events lacks something
      */
     public synchronized void finish() {
         ended = true;
@@ -175,25 +173,25 @@ public final class Replay {
         return Handover.edges();
     }
 
-    private void enter(Event event) {
+    private void enter(TraceEvent event) {
         switch (event.name()) {
             case "rf-tx" -> {
-                enter(event.number("start"), event, Part.BEGIN);
-                enter(event.number("end"), event, Part.END);
+                enter(event.real("start"), event, Part.BEGIN);
+                enter(event.real("end"), event, Part.END);
             }
-            case "host-transmit", "host-relay" -> enter(event.number("asked"), event, Part.EVENT);
+            case "host-transmit", "host-relay" -> enter(event.real("asked"), event, Part.EVENT);
             case "rf-rx" -> {
-                enter(event.number("start"), event, Part.CARRIER);
+                enter(event.real("start"), event, Part.CARRIER);
                 enter(event.seconds(), event, Part.EVENT);
-                enter(event.number("end"), event, Part.SILENCE);
+                enter(event.real("end"), event, Part.SILENCE);
             }
             // Known some bits after its end; a board may have mended it at its end.
             case "rf-damaged" -> {
-                boolean known = event.fields().has("end");
-                enter(known ? event.number("end") : event.seconds(), event, Part.EVENT);
+                boolean known = event.has("end");
+                enter(known ? event.real("end") : event.seconds(), event, Part.EVENT);
                 if (known) {
-                    enter(event.number("start"), event, Part.CARRIER);
-                    enter(event.number("end"), event, Part.SILENCE);
+                    enter(event.real("start"), event, Part.CARRIER);
+                    enter(event.real("end"), event, Part.SILENCE);
                 }
             }
             case "reset" -> {
@@ -204,7 +202,7 @@ public final class Replay {
                 if (isUncertain(event)) {
                     doubtReception();
                 }
-                if (event.fields().get("boards") instanceof JsonArray boards) {
+                if (event.json("boards") instanceof JsonArray boards) {
                     cell.begin(boards);
                 }
             }
@@ -214,7 +212,7 @@ public final class Replay {
                     enter(event.seconds(), event, Part.EVENT);
                 } else if (!QUIET.contains(event.textOrEmpty("do")) && !isToldAsFault(event)) {
                     disturbances.add(event.seconds(),
-                            event.fields().has("until") ? event.number("until") : event.seconds() + BROKEN_OFF);
+                            event.has("until") ? event.real("until") : event.seconds() + BROKEN_OFF);
                 }
             }
             case "host-id", "host-key", "host-radio", "host-relaying", "counters", "crash", "host-handed",
@@ -225,22 +223,22 @@ public final class Replay {
         }
     }
 
-    private void enter(double seconds, Event event, Part part) {
+    private void enter(double seconds, TraceEvent event, Part part) {
         steps.add(new Step(seconds, event, part));
     }
 
     /** Its board does nothing from now on until it is reset. */
-    private static boolean isLossOfPower(Event event) {
+    private static boolean isLossOfPower(TraceEvent event) {
         return event.name().equals("fault") && event.textOrEmpty("do").equals("power-cut");
     }
 
     /** A jam's fault tells how long it takes. */
-    private static boolean isToldAsFault(Event event) {
+    private static boolean isToldAsFault(TraceEvent event) {
         return event.name().equals("command") && event.textOrEmpty("do").equals("jam");
     }
 
-    private static boolean isUncertain(Event scenario) {
-        return scenario.fields().get("radio") instanceof JsonObject radio
+    private static boolean isUncertain(TraceEvent scenario) {
+        return scenario.json("radio") instanceof JsonObject radio
                 && UNCERTAIN.stream()
                         .anyMatch(key -> isMore(radio.get(key), key.equals("bitErrorRate") ? FEW_ERRORS : 0));
     }
@@ -256,7 +254,7 @@ public final class Replay {
     private void perform(double until) {
         while (refusal == null && !steps.isEmpty() && steps.peek().seconds() <= until) {
             Step step = steps.remove();
-            Event event = step.event();
+            TraceEvent event = step.event();
             disturbances.forget(step.seconds() - REMEMBERED);
             try {
                 if (ended && isOfUnfinishedPacket(event)) {
@@ -268,27 +266,25 @@ public final class Replay {
                 events += (step.part() == Part.EVENT || step.part() == Part.BEGIN) && isCounted ? 1 : 0;
             } catch (RefusedException refused) {
                 refuse(event, refused.getMessage());
-            } catch (JsonParseException wrong) {
-                throw wrong(event.index(), wrong);
             }
         }
     }
 
     /** Whether the trace ends before it has told what somebody hears; what follows from that cannot be checked. */
-    private boolean isOfUnfinishedPacket(Event event) {
+    private boolean isOfUnfinishedPacket(TraceEvent event) {
         boolean mayHaveTrailer = event.name().equals("rf-damaged")
                 || event.name().equals("rf-rx") && List.of("unicast", "piece").contains(event.text("kind"));
         return mayHaveTrailer && cell.source(event).isEmpty()
-                && event.seconds() + TRAILER * (event.seconds() - event.number("start")) > now;
+                && event.seconds() + TRAILER * (event.seconds() - event.real("start")) > now;
     }
 
-    private void refuse(Event event, String why) {
+    private void refuse(TraceEvent event, String why) {
         refusal = event + ": " + why;
         steps.clear();
     }
 
     private void perform(Step step) throws RefusedException {
-        Event event = step.event();
+        TraceEvent event = step.event();
         switch (step.part()) {
             case BEGIN -> {
                 Payload payload = Fields.payload(event);
@@ -311,7 +307,7 @@ public final class Replay {
         }
     }
 
-    private void perform(Event event, double seconds) throws RefusedException {
+    private void perform(TraceEvent event, double seconds) throws RefusedException {
         switch (event.name()) {
             case "rf-rx", "rf-damaged" -> {
                 cell.reach(event, seconds);

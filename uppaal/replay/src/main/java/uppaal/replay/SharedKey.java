@@ -13,7 +13,6 @@ import javino.vectors.Crypto;
 
 /** A key that devices share: what they seal and prove with it (SPEC 5 and 7.3). */
 final class SharedKey {
-    private static final int ADDRESS = Address.LENGTH;
     /** What a proof's type differs by where its maker asks for parity. */
     private static final int ASKS_PARITY = 0x10;
 
@@ -51,9 +50,9 @@ final class SharedKey {
     }
 
     private byte[] decrypt(byte[] frame, int end) {
-        String addresses = new String(frame, 0, 2 * ADDRESS, StandardCharsets.US_ASCII);
+        String addresses = new String(frame, 0, 2 * Address.LENGTH, StandardCharsets.US_ASCII);
         byte[] nonce = Arrays.copyOfRange(frame, Frame.HEADER, Frame.CONTENT);
-        byte[] iv = iv(addresses.substring(0, ADDRESS), addresses.substring(ADDRESS), nonce);
+        byte[] iv = iv(addresses.substring(0, Address.LENGTH), addresses.substring(Address.LENGTH), nonce);
         try {
             Cipher cipher = Cipher.getInstance("AES/CFB/NoPadding");
             cipher.init(Cipher.DECRYPT_MODE, new SecretKeySpec(encryption, "AES"), new IvParameterSpec(iv));

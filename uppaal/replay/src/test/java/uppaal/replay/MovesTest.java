@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import trace.TraceEvent;
 
 /**
  * What hosts must not say of a move. {@code moves/walker.jsonl} is what two boards did of which {@code home} sent an
@@ -113,7 +114,7 @@ class MovesTest {
     private String refusal() {
         Moves moves = new Moves(new Handover());
         for (int line = 1; line <= lines.all.size(); line++) {
-            Event event = Event.parse(line, lines.get(line).toString());
+            TraceEvent event = TraceEvent.parse(line, lines.get(line).toString());
             try {
                 switch (event.name()) {
                     case "host-transmit" -> moves.says(event);

@@ -970,7 +970,8 @@ class ReplayTest {
             byte[] message = new byte[random.nextInt(24)];
             random.nextBytes(message);
             byte[] packet = SharedKey.join(
-                    SharedKey.header(destination, origins.get(random.nextInt(origins.size())), message.length), message);
+                    SharedKey.header(destination, origins.get(random.nextInt(origins.size())), message.length),
+                    message);
             reach(lines, 2 + 0.7 * i, "thief", HexFormat.of().formatHex(packet), Talk.kind(packet));
         }
         Replay replay = lines.replay();
