@@ -1,12 +1,6 @@
 package capture;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParseException;
-import com.google.gson.JsonParser;
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -18,6 +12,9 @@ import java.util.Optional;
 import javino.JavinoException;
 import javino.protocol.Airtime;
 import javino.protocol.Bytes;
+import trace.MalformedEventException;
+import trace.TraceEvent;
+import trace.TraceReader;
 
 /**
  * The packets of an emulator's trace (emulator/README.md), in the order in which their CRCs were there.
@@ -46,40 +43,35 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
         private final Map<String, List<Sending>> sendings = new LinkedHashMap<>();
         private final List<Loss> losses = new ArrayList<>();
 
-        void event(JsonObject event) {
-            event.get("t").getAsDouble();
-            switch (event.get("event").getAsString()) {
-                case "host-id" -> ids.put(text(event, "board"), text(event, "id"));
+        void event(TraceEvent event) {
+            switch (event.name()) {
+                case "host-id" -> ids.put(event.board(), event.text("id"));
                 case "rf-tx" -> sent(event);
-                case "rf-rx" -> packets.add(packet(event, false, event.get("end").getAsDouble()));
-                case "rf-damaged" -> losses.add(new Loss(text(event, "board"), text(event, "from"),
-                        event.get("start").getAsDouble(), event.get("end").getAsDouble(), text(event, "why")));
+                case "rf-rx" -> packets.add(packet(event, false, event.real("end")));
+                case "rf-damaged" -> losses.add(new Loss(event.board(), event.text("from"), event.real("start"),
+                        event.real("end"), event.text("why")));
                 default -> {
                 }
             }
         }
 
-        private void sent(JsonObject event) {
-            double start = event.get("start").getAsDouble();
-            double end = event.get("end").getAsDouble();
-            int bits = event.get("bits").getAsInt();
-            int trailer = bits - Airtime.bits(text(event, "payload").length() / 2);
+        private void sent(TraceEvent event) {
+            double start = event.real("start");
+            double end = event.real("end");
+            int bits = event.number("bits");
+            int trailer = bits - Airtime.bits(event.text("payload").length() / 2);
             // The first bit is silence, and not in the time.
             AirPacket packet = packet(event, true, end - Math.max(0, trailer) * (end - start) / (bits - 1));
             packets.add(packet);
             sendings.computeIfAbsent(packet.board(), board -> new ArrayList<>()).add(new Sending(start, packet));
         }
 
-        private static AirPacket packet(JsonObject event, boolean sent, double seconds) {
+        private static AirPacket packet(TraceEvent event, boolean sent, double seconds) {
             AirPacket.Trailer trailer = event.has("trailer")
-                    ? AirPacket.Trailer.valueOf(text(event, "trailer").toUpperCase(Locale.ROOT))
+                    ? AirPacket.Trailer.valueOf(event.text("trailer").toUpperCase(Locale.ROOT))
                     : sent ? AirPacket.Trailer.NONE : AirPacket.Trailer.UNKNOWN;
-            return new AirPacket(micros(seconds), text(event, "board"), sent, AirPacket.How.INTACT, trailer,
-                    event.has("hops") ? event.get("hops").getAsInt() : 0, "", Bytes.ofHex(text(event, "payload")));
-        }
-
-        private static String text(JsonObject event, String field) {
-            return event.get(field).getAsString();
+            return new AirPacket(micros(seconds), event.board(), sent, AirPacket.How.INTACT, trailer,
+                    event.hops(), "", Bytes.copyOf(event.bytes("payload")));
         }
 
         TraceFile end() {
@@ -111,16 +103,10 @@ record TraceFile(Map<String, String> ids, List<AirPacket> packets) {
      */
     static TraceFile read(Path file) throws IOException, JavinoException {
         Reading reading = new Reading();
-        long number = 1;
-        try (BufferedReader lines = Files.newBufferedReader(file)) {
-            for (String line = lines.readLine(); line != null; line = lines.readLine(), number++) {
-                if (!line.isBlank()) {
-                    reading.event(JsonParser.parseString(line).getAsJsonObject());
-                }
-            }
-        } catch (JsonParseException | CharacterCodingException | IllegalStateException | IllegalArgumentException
-                | UnsupportedOperationException | NullPointerException e) {
-            throw new JavinoException(file + ":" + number
+        try {
+            TraceReader.read(file, reading::event);
+        } catch (MalformedEventException e) {
+            throw new JavinoException(file + ":" + e.number()
                     + ": this is no event; name the trace of a run, such as build/trace.jsonl", e);
         }
         return reading.end();

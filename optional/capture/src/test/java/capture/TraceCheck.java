@@ -3,9 +3,6 @@ package capture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,18 +12,20 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javino.protocol.Airtime;
 import picocli.CommandLine;
+import trace.TraceEvent;
+import trace.TraceReader;
 
 /** Whether a trace's capture, as the command writes it, says of each packet what the trace says. */
 public final class TraceCheck {
 
-    private final List<JsonObject> events;
+    private final List<TraceEvent> events;
     private final List<Tshark.Dissected> packets;
 
     /** What was found, for tests that want more of it. @param pieces that were put together. */
     public record Found(int packets, long damaged, long opened, long pieces, long acknowledgements) {
     }
 
-    private TraceCheck(List<JsonObject> events, List<Tshark.Dissected> packets) {
+    private TraceCheck(List<TraceEvent> events, List<Tshark.Dissected> packets) {
         this.events = events;
         this.packets = packets;
     }
@@ -42,24 +41,15 @@ public final class TraceCheck {
             int status = new CommandLine(new CaptureCommand()).execute("--trace", trace.toString(), "--write",
                     capture.toString());
             assertEquals(0, status);
-            return new TraceCheck(events(trace), Tshark.dissect(Files.readAllBytes(capture), keyring)).compare();
+            return new TraceCheck(TraceReader.all(trace), Tshark.dissect(Files.readAllBytes(capture), keyring))
+                    .compare();
         } finally {
             Files.delete(capture);
         }
     }
 
-    private static List<JsonObject> events(Path trace) throws IOException {
-        try (Stream<String> lines = Files.lines(trace)) {
-            return lines.map(line -> JsonParser.parseString(line).getAsJsonObject()).toList();
-        }
-    }
-
-    private Stream<JsonObject> events(String name) {
-        return events.stream().filter(event -> text(event, "event").equals(name));
-    }
-
-    private static String text(JsonObject event, String name) {
-        return event.get(name).getAsString();
+    private Stream<TraceEvent> events(String name) {
+        return events.stream().filter(event -> event.is(name));
     }
 
     private Found compare() {
@@ -84,9 +74,9 @@ public final class TraceCheck {
         return !packet.shown("javino.how").equals(List.of("0"));
     }
 
-    private Tshark.Dissected only(JsonObject event, Predicate<Tshark.Dissected> wanted) {
+    private Tshark.Dissected only(TraceEvent event, Predicate<Tshark.Dissected> wanted) {
         List<Tshark.Dissected> found = packets.stream()
-                .filter(packet -> packet.shown("javino.board").equals(List.of(text(event, "board")))).filter(wanted)
+                .filter(packet -> packet.shown("javino.board").equals(List.of(event.board()))).filter(wanted)
                 .toList();
         assertEquals(1, found.size(), event::toString);
         return found.get(0);
@@ -97,69 +87,69 @@ public final class TraceCheck {
         return Math.abs(Double.parseDouble(packet.shown("frame.time_epoch").get(0)) - seconds) < 0.0005;
     }
 
-    private void sent(JsonObject event) {
-        int payload = text(event, "payload").length() / 2;
-        double bit = (event.get("end").getAsDouble() - event.get("start").getAsDouble())
-                / (event.get("bits").getAsInt() - 1);
-        double whole = Math.min(event.get("end").getAsDouble(),
-                event.get("start").getAsDouble() + (Airtime.bits(payload) - 1) * bit);
+    private void sent(TraceEvent event) {
+        int payload = event.text("payload").length() / 2;
+        double bit = (event.real("end") - event.real("start"))
+                / (event.number("bits") - 1);
+        double whole = Math.min(event.real("end"),
+                event.real("start") + (Airtime.bits(payload) - 1) * bit);
         Tshark.Dissected packet = only(event,
                 found -> found.shown("javino.way").equals(List.of("0")) && isAt(found, whole));
         shows(event, packet);
-        String trailer = event.has("trailer") ? text(event, "trailer") : "none";
+        String trailer = event.has("trailer") ? event.text("trailer") : "none";
         assertEquals(List.of("none", "mark", "parity").indexOf(trailer) + "",
                 packet.shown("javino.trailer").get(0));
     }
 
-    private void received(JsonObject event) {
+    private void received(TraceEvent event) {
         Tshark.Dissected packet = only(event, found -> found.shown("javino.way").equals(List.of("1"))
-                && isAt(found, event.get("end").getAsDouble()) && !isDamaged(found)
-                && found.hex("javino.payload").equals(List.of(text(event, "payload"))));
+                && isAt(found, event.real("end")) && !isDamaged(found)
+                && found.hex("javino.payload").equals(List.of(event.text("payload"))));
         shows(event, packet);
     }
 
-    private void shows(JsonObject event, Tshark.Dissected packet) {
-        assertEquals(text(event, "payload"), packet.hex("javino.payload").get(0));
-        assertEquals(List.of(event.has("hops") ? text(event, "hops") : "0"), packet.shown("javino.hops"));
-        if (!text(event, "kind").equals("no frame")) {
-            assertEquals(text(event, "destination"), packet.shown("javino.destination").get(0));
-            assertEquals(text(event, "origin"), packet.shown("javino.origin").get(0));
-            String kind = text(event, "kind");
+    private void shows(TraceEvent event, Tshark.Dissected packet) {
+        assertEquals(event.text("payload"), packet.hex("javino.payload").get(0));
+        assertEquals(List.of("" + event.hops()), packet.shown("javino.hops"));
+        if (!event.text("kind").equals("no frame")) {
+            assertEquals(event.text("destination"), packet.shown("javino.destination").get(0));
+            assertEquals(event.text("origin"), packet.shown("javino.origin").get(0));
+            String kind = event.text("kind");
             assertEquals(kind.equals("unicast") ? "device" : kind, packet.shown("javino.destination.class").get(0));
         }
         if (event.has("index")) {
-            assertEquals(text(event, "id"), packet.shown("javino.piece.id").get(0));
-            assertEquals(text(event, "index"), packet.shown("javino.piece.index").get(0));
-            assertEquals(event.get("asks").getAsBoolean() ? "1" : "0", packet.shown("javino.piece.asks").get(0));
+            assertEquals(event.text("id"), packet.shown("javino.piece.id").get(0));
+            assertEquals(event.text("index"), packet.shown("javino.piece.index").get(0));
+            assertEquals(event.text("asks").equals("true") ? "1" : "0", packet.shown("javino.piece.asks").get(0));
         }
         if (event.has("answers")) {
-            assertEquals(text(event, "answers"), packet.shown("javino.acknowledgement.answers").get(0));
+            assertEquals(event.text("answers"), packet.shown("javino.acknowledgement.answers").get(0));
         }
     }
 
-    private void damaged(JsonObject event) {
+    private void damaged(TraceEvent event) {
         // Its time is that of the end of what was sent; it lacks the trailer, if there is one.
-        double start = event.get("start").getAsDouble();
+        double start = event.real("start");
         List<Tshark.Dissected> found = packets.stream().filter(TraceCheck::isDamaged)
-                .filter(packet -> packet.shown("javino.board").equals(List.of(text(event, "board"))))
-                .filter(packet -> packet.shown("javino.reason").equals(List.of(text(event, "why"))))
+                .filter(packet -> packet.shown("javino.board").equals(List.of(event.board())))
+                .filter(packet -> packet.shown("javino.reason").equals(List.of(event.text("why"))))
                 .filter(packet -> Double.parseDouble(packet.shown("frame.time_epoch").get(0)) > start
-                        && Double.parseDouble(packet.shown("frame.time_epoch").get(0)) < event.get("end").getAsDouble()
+                        && Double.parseDouble(packet.shown("frame.time_epoch").get(0)) < event.real("end")
                                 + 0.0005)
                 .toList();
         assertTrue(!found.isEmpty(), event::toString);
     }
 
     /** What the host had sent is in a packet of that board, opened and put together. */
-    private void opened(JsonObject event) {
+    private void opened(TraceEvent event) {
         Set<String> said = packets.stream()
-                .filter(packet -> packet.shown("javino.board").equals(List.of(text(event, "board"))))
+                .filter(packet -> packet.shown("javino.board").equals(List.of(event.board())))
                 .flatMap(packet -> Stream.concat(packet.shown("javino.content").stream(),
                         packet.hex("javino.content.bytes").stream()))
                 .collect(Collectors.toSet());
-        boolean wasSent = event.has("content") && events("rf-tx").anyMatch(packet -> text(packet, "board")
-                .equals(text(event, "board")) && packet.get("start").getAsDouble() > event.get("t").getAsDouble() - 1);
-        assertTrue(!wasSent || said.contains(text(event, "content")), () -> event + " is not in " + said);
+        boolean wasSent = event.has("content") && events("rf-tx").anyMatch(packet -> packet.board()
+                .equals(event.board()) && packet.real("start") > event.seconds() - 1);
+        assertTrue(!wasSent || said.contains(event.text("content")), () -> event + " is not in " + said);
     }
 
     /** An acknowledgement leads to what it answers, and its proof is right. */

@@ -15,6 +15,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import javino.JavinoException;
+import trace.BoundedLines;
 
 /** The emulator's control socket: for each command a connection, a line there and a line back. */
 final class ControlSocket {

@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Optional;
 import javino.JavinoException;
+import trace.TraceReader;
 
 /** A run that goes on: its events come as lines of a stream; commands go to the emulator's control socket. */
 final class RunSource implements Source {
@@ -19,6 +20,7 @@ final class RunSource implements Source {
     private final Optional<ControlSocket> control;
     private final PrintWriter warnings;
     private volatile boolean live = true;
+    private long leftOut;
 
     private RunSource(Hub hub, Optional<ControlSocket> control, PrintWriter warnings) {
         this.hub = hub;
@@ -40,15 +42,12 @@ final class RunSource implements Source {
     }
 
     private void read(InputStream in) {
-        long leftOut = 0;
-        try (BoundedLines lines = new BoundedLines(in)) {
-            for (String line = lines.next(); line != null; line = lines.next()) {
-                if (Events.isEvent(line)) {
-                    hub.add(line);
-                } else if (leftOut++ == 0) {
+        try {
+            TraceReader.read(in, event -> hub.add(event.line()), noEvent -> {
+                if (leftOut++ == 0) {
                     warnings.println("watch: a line that is no event was left out; others that follow are counted");
                 }
-            }
+            });
         } catch (IOException e) {
             warnings.println("watch: no more events: " + e.getMessage());
         }

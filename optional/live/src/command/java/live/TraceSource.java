@@ -2,10 +2,11 @@ package live;
 
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javino.JavinoException;
+import trace.MalformedEventException;
+import trace.TraceReader;
 
 /** A trace file, which the page plays. */
 final class TraceSource implements Source {
@@ -19,18 +20,11 @@ final class TraceSource implements Source {
      * @throws JavinoException if it has a line that is no event.
      */
     static TraceSource read(Path file, Hub hub) throws IOException, JavinoException {
-        try (BoundedLines lines = new BoundedLines(Files.newInputStream(file))) {
-            long number = 1;
-            for (String line = lines.next(); line != null; line = lines.next(), number++) {
-                if (line.isBlank()) {
-                    continue;
-                }
-                if (!Events.isEvent(line)) {
-                    throw new JavinoException(file + ":" + number
-                            + ": this is no event; name the trace of a run, such as build/trace.jsonl");
-                }
-                hub.add(line);
-            }
+        try {
+            TraceReader.read(file, event -> hub.add(event.line()));
+        } catch (MalformedEventException e) {
+            throw new JavinoException(file + ":" + e.number()
+                    + ": this is no event; name the trace of a run, such as build/trace.jsonl", e);
         }
         return new TraceSource();
     }

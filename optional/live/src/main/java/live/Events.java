@@ -2,7 +2,6 @@ package live;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.Strictness;
@@ -43,20 +42,5 @@ final class Events {
             fields.put(namesAndValues[i], namesAndValues[i + 1]);
         }
         return STRICT.toJson(fields);
-    }
-
-    /** Whether a line is an event. */
-    static boolean isEvent(String line) {
-        try {
-            JsonObject object = object(line);
-            return is(object.get("t"), true) && is(object.get("event"), false);
-        } catch (JavinoException e) {
-            return false;
-        }
-    }
-
-    private static boolean is(JsonElement value, boolean number) {
-        return value != null && value.isJsonPrimitive()
-                && (number ? value.getAsJsonPrimitive().isNumber() : value.getAsJsonPrimitive().isString());
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Predicate;
@@ -17,6 +16,7 @@ import javino.protocol.Counter;
 import javino.protocol.Status;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import trace.TraceEvent;
 
 @Timeout(120)
 class BoardSourceTest {
@@ -31,13 +31,12 @@ class BoardSourceTest {
     }
 
     /** The first event of this name that is as wanted. */
-    private JsonObject await(String name, Predicate<JsonObject> wanted) throws InterruptedException {
+    private TraceEvent await(String name, Predicate<TraceEvent> wanted) throws InterruptedException {
         while (true) {
             for (String event : hub.after(0, 1000, false).events()) {
-                JsonObject read = JsonParser.parseString(event).getAsJsonObject();
-                if (read.get("event").getAsString().equals(name) && wanted.test(read)) {
-                    assertTrue(Events.isEvent(event), event);
-                    assertEquals("fake", read.get("board").getAsString());
+                TraceEvent read = TraceEvent.parse(1, event);
+                if (read.is(name) && wanted.test(read)) {
+                    assertEquals("fake", read.board());
                     return read;
                 }
             }
@@ -60,17 +59,17 @@ class BoardSourceTest {
         fake.setCounter(Counter.RADIO_BAD_TAG, 3);
         fake.receive("ROMA", "SUPO", 1, "tell;<script>");
         try (BoardSource source = open()) {
-            JsonObject board = await("board", event -> true);
-            assertEquals("ROMA", board.get("address").getAsString());
-            assertEquals("[\"lampOn\"]", board.get("actions").toString());
+            TraceEvent board = await("board", event -> true);
+            assertEquals("ROMA", board.text("address"));
+            assertEquals("[\"lampOn\"]", board.json("actions").toString());
             assertEquals("[\"light(312)\"]",
-                    await("percepts", event -> event.get("percepts").getAsJsonArray().size() > 0).get("percepts")
+                    await("percepts", event -> event.json("percepts").getAsJsonArray().size() > 0).json("percepts")
                             .toString());
-            JsonObject message = await("message", event -> true);
+            TraceEvent message = await("message", event -> true);
             assertEquals("SUPO ROMA tell <script>",
-                    String.join(" ", message.get("from").getAsString(), message.get("to").getAsString(),
-                            message.get("force").getAsString(), message.get("text").getAsString()));
-            assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).get("counters").toString());
+                    String.join(" ", message.text("from"), message.text("to"),
+                            message.text("force"), message.text("text")));
+            assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).json("counters").toString());
             assertEquals(List.of("act"), source.controls());
         }
         assertEquals("radio 0", List.copyOf(fake.requests).get(fake.requests.size() - 1));
@@ -82,7 +81,7 @@ class BoardSourceTest {
             source.command(act("lampOn(3)"));
 
             assertTrue(fake.requests.contains("act lampOn(3)"));
-            assertTrue(await("acted", event -> true).get("ok").getAsBoolean());
+            assertTrue(await("acted", event -> true).text("ok").equals("true"));
         }
     }
 
@@ -93,7 +92,7 @@ class BoardSourceTest {
 
             String message = assertThrows(JavinoException.class, () -> source.command(act("nothing"))).getMessage();
 
-            assertEquals(message, await("acted", event -> event.has("error")).get("error").getAsString());
+            assertEquals(message, await("acted", event -> event.has("error")).text("error"));
             assertThrows(JavinoException.class, () -> source.command(act("")));
             assertThrows(JavinoException.class, () -> source.command(new JsonObject()));
         }
@@ -104,11 +103,11 @@ class BoardSourceTest {
         fake.perceive("light(312)");
         try (BoardSource source = open()) {
             port.unplug();
-            await("board", event -> !event.get("online").getAsBoolean());
-            await("percepts", event -> event.get("percepts").getAsJsonArray().isEmpty());
+            await("board", event -> !event.text("online").equals("true"));
+            await("percepts", event -> event.json("percepts").getAsJsonArray().isEmpty());
             fake.setFirmware("another");
             port.plug();
-            await("board", event -> event.has("firmware") && event.get("firmware").getAsString().equals("another"));
+            await("board", event -> event.has("firmware") && event.text("firmware").equals("another"));
             assertTrue(source.isLive());
         }
     }

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import trace.BoundedLines;
 
 @Timeout(120)
 class RunSourceTest {

@@ -61,9 +61,7 @@ class TraceSourceTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"x", "[]", "{}", "{\"t\":1}", "{\"event\":\"x\"}", "{\"t\":\"1\",\"event\":\"x\"}",
-            "{\"t\":1,\"event\":2}", "{\"t\":NaN,\"event\":\"x\"}", "{t:1,event:\"x\"}", EVENT + EVENT,
-            "{\"t\":1,\"event\":\"x\""})
+    @ValueSource(strings = {"x", "{\"t\":1}"})
     void file_withAnotherLine_isRefusedWithItsNumber(String line) throws IOException {
         Path file = Files.writeString(folder.resolve("trace.jsonl"), EVENT + "\n" + line + "\n");
 
