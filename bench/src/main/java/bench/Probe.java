@@ -1,7 +1,6 @@
 package bench;
 
 import com.google.gson.Gson;
-import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import javino.protocol.Airtime;
+import trace.TraceEvent;
 
 /** A run, as fast as it goes, of boards that send or receive all the time at one bit rate; counts their cycles. */
 final class Probe {
@@ -51,7 +51,7 @@ final class Probe {
         Path scenario = Files.writeString(folder.resolve("scenario.json"),
                 new Gson().toJson(Map.of("radio", Map.of("bitRate", bitRate), "boards", boards)));
         List<String> lines = Command.run(Machine.program("probe"), scenario, folder, seconds);
-        return new Probe(seconds, lines.stream().map(TraceEvent::parse).toList());
+        return new Probe(seconds, lines.stream().map(line -> TraceEvent.parse(1, line)).toList());
     }
 
     private static Map<String, Object> board(String name, String sketch, Path folder, int bitRate,

@@ -2,7 +2,6 @@ package bench;
 
 import harness.Emulator;
 import harness.Host;
-import harness.TraceEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,6 +16,7 @@ import javino.board.Transmission;
 import javino.link.SerialLink;
 import javino.protocol.Address;
 import javino.protocol.Content;
+import trace.TraceEvent;
 
 /**
  * From host to host over two emulated boards: how long a message takes, how long its packet is, how much gets through.
@@ -138,8 +138,8 @@ final class Radio implements Subject {
         }
         List<TraceEvent> packets = emulator.sentBy("sender");
         List<TraceEvent> sent = packets.subList(before, packets.size());
-        double seconds = sent.get(sent.size() - 1).fields().get("end").getAsDouble()
-                - sent.get(0).fields().get("start").getAsDouble();
+        double seconds = sent.get(sent.size() - 1).real("end")
+                - sent.get(0).real("start");
         double bits = 8.0 * LONG_MESSAGES * LONG.length();
         double share = bits / seconds / BIT_RATE;
         double limit = bits / sent.stream().mapToInt(packet -> packet.number("bits")).sum();

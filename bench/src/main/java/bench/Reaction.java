@@ -2,7 +2,6 @@ package bench;
 
 import diffuser.Diffuser;
 import harness.Emulator;
-import harness.TraceEvent;
 import jason.asSemantics.Message;
 import jason.infra.local.LocalAgArch;
 import java.nio.file.Files;
@@ -11,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.atomic.AtomicLong;
+import trace.TraceEvent;
 
 /** How soon an agent knows what has changed at its board, and how soon what it says is on the air. */
 final class Reaction implements Subject {
@@ -102,8 +102,8 @@ final class Reaction implements Subject {
                     emulator.await("a carrier", event -> event.is("pin", "board") && event.number("level") == 1
                             && event.seconds() > before);
             begun.add(rise);
-            silentSince = emulator.await("the packet's end", i + 1, event -> event.is("rf-tx", "board")).fields()
-                    .get("end").getAsDouble();
+            silentSince = emulator.await("the packet's end", i + 1, event -> event.is("rf-tx", "board"))
+                    .real("end");
             Thread.sleep(LONG_QUIET_MILLIS + ThreadLocalRandom.current().nextInt(40));
         }
         Samples spoken = new Samples();

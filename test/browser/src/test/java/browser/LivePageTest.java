@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +16,7 @@ import org.openqa.selenium.By;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
+import trace.TraceEvent;
 
 /** The highway as its user sees it, and disturbs it, in a real browser. */
 @Tag("verify")
@@ -102,15 +102,15 @@ class LivePageTest {
             choose(page, "board ambulance");
             place(page, 500, 300);
             awaitEvent(run, is("place", "ambulance")
-                    .and(event -> event.getAsJsonArray("position").get(0).getAsDouble() == 500));
+                    .and(event -> event.json("position").getAsJsonArray().get(0).getAsDouble() == 500));
             click(page, "jam-chosen");
-            awaitEvent(run, event -> event.get("event").getAsString().equals("fault")
-                    && event.get("do").getAsString().equals("jam"));
+            awaitEvent(run, event -> event.is("fault")
+                    && event.text("do").equals("jam"));
 
             slide(page, "light", 100);
             page.awaitText("section.agent[data-board='bus'] .belief", "light(100)");
             slide(page, "errors", 20);
-            awaitEvent(run, command("radio").and(event -> event.get("bitErrorRate").getAsDouble() == 0.02));
+            awaitEvent(run, command("radio").and(event -> event.real("bitErrorRate") == 0.02));
 
             choose(page, "obstacle rock");
             place(page, 40, 40);
@@ -148,8 +148,8 @@ class LivePageTest {
         }
     }
 
-    private static double y(JsonObject event) {
-        return event.getAsJsonArray("position").get(1).getAsDouble();
+    private static double y(TraceEvent event) {
+        return event.json("position").getAsJsonArray().get(1).getAsDouble();
     }
 
     /** Leaves the mouse on a vehicle: the page does not say where it has drawn one. */
@@ -280,20 +280,20 @@ class LivePageTest {
                 + "arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", page.await("#" + id), value);
     }
 
-    private static Predicate<JsonObject> is(String event, String board) {
+    private static Predicate<TraceEvent> is(String event, String board) {
         return with("event", event).and(with("board", board));
     }
 
-    private static Predicate<JsonObject> command(String name) {
+    private static Predicate<TraceEvent> command(String name) {
         return with("event", "command").and(with("do", name));
     }
 
-    private static Predicate<JsonObject> with(String key, String value) {
-        return event -> event.has(key) && event.get(key).isJsonPrimitive()
-                && event.get(key).getAsString().equals(value);
+    private static Predicate<TraceEvent> with(String key, String value) {
+        return event -> event.has(key) && event.json(key).isJsonPrimitive()
+                && event.text(key).equals(value);
     }
 
-    private static void awaitEvent(LiveRun run, Predicate<JsonObject> wanted) throws IOException, InterruptedException {
+    private static void awaitEvent(LiveRun run, Predicate<TraceEvent> wanted) throws IOException, InterruptedException {
         long end = System.currentTimeMillis() + PATIENCE_MILLIS;
         while (run.events(wanted).isEmpty()) {
             assertTrue(System.currentTimeMillis() < end, () -> "no such event; the run said:\n" + run.said());

@@ -1,7 +1,5 @@
 package browser;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -13,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import trace.TraceEvent;
 
 /** A program of ours that serves the page, as a user starts it, in a folder of its own. */
 final class LiveRun implements AutoCloseable {
@@ -82,7 +81,7 @@ final class LiveRun implements AutoCloseable {
         try (BufferedReader trace = emulator.inputReader();
                 PrintWriter page = new PrintWriter(process.outputWriter())) {
             for (String line = trace.readLine(); line != null; line = trace.readLine()) {
-                seconds = JsonParser.parseString(line).getAsJsonObject().get("t").getAsDouble();
+                seconds = TraceEvent.parse(1, line).seconds();
                 page.println(line);
                 page.flush();
             }
@@ -137,12 +136,12 @@ final class LiveRun implements AutoCloseable {
     }
 
     /** The events of the trace so far. */
-    List<JsonObject> events(Predicate<JsonObject> wanted) throws IOException {
-        List<JsonObject> events = new ArrayList<>();
+    List<TraceEvent> events(Predicate<TraceEvent> wanted) throws IOException {
+        List<TraceEvent> events = new ArrayList<>();
         for (String line : Files.readAllLines(trace())) {
             // The last line may not be whole yet.
             if (line.endsWith("}")) {
-                JsonObject event = JsonParser.parseString(line).getAsJsonObject();
+                TraceEvent event = TraceEvent.parse(1, line);
                 if (wanted.test(event)) {
                     events.add(event);
                 }

@@ -1,10 +1,6 @@
 package air;
 
-import com.google.gson.JsonParseException;
-import harness.TraceEvent;
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -17,6 +13,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import javino.protocol.Airtime;
+import trace.TraceEvent;
+import trace.TraceReader;
 
 /** What a trace of the emulator (emulator/README.md) tells of the air. */
 final class AirTrace {
@@ -48,20 +46,11 @@ final class AirTrace {
     /**
      * Reads a trace.
      *
-     * @throws IllegalArgumentException if a line is none of a trace
+     * @throws trace.MalformedEventException if a line is none of a trace
      */
     static AirTrace read(Path file) throws IOException {
         AirTrace trace = new AirTrace();
-        int number = 0;
-        try (BufferedReader lines = Files.newBufferedReader(file)) {
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                number++;
-                trace.add(TraceEvent.parse(line));
-            }
-        } catch (JsonParseException | IllegalStateException | NullPointerException | UnsupportedOperationException
-                | NumberFormatException | ClassCastException wrong) {
-            throw new IllegalArgumentException("line " + number + " is no line of a trace", wrong);
-        }
+        TraceReader.read(file, trace::add);
         trace.heard.forEach(trace::match);
         trace.overlaps.forEach(trace::match);
         return trace;
@@ -74,15 +63,13 @@ final class AirTrace {
                 sent.computeIfAbsent(packet.board, board -> new TreeMap<>()).put(packet.start, packet);
             }
             case "rf-rx", "rf-damaged" -> {
-                if (event.fields().has("from")) {
+                if (event.has("from")) {
                     heard.add(new Heard(event.board(), event.text("from"), real(event, "start"),
                             event.name().equals("rf-damaged")));
                 }
             }
             case "rf-collision" -> {
-                Set<String> sources = new TreeSet<>();
-                event.fields().get("boards").getAsJsonArray().forEach(name -> sources.add(name.getAsString()));
-                overlaps.add(new Overlap(event.board(), event.seconds(), sources));
+                overlaps.add(new Overlap(event.board(), event.seconds(), new TreeSet<>(event.texts("boards"))));
             }
             case "fault" -> {
                 if (event.text("do").equals("jam")) {
@@ -96,7 +83,7 @@ final class AirTrace {
     private static double real(TraceEvent event, String field) {
         double value = event.real(field);
         if (!(value >= 0 && value <= LAST_SECOND)) {
-            throw new NumberFormatException(field);
+            throw event.wrong("an event '" + event.name() + "' whose '" + field + "' is no time");
         }
         return value;
     }
@@ -106,14 +93,14 @@ final class AirTrace {
         double end = real(event, "end");
         int bits = event.number("bits");
         if (start >= end || bits < Airtime.bits(0)) {
-            throw new NumberFormatException("a packet that takes no time");
+            throw event.wrong("a packet that takes no time");
         }
         String payload = event.text("payload");
         String kind = event.text("kind");
-        String origin = event.fields().has("origin") ? event.text("origin") : "";
+        String origin = event.textOrEmpty("origin");
         String address = origin.isEmpty() ? "" : origin + " → " + event.text("destination");
         ids.put(event.board(), origin);
-        String trailer = event.fields().has("trailer") ? event.text("trailer") : "";
+        String trailer = event.textOrEmpty("trailer");
         return new Packet(event.board(), start, end, bits, payload.length(), kind(event, kind, payload), address,
                 trailer);
     }

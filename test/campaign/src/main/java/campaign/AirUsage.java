@@ -1,10 +1,10 @@
 package campaign;
 
-import harness.TraceEvent;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import trace.TraceEvent;
 
 /** Watches a trace: who has been on the air for how long, and whether a nonce was used twice. */
 final class AirUsage implements Consumer<TraceEvent> {

@@ -85,7 +85,8 @@ final class Attacker implements AutoCloseable {
 
     /** A piece that begins a message, and asks which of it are here. */
     static byte[] forgedPiece(Field.Post from, Field.Post to, Random random) {
-        Bytes begun = new Frame(to.address(), from.address(), random(400, random)).encode().slice(0, Payload.PART_LENGTH);
+        Bytes begun =
+                new Frame(to.address(), from.address(), random(400, random)).encode().slice(0, Payload.PART_LENGTH);
         return new Frame(Address.piece(random.nextInt(26), 8), from.address(), begun).encode().toArray();
     }
 

@@ -1,11 +1,11 @@
 package campaign;
 
 import harness.Emulator;
-import harness.TraceEvent;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import trace.TraceEvent;
 
 /**
  * One thing that goes wrong.

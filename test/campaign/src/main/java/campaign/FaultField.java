@@ -3,7 +3,6 @@ package campaign;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -15,6 +14,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Key;
 import javino.protocol.Reply;
+import trace.TraceEvent;
 
 /** Pairs of boards whose hosts, processes of their own, send to each other without end while faults befall them. */
 final class FaultField implements AutoCloseable {

@@ -4,7 +4,6 @@ import harness.BrokerClient;
 import harness.GatewayProcess;
 import harness.Mosquitto;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -14,6 +13,7 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import trace.TraceEvent;
 
 /**
  * What gateways add to a frame's way, each time in seconds.

@@ -1,7 +1,6 @@
 package campaign;
 
 import harness.Travels;
-import harness.TraceEvent;
 import harness.Walk;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -14,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import trace.TraceEvent;
 
 /** Two MAS between which an agent moves, and the faults that befall them, at steps that a seed chooses. */
 final class MovePair implements AutoCloseable {

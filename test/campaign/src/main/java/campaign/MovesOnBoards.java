@@ -2,7 +2,6 @@ package campaign;
 
 import harness.Emulator;
 import harness.Travels;
-import harness.TraceEvent;
 import harness.Walk;
 import java.io.IOException;
 import java.time.Duration;
@@ -13,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.TreeMap;
+import trace.TraceEvent;
 
 /** Moves between MAS that are processes of their own, on emulated boards, with everything that can go wrong. */
 final class MovesOnBoards {

@@ -1,11 +1,11 @@
 package campaign;
 
-import harness.TraceEvent;
-import java.util.Arrays;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.TreeMap;
+import javino.protocol.Bytes;
+import javino.protocol.Payload;
+import trace.TraceEvent;
 
 /**
  * Watches the air for nonces that seal two different things. It remembers the highest thousand of each origin; one
@@ -14,11 +14,6 @@ import java.util.TreeMap;
 final class Nonces {
 
     private static final int REMEMBERED = 1024;
-    private static final int ORIGIN = 4;
-    private static final int MESSAGE = 10;
-    private static final int NONCE_LENGTH = 6;
-    /** Nonce and tag: no sealed message is shorter. */
-    private static final int OVERHEAD = 14;
 
     private final Map<String, TreeMap<Long, Integer>> seen = new HashMap<>();
     private long sealed;
@@ -26,41 +21,24 @@ final class Nonces {
 
     /** Takes notice of an event of the trace. */
     synchronized void see(TraceEvent event) {
-        if (!event.name().equals("rf-tx")) {
-            return;
+        if (event.is("rf-tx")) {
+            // The first piece holds the header and the nonce of the whole; of the others the first tells nothing new.
+            Payload whole = Payload.of(Bytes.copyOf(event.bytes("payload"))).whole();
+            if (whole.hasNonce() && !whole.nonce().isEmpty()) {
+                enter(whole);
+            }
         }
-        byte[] payload = HexFormat.of().parseHex(event.text("payload"));
-        if (payload.length < MESSAGE) {
-            return;
-        }
-        // The first piece holds the header and the nonce of the whole; of the others the first tells nothing new.
-        if (isFirstPiece(payload)) {
-            payload = Arrays.copyOfRange(payload, MESSAGE, payload.length);
-        }
-        if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+'
-                || payload[0] == '/' && payload[2] == '/' && payload[3] == '/') {
-            return;
-        }
-        enter(payload);
     }
 
-    private static boolean isFirstPiece(byte[] payload) {
-        return payload[0] == '+' && payload[1] == 'F' && (payload[3] == 'A' || payload[3] == 'I');
-    }
-
-    private void enter(byte[] frame) {
-        String origin = new String(frame, ORIGIN, ORIGIN, java.nio.charset.StandardCharsets.US_ASCII);
-        TreeMap<Long, Integer> nonces = seen.computeIfAbsent(origin, any -> new TreeMap<>());
-        long nonce = 0;
-        for (int i = 0; i < NONCE_LENGTH; i++) {
-            nonce = nonce << 8 | frame[MESSAGE + i] & 0xff;
-        }
+    private void enter(Payload frame) {
+        TreeMap<Long, Integer> nonces = seen.computeIfAbsent(frame.origin(), any -> new TreeMap<>());
+        long nonce = Long.parseLong(frame.nonce(), 16);
         boolean forgotten = nonces.size() == REMEMBERED && nonce < nonces.firstKey();
-        Integer before = nonces.putIfAbsent(nonce, Arrays.hashCode(frame));
+        Integer before = nonces.putIfAbsent(nonce, frame.bytes().hashCode());
         if (before == null) {
             sealed++;
         }
-        if (forgotten || before != null && before != Arrays.hashCode(frame)) {
+        if (forgotten || before != null && before != frame.bytes().hashCode()) {
             repeated++;
         }
         if (nonces.size() > REMEMBERED) {

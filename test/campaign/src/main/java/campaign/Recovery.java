@@ -1,6 +1,6 @@
 package campaign;
 
-import harness.TraceEvent;
+import trace.TraceEvent;
 
 /**
  * What became of one fault, in emulated seconds: when its cause ended, when a packet of its pair was answered again,

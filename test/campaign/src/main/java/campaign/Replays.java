@@ -1,14 +1,13 @@
 package campaign;
 
 import harness.Emulator;
-import harness.TraceEvent;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import javino.link.LinkException;
+import trace.TraceEvent;
 
 /**
  * All that a pair has sent is sent again by a third board: in the same boot, after a reset and after a loss of power.
@@ -80,7 +79,7 @@ final class Replays {
                 return;
             }
             packets.computeIfAbsent(event.board(), board -> new ArrayList<>())
-                    .add(HexFormat.of().parseHex(event.text("payload")));
+                    .add(event.bytes("payload"));
         }
 
         /** The last packets of a board. */

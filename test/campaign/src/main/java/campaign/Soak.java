@@ -4,11 +4,11 @@ import harness.Crossings;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import javino.protocol.Counter;
+import trace.TraceEvent;
 
 /** Two boards that send to each other without a pause, for hours of their time. */
 final class Soak implements Campaign {

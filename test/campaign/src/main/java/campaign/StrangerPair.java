@@ -2,7 +2,6 @@ package campaign;
 
 import harness.Certificates;
 import harness.Stranger;
-import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,6 +23,7 @@ import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 import javino.protocol.Word;
 import keyagreement.Attacker;
+import trace.TraceEvent;
 
 /** Two hosts that have certificates and no common key. */
 final class StrangerPair implements AutoCloseable {

@@ -1,7 +1,6 @@
 package campaign;
 
 import harness.Emulator;
-import harness.TraceEvent;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +8,7 @@ import java.util.PriorityQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import trace.TraceEvent;
 
 /**
  * Has things happen at times of the boards, which go by more slowly than ours where the machine has too much to do. The

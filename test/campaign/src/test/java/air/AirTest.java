@@ -237,7 +237,7 @@ class AirTest {
         assertWrong("-Ptrace=FILE");
         assertWrong("-Pfrom=SECONDS", "--trace", write(), "--from", "x");
         String good = lines.get(1);
-        for (String garbage : List.of("", "garbage", "[]", "7", "{}", "{\"t\":1}", "{\"t\":1,\"event\":\"rf-tx\"}",
+        for (String garbage : List.of("garbage", "[]", "7", "{}", "{\"t\":1}", "{\"t\":1,\"event\":\"rf-tx\"}",
                 "\u0000",
                 "{\"t\":1,\"event\":\"rf-collision\",\"boards\":3}",
                 "{\"t\":1,\"event\":\"rf-collision\",\"boards\":[[]]}",

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Crossings;
-import harness.TraceEvent;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
+import trace.TraceEvent;
 
 /** The small instruments. */
 class MeasuresTest {
@@ -59,7 +59,7 @@ class MeasuresTest {
                     first.countDown();
                 });
             }
-            timetable.see(TraceEvent.parse("{\"t\": 1, \"event\": \"pin\"}"));
+            timetable.see(TraceEvent.parse(1, "{\"t\": 1, \"event\": \"pin\"}"));
             assertTrue(first.await(10, TimeUnit.SECONDS),
                     () -> "of 1000, whose first times are a second away on average, " + begun + " came within it");
         }
@@ -103,7 +103,7 @@ class MeasuresTest {
     }
 
     private static void send(Crossings crossings, String board, double start, double end) {
-        crossings.see(TraceEvent.parse(Table.text(
+        crossings.see(TraceEvent.parse(1, Table.text(
                 "{\"t\":%f,\"board\":\"%s\",\"event\":\"rf-tx\",\"start\":%f,\"end\":%f}", end, board, start, end)));
     }
 

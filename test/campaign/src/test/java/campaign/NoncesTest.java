@@ -2,10 +2,13 @@ package campaign;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import harness.TraceEvent;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
+import javino.protocol.Address;
+import javino.protocol.Bytes;
+import javino.protocol.Frame;
 import org.junit.jupiter.api.Test;
+import trace.TraceEvent;
 
 /** What counts as a nonce that was used twice. */
 class NoncesTest {
@@ -47,17 +50,17 @@ class NoncesTest {
     @Test
     void see_firstPieceUnderAFramesNonce_isRepeated() {
         send("SUPOROMA", 7, "content and tag");
-        see("+FAAROMAAA" + "SUPOROMAZZ" + nonce(7) + "another and tag");
+        see(frame("+FAAROMA", frame("SUPOROMA", nonce(7) + "another and tag")));
         assertEquals(1, nonces.repeated());
     }
 
     @Test
     void see_broadcastsAcknowledgementsAndLaterPieces_haveNone() {
-        see("////ROMAZZ" + "0000001" + "tell;hello world");
-        see("////ROMAZZ" + "0000001" + "tell;other world");
-        see("+KABROMAZZ" + "12345678" + "12345678");
-        see("+KABROMAZZ" + "12345678" + "abcdefgh");
-        see("+FABROMAZZ" + "12345678" + "12345678" + "12345678");
+        see(frame("////ROMA", "0000001" + "tell;hello world"));
+        see(frame("////ROMA", "0000001" + "tell;other world"));
+        see(frame("+KABROMA", "12345678" + "12345678"));
+        see(frame("+KABROMA", "12345678" + "abcdefgh"));
+        see(frame("+FABROMA", "12345678" + "12345678" + "12345678"));
         assertEquals(0, nonces.sealed());
         assertEquals(0, nonces.repeated());
     }
@@ -73,7 +76,13 @@ class NoncesTest {
     }
 
     private void send(String header, int nonce, String content) {
-        see(header + "ZZ" + nonce(nonce) + content);
+        see(frame(header, nonce(nonce) + content));
+    }
+
+    private static String frame(String addresses, String message) {
+        Bytes header = Frame.header(Address.parse(addresses.substring(0, 4)), Address.parse(addresses.substring(4)),
+                message.length());
+        return new String(header.toArray(), StandardCharsets.ISO_8859_1) + message;
     }
 
     private static String nonce(int value) {
@@ -81,7 +90,7 @@ class NoncesTest {
     }
 
     private void see(String payload) {
-        nonces.see(TraceEvent.parse("{\"t\":1,\"board\":\"b\",\"event\":\"rf-tx\",\"payload\":\""
+        nonces.see(TraceEvent.parse(1, "{\"t\":1,\"board\":\"b\",\"event\":\"rf-tx\",\"payload\":\""
                 + HexFormat.of().formatHex(payload.getBytes(StandardCharsets.ISO_8859_1)) + "\"}"));
     }
 }

@@ -3,11 +3,11 @@ package campaign;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import harness.TraceEvent;
 import javino.protocol.Address;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.api.Test;
+import trace.TraceEvent;
 
 /** From a cause's end to the first proofs of delivery. */
 class RecoveryTest {
@@ -59,6 +59,6 @@ class RecoveryTest {
     }
 
     private static void see(Recovery recovery, double seconds, String fields) {
-        recovery.see(TraceEvent.parse("{\"t\":" + seconds + "," + fields + "}"));
+        recovery.see(TraceEvent.parse(1, "{\"t\":" + seconds + "," + fields + "}"));
     }
 }

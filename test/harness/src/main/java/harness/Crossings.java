@@ -2,6 +2,7 @@ package harness;
 
 import java.util.HashMap;
 import java.util.Map;
+import trace.TraceEvent;
 
 /**
  * Counts, of two boards, the packets of each that were on the air while the other one was sending, and so not

@@ -24,6 +24,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import trace.TraceEvent;
 import uppaal.replay.Replay;
 
 /**
@@ -60,6 +61,7 @@ public final class Emulator implements AutoCloseable {
     private final Replay model;
     private final boolean modelled;
     private Thread reader;
+    private int lines;
     private boolean keeping = true;
 
     private Emulator(Path folder, Process process, Consumer<TraceEvent> listener, boolean modelled) {
@@ -194,9 +196,9 @@ public final class Emulator implements AutoCloseable {
     }
 
     private void traced(String line) {
-        TraceEvent event = TraceEvent.parse(line);
+        TraceEvent event = TraceEvent.parse(++lines, line);
         if (modelled) {
-            model.line(line);
+            model.event(event);
         }
         if (model.refusal().isEmpty()) {
             remember(line);

@@ -3,6 +3,7 @@ package harness;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import javino.vectors.RadioVectors;
+import trace.TraceEvent;
 
 /** VirtualWire's line code by the maker of the vectors, which shares nothing with library, firmware and emulator. */
 public final class LineCode {

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javino.protocol.Address;
+import trace.TraceEvent;
 
 /**
  * Two MAS with a board each, and an agent that moves between them: the {@code walker}. Each MAS is a process of its own
@@ -181,10 +182,7 @@ public final class Travels implements AutoCloseable {
 
     /** What a host has said of a move (SPEC 9.1), such as "O"; "" if the event is none of these. */
     public static String said(TraceEvent event) {
-        String bytes = event.fields().has("hex") ? event.text("hex")
-                : event.fields().has("content")
-                        ? HexFormat.of().formatHex(event.text("content").getBytes(StandardCharsets.UTF_8))
-                        : "";
+        String bytes = event.said().map(HexFormat.of()::formatHex).orElse("");
         int type = MOVE.length();
         return bytes.startsWith(MOVE) && bytes.length() > type + 1
                 ? String.valueOf((char) HexFormat.fromHexDigits(bytes, type, type + 2))

@@ -3,7 +3,6 @@ package mutation;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -25,6 +24,7 @@ import javino.board.ReceivedMessage;
 import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Outcome;
+import trace.TraceEvent;
 
 /**
  * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in pieces, partners that

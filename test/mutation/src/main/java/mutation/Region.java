@@ -16,35 +16,34 @@ import javino.protocol.Payload;
  */
 record Region(String name, int begin, int end) {
 
-    private static final int ADDRESS = Address.LENGTH;
-    private static final int HEADER = Frame.HEADER_LENGTH;
-    private static final int NONCE = Payload.NONCE_LENGTH;
-    private static final int TAG = Payload.TAG_LENGTH;
     private static final int BITS = 8;
 
     /** The parts of a packet of a kind, as the trace calls it. */
     static List<Region> of(String kind, String payload) {
         int length = payload.length() / 2;
-        if (length < HEADER) {
+        if (length < Frame.HEADER_LENGTH) {
             return List.of();
         }
-        List<Region> regions = new ArrayList<>(List.of(new Region("destination", 0, ADDRESS),
-                new Region("origin", ADDRESS, 2 * ADDRESS), new Region("size", 2 * ADDRESS, HEADER)));
+        List<Region> regions = new ArrayList<>(List.of(new Region("destination", 0, Address.LENGTH),
+                new Region("origin", Address.LENGTH, 2 * Address.LENGTH),
+                new Region("size", 2 * Address.LENGTH, Frame.HEADER_LENGTH)));
         switch (kind) {
-            case "unicast", "multicast" -> regions.addAll(sealed(HEADER, length));
+            case "unicast", "multicast" -> regions.addAll(sealed(Frame.HEADER_LENGTH, length));
             case "acknowledgement" -> {
-                regions.add(new Region("what an acknowledgement says", HEADER, length - TAG));
-                regions.add(new Region("proof", length - TAG, length));
+                regions.add(
+                        new Region("what an acknowledgement says", Frame.HEADER_LENGTH, length - Payload.TAG_LENGTH));
+                regions.add(new Region("proof", length - Payload.TAG_LENGTH, length));
             }
-            case "piece" -> regions.add(new Region("part of a frame", HEADER, length));
-            default -> regions.add(new Region("content", HEADER, length));
+            case "piece" -> regions.add(new Region("part of a frame", Frame.HEADER_LENGTH, length));
+            default -> regions.add(new Region("content", Frame.HEADER_LENGTH, length));
         }
         return regions.stream().filter(region -> region.begin < region.end).toList();
     }
 
     private static List<Region> sealed(int at, int length) {
-        return List.of(new Region("nonce", at, at + NONCE), new Region("ciphertext", at + NONCE, length - TAG),
-                new Region("tag", length - TAG, length));
+        return List.of(new Region("nonce", at, at + Payload.NONCE_LENGTH),
+                new Region("ciphertext", at + Payload.NONCE_LENGTH, length - Payload.TAG_LENGTH),
+                new Region("tag", length - Payload.TAG_LENGTH, length));
     }
 
     /** Where a packet has its nonce, if it is a sealed message in one packet. */

@@ -1,13 +1,11 @@
 package mutation;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
-import com.google.gson.JsonPrimitive;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import trace.TraceEvent;
 
 /** The events of a trace of the emulator, in which some can be changed. */
 final class Trace {
@@ -16,7 +14,7 @@ final class Trace {
     private static final double SAME_START = 0.001;
     private static final int MICROSECONDS = 6;
 
-    private final List<JsonObject> events;
+    private final List<TraceEvent> events;
 
     /**
      * A transmission.
@@ -24,19 +22,19 @@ final class Trace {
      * @param sent  its {@code rf-tx}
      * @param heard what other boards had of it
      */
-    record Packet(JsonObject sent, List<JsonObject> heard) {
-        List<JsonObject> all() {
-            List<JsonObject> all = new ArrayList<>(List.of(sent));
+    record Packet(TraceEvent sent, List<TraceEvent> heard) {
+        List<TraceEvent> all() {
+            List<TraceEvent> all = new ArrayList<>(List.of(sent));
             all.addAll(heard);
             return all;
         }
 
         double start() {
-            return number(sent, "start");
+            return sent.real("start");
         }
 
         double end() {
-            return number(sent, "end");
+            return sent.real("end");
         }
 
         double middle() {
@@ -44,70 +42,71 @@ final class Trace {
         }
 
         String board() {
-            return text(sent, "board");
+            return sent.board();
         }
 
         String payload() {
-            return text(sent, "payload");
+            return sent.text("payload");
         }
 
         boolean isHeardBy(String board) {
-            return heard.stream().anyMatch(event -> text(event, "board").equals(board));
+            return heard.stream().anyMatch(event -> event.board().equals(board));
         }
     }
 
-    Trace(List<String> lines) {
-        events = new ArrayList<>(lines.stream().map(line -> JsonParser.parseString(line).getAsJsonObject()).toList());
+    Trace(List<TraceEvent> events) {
+        this.events = new ArrayList<>(events);
     }
 
-    List<JsonObject> events() {
+    List<TraceEvent> events() {
         return events;
     }
 
     List<String> lines() {
-        return events.stream().map(JsonObject::toString).toList();
+        return events.stream().map(TraceEvent::line).toList();
     }
 
     /** All transmissions, in the order of the trace. */
     List<Packet> packets() {
-        return events.stream().filter(event -> is(event, "rf-tx")).map(sent -> new Packet(sent, events.stream()
-                .filter(event -> event.has("from") && text(event, "from").equals(text(sent, "board"))
-                        && Math.abs(number(event, "start") - number(sent, "start")) < SAME_START)
+        return events.stream().filter(event -> event.is("rf-tx")).map(sent -> new Packet(sent, events.stream()
+                .filter(event -> event.textOrEmpty("from").equals(sent.board())
+                        && Math.abs(event.real("start") - sent.real("start")) < SAME_START)
                 .toList())).toList();
     }
 
-    /** Has an event, with all its times, happen so many seconds later; where that is puts it among the others. */
-    void move(JsonObject event, double seconds) {
-        for (String time : List.of("t", "start", "end", "asked")) {
-            if (event.has(time)) {
-                set(event, time, number(event, time) + seconds);
-            }
-        }
-        place(event);
+    /** Gives an event's field another value; it stays where it is. */
+    void change(TraceEvent event, String field, Object value) {
+        replace(event, event.with(field, value));
     }
 
-    /** Puts an event where its time says; those of its time stay before it. */
-    void place(JsonObject event) {
-        events.removeIf(other -> other == event);
-        int at = IntStream.range(0, events.size())
-                .filter(i -> number(events.get(i), "t") > number(event, "t")).findFirst().orElse(events.size());
+    /** Puts another event in the place of one. */
+    void replace(TraceEvent event, TraceEvent other) {
+        events.set(events.indexOf(event), other);
+    }
+
+    /** Has an event, with all its times, happen so many seconds later; where that is puts it among the others. */
+    void move(TraceEvent event, double seconds) {
+        events.remove(event);
+        place(moved(event, seconds));
+    }
+
+    /** Adds an event where its time says; those of its time stay before it. */
+    void place(TraceEvent event) {
+        int at = IntStream.range(0, events.size()).filter(i -> events.get(i).seconds() > event.seconds()).findFirst()
+                .orElse(events.size());
         events.add(at, event);
     }
 
-    static boolean is(JsonObject event, String name) {
-        return text(event, "event").equals(name);
-    }
-
-    static String text(JsonObject event, String field) {
-        return event.has(field) ? event.get(field).getAsString() : "";
-    }
-
-    static double number(JsonObject event, String field) {
-        return event.get(field).getAsDouble();
-    }
-
-    /** In seconds, with microseconds as the emulator writes them. */
-    static void set(JsonObject event, String field, double seconds) {
-        event.add(field, new JsonPrimitive(BigDecimal.valueOf(seconds).setScale(MICROSECONDS, RoundingMode.HALF_UP)));
+    /** It with all its times so many seconds later. */
+    static TraceEvent moved(TraceEvent event, double seconds, String... times) {
+        TraceEvent moved = event;
+        for (String time : times.length > 0 ? times : new String[] {"t", "start", "end", "asked"}) {
+            if (event.has(time)) {
+                // With microseconds, as the emulator writes them.
+                moved = moved.with(time, BigDecimal.valueOf(event.real(time) + seconds).setScale(MICROSECONDS,
+                        RoundingMode.HALF_UP));
+            }
+        }
+        return moved;
     }
 }

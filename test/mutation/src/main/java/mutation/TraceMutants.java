@@ -1,11 +1,5 @@
 package mutation;
 
-import static mutation.Trace.is;
-import static mutation.Trace.number;
-import static mutation.Trace.set;
-import static mutation.Trace.text;
-
-import com.google.gson.JsonObject;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,7 +8,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import trace.TraceEvent;
 
 /**
  * All small changes of a trace: of its order, of times, of fields, and of the bytes on the air. Left out are those
@@ -57,7 +53,8 @@ final class TraceMutants {
 
     private TraceMutants(List<String> lines, long seed) {
         this.lines = lines;
-        genuine = new Trace(lines);
+        genuine = new Trace(
+                IntStream.range(0, lines.size()).mapToObj(i -> TraceEvent.parse(i + 1, lines.get(i))).toList());
         packets = genuine.packets();
         random = new Random(seed);
     }
@@ -77,87 +74,87 @@ final class TraceMutants {
     }
 
     private void order(int line) {
-        JsonObject event = genuine.events().get(line);
+        TraceEvent event = genuine.events().get(line);
         if (tellsNothing(line)) {
             return;
         }
         if (isMissed(line)) {
             enter("dropped", line, "", (trace, it) -> trace.events().remove(it));
         }
-        if (!REPEATED.contains(text(event, "event"))) {
-            enter("told twice", line, "", (trace, it) -> trace.events().add(line + 1, it.deepCopy()));
+        if (!REPEATED.contains(event.name())) {
+            enter("told twice", line, "", (trace, it) -> trace.events().add(line + 1, it));
         }
-        if (isOwn(event) && !is(event, "host-id")) {
+        if (isOwn(event) && !event.is("host-id")) {
             next(line).filter(other -> isOrdered(event, genuine.events().get(other)))
                     .ifPresent(other -> enter("swapped with the board's next event", line,
                             called(genuine.events().get(other)),
                             (trace, it) -> swap(trace, it, trace.events().get(other))));
         }
-        if (isOwn(event) && !is(event, "rf-tx") && !is(event, "host-id")) {
+        if (isOwn(event) && !event.is("rf-tx") && !event.is("host-id")) {
             if (isOvertaken(event, SECOND)) {
                 enter("a second later", line, "", (trace, it) -> trace.move(it, SECOND));
             }
-            if (number(event, "t") > SECOND && isOvertaken(event, -SECOND)) {
+            if (event.seconds() > SECOND && isOvertaken(event, -SECOND)) {
                 enter("a second earlier", line, "", (trace, it) -> trace.move(it, -SECOND));
             }
         }
-        if (is(event, "host-handed")) {
+        if (event.is("host-handed")) {
             heardBefore(event).ifPresent(packet -> enter("before its packet", line, "",
-                    (trace, it) -> trace.move(it, packet.start() - MOMENT - number(it, "t"))));
+                    (trace, it) -> trace.move(it, packet.start() - MOMENT - it.seconds())));
         }
-        if (is(event, "host-outcome")) {
+        if (event.is("host-outcome")) {
             asked(line).ifPresent(asked -> enter("before its packet", line, "",
-                    (trace, it) -> trace.move(it, number(asked, "t") + MOMENT - number(it, "t"))));
+                    (trace, it) -> trace.move(it, asked.seconds() + MOMENT - it.seconds())));
         }
     }
 
     private void fields(int line) {
-        JsonObject event = genuine.events().get(line);
+        TraceEvent event = genuine.events().get(line);
         if (tellsNothing(line)) {
             return;
         }
         for (String field : List.of("board", "from", "destination", "origin", "id")) {
             if (event.has(field) && (!field.equals("destination") || !isUnknown(line))) {
                 other(field, event).ifPresent(other -> enter("another " + field, line, "",
-                        (trace, it) -> it.addProperty(field, other)));
+                        (trace, it) -> trace.change(it, field, other)));
             }
         }
         if (event.has("kind")) {
-            other(KINDS, text(event, "kind"))
+            other(KINDS, event.textOrEmpty("kind"))
                     .ifPresent(other -> enter("another kind", line, "",
-                            (trace, it) -> it.addProperty("kind", other)));
+                            (trace, it) -> trace.change(it, "kind", other)));
         }
         if (event.has("number")) {
-            enter("another number", line, "", (trace, it) -> it.addProperty("number", it.get("number").getAsInt() + 1));
+            enter("another number", line, "", (trace, it) -> trace.change(it, "number", it.number("number") + 1));
         }
         if (event.has("content") && !isUnknown(line)) {
-            enter("another content", line, "", (trace, it) -> it.addProperty("content", text(it, "content") + "00"));
+            enter("another content", line, "",
+                    (trace, it) -> trace.change(it, "content", it.textOrEmpty("content") + "00"));
         }
-        if (is(event, "host-outcome")) {
+        if (event.is("host-outcome")) {
             for (String outcome : OUTCOMES) {
-                if (!outcome.equals(text(event, "outcome"))) {
-                    enter("another outcome", line, text(event, "outcome") + " as " + outcome,
-                            (trace, it) -> it.addProperty("outcome", outcome));
+                if (!outcome.equals(event.textOrEmpty("outcome"))) {
+                    enter("another outcome", line, event.textOrEmpty("outcome") + " as " + outcome,
+                            (trace, it) -> trace.change(it, "outcome", outcome));
                 }
             }
         }
-        if (is(event, "reset")) {
-            enter("another why", line, "", (trace, it) -> it.addProperty("why",
-                    text(it, "why").equals("power") ? "port opened" : "power"));
+        if (event.is("reset")) {
+            enter("another why", line, "", (trace, it) -> trace.change(it, "why",
+                    it.textOrEmpty("why").equals("power") ? "port opened" : "power"));
         }
-        if (is(event, "rf-rx") && event.has("end")) {
+        if (event.is("rf-rx") && event.has("end")) {
             enter("heard before it is sent", line, "", (trace, it) -> {
-                set(it, "end", number(it, "end") - SLOT);
-                set(it, "t", number(it, "t") - SLOT);
-                trace.place(it);
+                trace.events().remove(it);
+                trace.place(Trace.moved(it, -SLOT, "end", "t"));
             });
         }
         if (event.has("payload")) {
-            for (Region region : Region.of(text(event, "kind"), text(event, "payload"))) {
-                if (is(event, "rf-rx")) {
-                    String changed = region.flipped(text(event, "payload"), random);
+            for (Region region : Region.of(event.textOrEmpty("kind"), event.textOrEmpty("payload"))) {
+                if (event.is("rf-rx")) {
+                    String changed = region.flipped(event.textOrEmpty("payload"), random);
                     enter("a bit changed as heard: " + region.name(), line, "",
-                            (trace, it) -> it.addProperty("payload", changed));
+                            (trace, it) -> trace.change(it, "payload", changed));
                 }
             }
         }
@@ -171,21 +168,13 @@ final class TraceMutants {
         if (isMissed(packet)) {
             enter("packet dropped", number, (trace, it) -> trace.events().removeAll(it.all()));
         }
-        enter("packet repeated at once", number, (trace, it) -> {
-            double later = it.end() - it.start() + SLOT;
-            for (JsonObject event : it.all()) {
-                JsonObject again = event.deepCopy();
-                trace.events().add(again);
-                trace.move(again, later);
-            }
-        });
+        enter("packet repeated at once", number, (trace, it) -> it.all()
+                .forEach(event -> trace.place(Trace.moved(event, it.end() - it.start() + SLOT))));
         // A reset soon after may have broken off its trailer.
         for (int bits : isCalm(packet.start(), packet.end()) ? List.of(1, -1) : List.of(1)) {
-            enter("airtime a bit " + (bits > 0 ? "longer" : "shorter"), number, (trace, it) -> {
-                it.sent().addProperty("bits", (int) number(it.sent(), "bits") + bits);
-                set(it.sent(), "end", it.end() + bits * BIT);
-                set(it.sent(), "t", number(it.sent(), "t") + bits * BIT);
-            });
+            enter("airtime a bit " + (bits > 0 ? "longer" : "shorter"), number,
+                    (trace, it) -> trace.replace(it.sent(), Trace.moved(it.sent(), bits * BIT, "end", "t")
+                            .with("bits", it.sent().number("bits") + bits)));
         }
         packets.stream().filter(before -> before.payload().equals(packet.payload())
                 && before.board().equals(packet.board()) && before.end() < packet.start())
@@ -194,7 +183,7 @@ final class TraceMutants {
                         && isSure(before, packet, before.end() + 3 * SLOT))
                 .ifPresent(before -> moved("repeat without patience", number,
                         before.end() + 3 * SLOT - packet.start()));
-        boolean answer = text(packet.sent(), "kind").equals("acknowledgement");
+        boolean answer = packet.sent().textOrEmpty("kind").equals("acknowledgement");
         packets.stream().filter(before -> before.end() < packet.start() && before.isHeardBy(packet.board()))
                 .reduce((first, second) -> second).ifPresent(before -> {
                     for (double slots : List.of(FEW_SLOTS, NO_SLOT)) {
@@ -222,42 +211,39 @@ final class TraceMutants {
         if (packet.board().equals(STRANGER)) {
             return;
         }
-        for (Region region : Region.of(text(packet.sent(), "kind"), packet.payload())) {
+        for (Region region : Region.of(packet.sent().textOrEmpty("kind"), packet.payload())) {
             String flipped = region.flipped(packet.payload(), random);
             String zeroed = region.zeroed(packet.payload());
             enter("a bit changed as sent: " + region.name(), number,
-                    (trace, it) -> payload(trace.packets(), it.payload(),
+                    (trace, it) -> payload(trace, it.payload(),
                             flipped, same -> same.start() == packet.start()));
             enter("a bit changed in each repeat: " + region.name(), number,
-                    (trace, it) -> payload(trace.packets(), it.payload(), flipped, same -> true));
+                    (trace, it) -> payload(trace, it.payload(), flipped, same -> true));
             if (!zeroed.equals(packet.payload())) {
                 enter("zeros in each repeat: " + region.name(), number,
-                        (trace, it) -> payload(trace.packets(), it.payload(), zeroed, same -> true));
+                        (trace, it) -> payload(trace, it.payload(), zeroed, same -> true));
             }
         }
-        Region.nonce(text(packet.sent(), "kind"), packet.payload()).ifPresent(nonce -> packets.stream()
+        Region.nonce(packet.sent().textOrEmpty("kind"), packet.payload()).ifPresent(nonce -> packets.stream()
                 .filter(before -> before.start() < packet.start() && before.board().equals(packet.board())
                         && !before.payload().equals(packet.payload()))
-                .filter(before -> Region.nonce(text(before.sent(), "kind"), before.payload()).isPresent())
+                .filter(before -> Region.nonce(before.sent().textOrEmpty("kind"), before.payload()).isPresent())
                 .reduce((first, second) -> second)
                 .ifPresent(before -> {
-                    String old = Region.nonce(text(before.sent(), "kind"), before.payload()).orElseThrow()
+                    String old = Region.nonce(before.sent().textOrEmpty("kind"), before.payload()).orElseThrow()
                             .in(before.payload());
                     if (!old.equals(nonce.in(packet.payload()))) {
                         String reused = nonce.with(packet.payload(), old);
                         enter("nonce of the message before", number,
-                                (trace, it) -> payload(trace.packets(), it.payload(), reused, same -> true));
+                                (trace, it) -> payload(trace, it.payload(), reused, same -> true));
                     }
                 }));
     }
 
-    private static void payload(List<Trace.Packet> packets, String from, String to, Predicate<Trace.Packet> which) {
-        for (Trace.Packet packet : packets) {
-            if (packet.payload().equals(from) && which.test(packet)) {
-                packet.all().stream().filter(event -> event.has("payload"))
-                        .forEach(event -> event.addProperty("payload", to));
-            }
-        }
+    private void payload(Trace trace, String from, String to, Predicate<Trace.Packet> which) {
+        packets.stream().filter(packet -> packet.payload().equals(from) && which.test(packet))
+                .flatMap(packet -> packet.all().stream()).filter(event -> event.has("payload"))
+                .forEach(event -> trace.change(event, "payload", to));
     }
 
     /**
@@ -266,105 +252,105 @@ final class TraceMutants {
      * which nothing is sent.
      */
     private boolean tellsNothing(int line) {
-        JsonObject event = genuine.events().get(line);
-        if (text(event, "board").equals(STRANGER) || text(event, "from").equals(STRANGER)) {
+        TraceEvent event = genuine.events().get(line);
+        if (event.board().equals(STRANGER) || event.textOrEmpty("from").equals(STRANGER)) {
             return true;
         }
-        List<JsonObject> before = of(text(event, "board"), genuine.events().subList(0, line));
-        List<JsonObject> after = of(text(event, "board"), genuine.events().subList(line + 1, lines.size()));
-        return switch (text(event, "event")) {
-            case "reset" -> before.stream().noneMatch(other -> text(other, "event").startsWith("rf-"))
+        List<TraceEvent> before = of(event.board(), genuine.events().subList(0, line));
+        List<TraceEvent> after = of(event.board(), genuine.events().subList(line + 1, lines.size()));
+        return switch (event.name()) {
+            case "reset" -> before.stream().noneMatch(other -> other.name().startsWith("rf-"))
                     || before.stream().filter(TraceMutants::isOwn).reduce((first, second) -> second)
-                            .filter(other -> !is(other, "reset")).isEmpty();
+                            .filter(other -> !other.is("reset")).isEmpty();
             case "host-id" -> before.stream()
-                    .anyMatch(other -> is(other, "host-id") && text(other, "id").equals(text(event, "id")))
-                    || after.stream().takeWhile(other -> !is(other, "host-id")).noneMatch(other -> is(other, "rf-tx"));
+                    .anyMatch(other -> other.is("host-id") && other.textOrEmpty("id").equals(event.textOrEmpty("id")))
+                    || after.stream().takeWhile(other -> !other.is("host-id")).noneMatch(other -> other.is("rf-tx"));
             case "host-key", "host-radio", "host-relaying", "host-nothing" -> true;
             case "rf-tx", "rf-rx", "rf-damaged" -> false;
-            default -> !text(event, "event").startsWith("host-");
+            default -> !event.name().startsWith("host-");
         };
     }
 
     /** What else this board and its host do from here on, up to a reset. */
-    private Stream<JsonObject> then(int line) {
-        return of(text(genuine.events().get(line), "board"), genuine.events().subList(line + 1, lines.size())).stream()
-                .takeWhile(other -> !is(other, "reset"));
+    private Stream<TraceEvent> then(int line) {
+        return of(genuine.events().get(line).board(), genuine.events().subList(line + 1, lines.size())).stream()
+                .takeWhile(other -> !other.is("reset"));
     }
 
     /** Whether a board could not go on so without this event. */
     private boolean isMissed(int line) {
-        JsonObject event = genuine.events().get(line);
-        return switch (text(event, "event")) {
+        TraceEvent event = genuine.events().get(line);
+        return switch (event.name()) {
             // A host tells with the next what it has not been heard to say, and so does a board.
-            case "host-taking" -> then(line).filter(other -> text(other, "event").startsWith("host-tak")).findFirst()
-                    .filter(other -> is(other, "host-taken") && isSame("number", event, other)).isPresent();
-            case "host-taken" -> then(line).noneMatch(other -> is(other, "host-taken"))
+            case "host-taking" -> then(line).filter(other -> other.name().startsWith("host-tak")).findFirst()
+                    .filter(other -> other.is("host-taken") && isSame("number", event, other)).isPresent();
+            case "host-taken" -> then(line).noneMatch(other -> other.is("host-taken"))
                     && then(line).anyMatch(other -> isTold(other) && apart(event, other) > OTHER_REQUEST);
             case "host-outcome" -> then(line)
-                    .anyMatch(other -> is(other, "host-handed") && apart(event, other) > OTHER_ATTEMPT);
+                    .anyMatch(other -> other.is("host-handed") && apart(event, other) > OTHER_ATTEMPT);
             // With the next one all that it has done is gone as well.
             case "reset" -> then(line).anyMatch(TraceMutants::isOwn);
             // No trace tells who is in range.
             case "rf-damaged" -> false;
             case "rf-rx" -> isActedUpon(line);
             // A trace may end before it tells of a packet that others have heard already.
-            case "rf-tx" -> number(genuine.events().get(lines.size() - 1), "t") > number(event, "end") + SECOND;
+            case "rf-tx" -> genuine.events().get(lines.size() - 1).seconds() > event.real("end") + SECOND;
             default -> !isUnknown(line);
         };
     }
 
     /** Whether what comes here, and has not come before, is what its board then tells its host of. */
     private boolean isActedUpon(int line) {
-        JsonObject event = genuine.events().get(line);
-        boolean comesOnce = packets.stream().filter(packet -> packet.payload().equals(text(event, "payload"))
-                && packet.isHeardBy(text(event, "board"))).count() == 1;
+        TraceEvent event = genuine.events().get(line);
+        boolean comesOnce = packets.stream().filter(packet -> packet.payload().equals(event.textOrEmpty("payload"))
+                && packet.isHeardBy(event.board())).count() == 1;
         return comesOnce && then(line)
-                .takeWhile(other -> !text(other, "event").startsWith("rf-"))
-                .anyMatch(other -> text(event, "kind").equals("acknowledgement")
-                        ? text(other, "outcome").equals("delivered")
-                        : is(other, "host-handed") && isSame("origin", event, other)
+                .takeWhile(other -> !other.name().startsWith("rf-"))
+                .anyMatch(other -> event.textOrEmpty("kind").equals("acknowledgement")
+                        ? other.textOrEmpty("outcome").equals("delivered")
+                        : other.is("host-handed") && isSame("origin", event, other)
                                 && isSame("destination", event, other));
     }
 
     /** Whether it may have been without effect: a host asks for what its board never sends, as a reset comes before. */
     private boolean isUnknown(int line) {
-        JsonObject event = genuine.events().get(line);
-        return is(event, "host-transmit")
-                && then(line).noneMatch(other -> is(other, "host-outcome") && isSame("number", event, other));
+        TraceEvent event = genuine.events().get(line);
+        return event.is("host-transmit")
+                && then(line).noneMatch(other -> other.is("host-outcome") && isSame("number", event, other));
     }
 
     /** Whether boards could not go on so without this packet: of others there are repeats that are enough. */
     private boolean isMissed(Trace.Packet packet) {
         long copies = packets.stream().filter(other -> other.payload().equals(packet.payload())
                 && other.board().equals(packet.board())).count();
-        boolean toMany = List.of("multicast", "broadcast").contains(text(packet.sent(), "kind"));
+        boolean toMany = List.of("multicast", "broadcast").contains(packet.sent().textOrEmpty("kind"));
         // A reset may end a message before anybody has answered.
-        boolean isNoMatter = text(packet.sent(), "kind").equals("unicast")
-                && then(genuine.events().indexOf(packet.sent())).noneMatch(other -> is(other, "host-outcome"));
+        boolean isNoMatter = packet.sent().textOrEmpty("kind").equals("unicast")
+                && then(genuine.events().indexOf(packet.sent())).noneMatch(other -> other.is("host-outcome"));
         return !isNoMatter && (toMany || copies == 1 || copies == ATTEMPTS);
     }
 
     /** Whether an event that comes sooner or later is no longer where it was among what it has to do with. */
-    private boolean isOvertaken(JsonObject event, double seconds) {
-        double from = number(event, "t") + Math.min(0, seconds);
-        double to = number(event, "t") + Math.max(0, seconds);
-        if (seconds < 0 && is(event, "host-outcome")) {
+    private boolean isOvertaken(TraceEvent event, double seconds) {
+        double from = event.seconds() + Math.min(0, seconds);
+        double to = event.seconds() + Math.max(0, seconds);
+        if (seconds < 0 && event.is("host-outcome")) {
             return true;
         }
-        if (seconds < 0 && is(event, "host-handed")
+        if (seconds < 0 && event.is("host-handed")
                 && heardBefore(event).filter(packet -> packet.end() > from).isPresent()) {
             return true;
         }
         return genuine.events().stream()
                 .filter(other -> other != event && isOwn(other) && isSame("board", event, other)
-                        && number(other, "t") >= from && number(other, "t") <= to)
-                .anyMatch(other -> !(is(other, "rf-tx") && !is(event, "reset"))
+                        && other.seconds() >= from && other.seconds() <= to)
+                .anyMatch(other -> !(other.is("rf-tx") && !event.is("reset"))
                         && isOrdered(seconds < 0 ? other : event, seconds < 0 ? event : other));
     }
 
     /** Whether a board and its host can have done these two in this order only. */
-    private static boolean isOrdered(JsonObject first, JsonObject second) {
-        Set<String> names = Set.copyOf(List.of(text(first, "event"), text(second, "event")));
+    private static boolean isOrdered(TraceEvent first, TraceEvent second) {
+        Set<String> names = Set.copyOf(List.of(first.name(), second.name()));
         boolean same = isSame("number", first, second);
         if (names.contains("host-transmit") && names.size() == 2) {
             return names.contains("reset") || names.contains("rf-tx") || names.contains("host-outcome") && same;
@@ -381,20 +367,20 @@ final class TraceMutants {
         }
         // What a reset breaks off is told behind it.
         return !names.equals(Set.of("reset"))
-                && (!is(second, "rf-tx") || number(second, "start") > number(first, "t"));
+                && (!second.is("rf-tx") || second.real("start") > first.seconds());
     }
 
     /** What a board tells its host when that asks: all that there is. */
-    private static boolean isTold(JsonObject event) {
-        return is(event, "host-handed") || is(event, "host-outcome");
+    private static boolean isTold(TraceEvent event) {
+        return event.is("host-handed") || event.is("host-outcome");
     }
 
-    private static double apart(JsonObject first, JsonObject second) {
-        return number(second, "t") - number(first, "t");
+    private static double apart(TraceEvent first, TraceEvent second) {
+        return second.seconds() - first.seconds();
     }
 
-    private static boolean isSame(String field, JsonObject first, JsonObject second) {
-        return text(first, field).equals(text(second, field));
+    private static boolean isSame(String field, TraceEvent first, TraceEvent second) {
+        return first.textOrEmpty(field).equals(second.textOrEmpty(field));
     }
 
     /**
@@ -410,65 +396,67 @@ final class TraceMutants {
 
     private boolean isCalm(double from, double to) {
         return genuine.events().stream()
-                .filter(event -> is(event, "reset") || is(event, "fault") || is(event, "command"))
-                .noneMatch(event -> number(event, "t") > from - DISTURBED && number(event, "t") < to + DISTURBED);
+                .filter(event -> event.is("reset") || event.is("fault") || event.is("command"))
+                .noneMatch(event -> event.seconds() > from - DISTURBED && event.seconds() < to + DISTURBED);
     }
 
-    private static List<JsonObject> of(String board, List<JsonObject> events) {
-        return events.stream().filter(event -> text(event, "board").equals(board)).toList();
+    private static List<TraceEvent> of(String board, List<TraceEvent> events) {
+        return events.stream().filter(event -> event.board().equals(board)).toList();
     }
 
     /** What a board itself does, in the order in which it does it. */
-    private static boolean isOwn(JsonObject event) {
-        return is(event, "rf-tx") || is(event, "reset")
-                || text(event, "event").startsWith("host-") && !is(event, "host-nothing");
+    private static boolean isOwn(TraceEvent event) {
+        return event.is("rf-tx") || event.is("reset")
+                || event.name().startsWith("host-") && !event.is("host-nothing");
     }
 
     private Optional<Integer> next(int line) {
-        JsonObject event = genuine.events().get(line);
+        TraceEvent event = genuine.events().get(line);
         for (int i = line + 1; i < lines.size(); i++) {
-            JsonObject other = genuine.events().get(i);
-            if (isOwn(other) && text(other, "board").equals(text(event, "board"))) {
-                boolean same = event.has("payload") && text(event, "payload").equals(text(other, "payload"));
+            TraceEvent other = genuine.events().get(i);
+            if (isOwn(other) && other.board().equals(event.board())) {
+                boolean same =
+                        event.has("payload") && event.textOrEmpty("payload").equals(other.textOrEmpty("payload"));
                 return same || tellsNothing(i) ? Optional.empty() : Optional.of(i);
             }
         }
         return Optional.empty();
     }
 
-    private static void swap(Trace trace, JsonObject first, JsonObject second) {
-        double between = number(second, "t") - number(first, "t");
+    private static void swap(Trace trace, TraceEvent first, TraceEvent second) {
+        double between = second.seconds() - first.seconds();
         trace.move(first, between);
         trace.move(second, -between);
     }
 
     /** The first time that what was handed over was sent. */
-    private Optional<Trace.Packet> heardBefore(JsonObject handed) {
-        List<Trace.Packet> heard = packets.stream().filter(packet -> packet.end() < number(handed, "t")
-                && packet.isHeardBy(text(handed, "board"))
-                && text(packet.sent(), "origin").equals(text(handed, "origin"))).toList();
+    private Optional<Trace.Packet> heardBefore(TraceEvent handed) {
+        List<Trace.Packet> heard = packets.stream().filter(packet -> packet.end() < handed.seconds()
+                && packet.isHeardBy(handed.board())
+                && packet.sent().textOrEmpty("origin").equals(handed.textOrEmpty("origin"))).toList();
         return heard.stream().filter(packet -> packet.payload().equals(heard.get(heard.size() - 1).payload()))
                 .findFirst();
     }
 
-    private Optional<JsonObject> asked(int outcome) {
-        JsonObject event = genuine.events().get(outcome);
+    private Optional<TraceEvent> asked(int outcome) {
+        TraceEvent event = genuine.events().get(outcome);
         return genuine.events().subList(0, outcome).stream()
-                .filter(other -> is(other, "host-transmit") && text(other, "board").equals(text(event, "board"))
-                        && text(other, "number").equals(text(event, "number")))
+                .filter(other -> other.is("host-transmit") && other.board().equals(event.board())
+                        && other.textOrEmpty("number").equals(event.textOrEmpty("number")))
                 .reduce((first, second) -> second);
     }
 
     /** Another value that this field has in this trace. */
-    private Optional<String> other(String field, JsonObject event) {
+    private Optional<String> other(String field, TraceEvent event) {
         Set<String> values = new LinkedHashSet<>();
-        for (JsonObject each : genuine.events()) {
-            if (each.has(field) && text(each, field).length() == text(event, field).length() || field.equals("board")) {
-                values.add(text(each, field));
+        for (TraceEvent each : genuine.events()) {
+            if (each.has(field) && each.textOrEmpty(field).length() == event.textOrEmpty(field).length()
+                    || field.equals("board")) {
+                values.add(each.textOrEmpty(field));
             }
         }
         values.removeAll(List.of("", STRANGER));
-        return other(List.copyOf(values), text(event, field));
+        return other(List.copyOf(values), event.textOrEmpty(field));
     }
 
     private Optional<String> other(List<String> values, String than) {
@@ -481,20 +469,20 @@ final class TraceMutants {
     }
 
     private void enter(String operator, int packet, BiConsumer<Trace, Trace.Packet> change) {
-        JsonObject sent = packets.get(packet).sent();
+        TraceEvent sent = packets.get(packet).sent();
         enter(operator, genuine.events().indexOf(sent), "",
-                (trace, it) -> change.accept(trace, trace.packets().get(packet)));
+                (trace, it) -> change.accept(trace, packets.get(packet)));
     }
 
-    private void enter(String operator, int line, String detail, BiConsumer<Trace, JsonObject> change) {
+    private void enter(String operator, int line, String detail, BiConsumer<Trace, TraceEvent> change) {
         mutants.add(new TraceMutant(operator, called(genuine.events().get(line)), line + 1, detail, () -> {
-            Trace trace = new Trace(lines);
+            Trace trace = new Trace(genuine.events());
             change.accept(trace, trace.events().get(line));
             return trace.lines();
         }));
     }
 
-    private static String called(JsonObject event) {
-        return (text(event, "event") + " " + text(event, "kind") + " " + text(event, "answers")).strip();
+    private static String called(TraceEvent event) {
+        return (event.name() + " " + event.textOrEmpty("kind") + " " + event.textOrEmpty("answers")).strip();
     }
 }

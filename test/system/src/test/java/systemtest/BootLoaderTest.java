@@ -6,13 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.Emulator;
 import harness.Host;
-import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.Map;
 import javino.protocol.Address;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** A Mega that begins with Arduino's own boot loader after each reset, as it does where it is not emulated. */
 @Timeout(120)

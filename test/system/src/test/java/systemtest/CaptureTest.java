@@ -8,7 +8,6 @@ import capture.Tshark;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -23,6 +22,7 @@ import javino.protocol.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
+import trace.TraceEvent;
 
 /** {@code javino capture} at a board without address and keys, while two others talk. */
 class CaptureTest {

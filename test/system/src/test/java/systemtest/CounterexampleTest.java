@@ -6,11 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -25,6 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /**
  * The attacks that the model of delivery finds where one check of a board is taken away (uppaal/README.md): the same
@@ -148,7 +147,7 @@ class CounterexampleTest {
     /** The n-th packet that a board has sent, waited for. */
     private byte[] overheard(String board, int nth) throws InterruptedException {
         TraceEvent sent = emulator.await("packet " + nth + " of " + board, nth, event -> event.is("rf-tx", board));
-        return HexFormat.of().parseHex(sent.text("payload"));
+        return sent.bytes("payload");
     }
 
     /** Where an acknowledgement of a sealed frame goes (SPEC 7.3): the last 12 bits of its nonce as two digits. */

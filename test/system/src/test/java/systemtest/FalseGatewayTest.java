@@ -7,7 +7,6 @@ import harness.BrokerClient;
 import harness.Host;
 import harness.Mosquitto;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
@@ -26,6 +25,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import trace.TraceEvent;
 
 /** Who has a user at the broker, the broker itself, or a radio in a cell, and what he cannot do (SECURITY.md). */
 @Tag("verify")
@@ -244,8 +244,8 @@ class FalseGatewayTest extends JoinedCells {
         List<TraceEvent> recorded = emulator.sentBy("police");
         int said = 0;
         for (TraceEvent sent : recorded) {
-            say(EAST, HEX.parseHex(sent.text("payload")));
-            say(WEST, changed(HEX.parseHex(sent.text("payload"))));
+            say(EAST, sent.bytes("payload"));
+            say(WEST, changed(sent.bytes("payload")));
             said += 2;
             // Only so many may wait to be sent, and on a busy machine the boards' time goes by slowly.
             emulator.await("what the stranger says", said, event -> event.is("rf-tx", "stranger"));

@@ -8,7 +8,6 @@ import harness.GatewayProcess;
 import harness.Host;
 import harness.Mosquitto;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +18,7 @@ import javino.protocol.Outcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** Two cells out of each other's range, joined by gateways over a broker with TLS. */
 abstract class JoinedCells {

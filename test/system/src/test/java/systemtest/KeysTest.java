@@ -98,7 +98,7 @@ class KeysTest {
 
     private List<byte[]> record(Emulator emulator) {
         return IDS.keySet().stream().flatMap(board -> emulator.sentBy(board).stream())
-                .map(event -> HexFormat.of().parseHex(event.text("payload"))).toList();
+                .map(event -> event.bytes("payload")).toList();
     }
 
     /** The nonces that an origin has used, whatever for. */

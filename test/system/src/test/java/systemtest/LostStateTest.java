@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import harness.Transmitter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,6 +33,7 @@ import javino.protocol.Status;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** Boards that have lost the state on which security rests: epochs in EEPROM, nonces in RAM. */
 class LostStateTest {
@@ -105,7 +105,7 @@ class LostStateTest {
     }
 
     private static List<byte[]> sentBy(Emulator emulator, String board) {
-        return emulator.sentBy(board).stream().map(event -> HexFormat.of().parseHex(event.text("payload"))).toList();
+        return emulator.sentBy(board).stream().map(event -> event.bytes("payload")).toList();
     }
 
     @Test
@@ -167,7 +167,7 @@ class LostStateTest {
                 assertEquals(Outcome.UNDELIVERED,
                         Host.get(support.board.transmit(Address.parse("SUPO"), Content.parse("tell;help")).end()));
                 for (TraceEvent sent : emulator.sentBy("support")) {
-                    thief.send(HexFormat.of().parseHex(sent.text("payload")));
+                    thief.send(sent.bytes("payload"));
                 }
                 assertEquals(Status.MEMORY_DAMAGED, refusal(police));
                 assertTrue(police.counter(Counter.MEMORY_DAMAGED) > 0);

@@ -7,7 +7,6 @@ import harness.AgentProcess;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import harness.Travels;
 import harness.Walk;
 import java.nio.file.Files;
@@ -25,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import trace.TraceEvent;
 
 /** An agent that moves by emulated radio between two MAS, of which one may be killed: it is awake in one place only. */
 class MovesTest {

@@ -4,19 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import harness.AgentProcess;
-import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
+import trace.TraceReader;
 
 /** A project that {@code javino new} has written, built and run as its user does who has a release, and no clone. */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
@@ -98,9 +98,7 @@ class NewProjectTest {
     }
 
     private static List<TraceEvent> lamp(Path trace) throws IOException {
-        try (Stream<String> lines = Files.lines(trace)) {
-            return lines.map(TraceEvent::parse).filter(event -> event.is("pin", "robot")).toList();
-        }
+        return TraceReader.all(trace).stream().filter(event -> event.is("pin", "robot")).toList();
     }
 
     /** The emulator removes its port at its end. */

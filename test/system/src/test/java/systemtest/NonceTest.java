@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HexFormat;
@@ -14,6 +13,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** What a board seals with over its life. */
 class NonceTest {
@@ -40,7 +40,7 @@ class NonceTest {
                 police.send(message % 50 == 0 ? "SUPP" : "//SU", "tell;x");
             }
             for (TraceEvent sent : emulator.sentBy("police")) {
-                byte[] frame = HexFormat.of().parseHex(sent.text("payload"));
+                byte[] frame = sent.bytes("payload");
                 String nonce = HexFormat.of().formatHex(frame, 10, 16);
                 String before = frames.putIfAbsent(nonce, sent.text("payload"));
                 assertTrue(before == null || before.equals(sent.text("payload")),

@@ -1,12 +1,12 @@
 package systemtest;
 
 import harness.Emulator;
-import harness.TraceEvent;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import trace.TraceEvent;
 
 /** Disturbs boards by commands to their emulator; each has taken effect when its method returns. */
 final class Nuisance {

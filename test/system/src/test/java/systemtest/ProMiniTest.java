@@ -6,7 +6,6 @@ import harness.Emulator;
 import harness.Host;
 import harness.LineCode;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** A Pro Mini, at half the clock of the Mega beside it. */
 @Tag("verify")

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HexFormat;
@@ -19,6 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** Two boards of a group, and a third of another group that hears all they send. */
 class RadioExchangeTest {

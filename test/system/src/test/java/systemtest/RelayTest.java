@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import harness.Emulator;
 import harness.Host;
 import harness.TestKeys;
-import harness.TraceEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -25,6 +24,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** A line of boards, each of which hears its neighbours only, and what relays between its ends make of messages. */
 class RelayTest {
@@ -93,7 +93,7 @@ class RelayTest {
     }
 
     private static String hops(TraceEvent packet) {
-        return packet.fields().has("hops") ? packet.text("hops") : "0";
+        return "" + packet.hops();
     }
 
     @Test
@@ -163,7 +163,7 @@ class RelayTest {
             int number = i;
             String packet = emulator
                     .await("message " + i, number + 1,
-                            event -> event.is("rf-tx", "from") && !event.fields().has("trailer"))
+                            event -> event.is("rf-tx", "from") && !event.has("trailer"))
                     .text("payload");
             String answer = Address.acknowledgement(Payload.of(Bytes.ofHex(packet)).lastBits()).toBytes().hex()
                     + "5355504f42410102030405060708";

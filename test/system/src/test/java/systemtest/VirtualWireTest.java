@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import harness.Emulator;
 import harness.Host;
 import harness.LineCode;
-import harness.TraceEvent;
 import harness.Transmitter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -21,6 +20,7 @@ import javino.vectors.RadioVectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import trace.TraceEvent;
 
 /** What our boards send and hear, against the line code's definition. */
 class VirtualWireTest {
