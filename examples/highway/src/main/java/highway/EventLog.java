@@ -2,14 +2,14 @@ package highway;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParseException;
-import com.google.gson.JsonPrimitive;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
+import trace.MalformedEventException;
+import trace.TraceEvent;
 
 /** All events of a run, one JSON object a line: in a file and, where the run is watched, on the page. */
 final class EventLog implements AutoCloseable {
@@ -41,7 +41,8 @@ final class EventLog implements AutoCloseable {
 
     /** An event of the launcher: names of its fields, each before its value. */
     void tell(double seconds, String event, Object... fields) {
-        JsonObject all = begun(seconds);
+        JsonObject all = new JsonObject();
+        all.addProperty("t", seconds);
         all.addProperty("event", event);
         for (int i = 0; i < fields.length; i += 2) {
             all.add((String) fields[i], JSON.toJsonTree(fields[i + 1]));
@@ -54,25 +55,16 @@ final class EventLog implements AutoCloseable {
         if (!line.startsWith("{")) {
             return false;
         }
+        String event = "{\"t\":" + seconds + ",\"board\":\"" + device.id() + "\"," + line.substring(1);
         try {
-            JsonObject event = JSON.fromJson(line, JsonObject.class);
-            if (!(event.get("event") instanceof JsonPrimitive name) || !OF_AGENTS.contains(name.getAsString())) {
+            if (!OF_AGENTS.contains(TraceEvent.parse(1, event).name())) {
                 return false;
             }
-            JsonObject all = begun(seconds);
-            all.addProperty("board", device.id());
-            event.entrySet().forEach(field -> all.add(field.getKey(), field.getValue()));
-            line(seconds, JSON.toJson(all));
-            return true;
-        } catch (JsonParseException noEvent) {
+        } catch (MalformedEventException noEvent) {
             return false;
         }
-    }
-
-    private static JsonObject begun(double seconds) {
-        JsonObject event = new JsonObject();
-        event.addProperty("t", seconds);
-        return event;
+        line(seconds, event);
+        return true;
     }
 
     @Override

@@ -1,6 +1,5 @@
 package highway;
 
-import com.google.gson.JsonParseException;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -23,6 +22,8 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import trace.MalformedEventException;
+import trace.TraceEvent;
 import uppaal.replay.Replay;
 
 /**
@@ -69,6 +70,7 @@ final class Scenario implements AutoCloseable {
     private final List<Behaviour> behaviours;
     private final List<Device> ready = new ArrayList<>();
     private int joined;
+    private int events;
     private final List<Child> children = new ArrayList<>();
     private FileChannel lock;
     private EventLog log;
@@ -186,20 +188,24 @@ final class Scenario implements AutoCloseable {
     }
 
     private void readTrace(String line) {
+        TraceEvent event;
         Optional<Observation> seen;
         try {
-            seen = trace.read(line);
-        } catch (JsonParseException noEvent) {
+            event = TraceEvent.parse(events + 1, line);
+            seen = trace.read(event);
+        } catch (MalformedEventException noEvent) {
+            // A message of the emulator, or cut off.
             warn(line);
             return;
         }
+        events++;
         log.line(trace.seconds(), line);
         if (!introduced) {
             introduced = true;
             introduce();
         }
         seen.ifPresent(this::see);
-        model.line(line);
+        model.event(event);
         if (model.refusal().isPresent()) {
             judge();
         }

@@ -1,8 +1,5 @@
 package highway;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParseException;
-import com.google.gson.JsonParser;
 import highway.Observation.Acknowledged;
 import highway.Observation.Aired;
 import highway.Observation.Hosts;
@@ -14,8 +11,9 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Payload;
 import javino.protocol.Word;
+import trace.TraceEvent;
 
-/** Reads the emulator's trace, one JSON line an event (emulator/README.md). */
+/** What the emulator's trace shows (emulator/README.md). */
 final class Trace {
 
     /** Of a word: its kind and addressee (SPEC 11.3). */
@@ -30,33 +28,25 @@ final class Trace {
         return seconds;
     }
 
-    /**
-     * What a line shows of the scenario; nothing for events that are of no interest here.
-     *
-     * @throws JsonParseException if it is no event: a message of the emulator, or cut off
-     */
-    Optional<Observation> read(String line) {
-        if (!line.startsWith("{")) {
-            throw new JsonParseException(line);
-        }
-        JsonObject event = JsonParser.parseString(line).getAsJsonObject();
-        seconds = event.get("t").getAsDouble();
-        return switch (text(event, "event")) {
-            case "rf-tx" -> Optional.of(text(event, "kind").equals("acknowledgement")
-                    ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers"))
+    /** What an event shows of the scenario; nothing for those that are of no interest here. */
+    Optional<Observation> read(TraceEvent event) {
+        seconds = event.seconds();
+        return switch (event.name()) {
+            case "rf-tx" -> Optional.of(event.textOrEmpty("kind").equals("acknowledgement")
+                    ? new Acknowledged(seconds, event.textOrEmpty("origin"), event.textOrEmpty("answers"))
                     : word(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(seconds, event)));
             case "rf-damaged" ->
                 device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
             case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
             case "pin" -> device(event)
-                    .map(device -> new Pin(seconds, device, text(event, "name"), event.get("level").getAsInt()));
+                    .map(device -> new Pin(seconds, device, event.textOrEmpty("name"), event.number("level")));
             default -> Optional.empty();
         };
     }
 
     /** What one host says to another in a broadcast. */
-    private Optional<Hosts> word(JsonObject event) {
-        Payload payload = Payload.of(Bytes.ofHex(text(event, "payload")));
+    private Optional<Hosts> word(TraceEvent event) {
+        Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
         Bytes word = payload.message();
         if (payload.kind() != Payload.Kind.BROADCAST || word.length() < HEAD || !Word.isWord(word)) {
             return Optional.empty();
@@ -64,20 +54,16 @@ final class Trace {
         Address to = new Address((int) word.number(1, 4));
         int kind = word.at(0) - 0x80 >> 2;
         String part = kind == 1 ? ", part " + (1 + word.at(0) % 4) : "";
-        return Optional.of(new Hosts(seconds, text(event, "origin"), to.toString(),
+        return Optional.of(new Hosts(seconds, event.textOrEmpty("origin"), to.toString(),
                 (kind < WORDS.size() ? WORDS.get(kind) : "unknown") + part));
     }
 
-    private static Aired aired(double seconds, JsonObject event) {
-        return new Aired(seconds, text(event, "origin"), text(event, "destination"),
-                event.has("sealed") && event.get("sealed").getAsBoolean(), text(event, "content"));
+    private static Aired aired(double seconds, TraceEvent event) {
+        return new Aired(seconds, event.textOrEmpty("origin"), event.textOrEmpty("destination"),
+                event.textOrEmpty("sealed").equals("true"), event.textOrEmpty("content"));
     }
 
-    private static Optional<Device> device(JsonObject event) {
-        return Device.withId(text(event, "board"));
-    }
-
-    private static String text(JsonObject event, String key) {
-        return event.has(key) ? event.get(key).getAsString() : "";
+    private static Optional<Device> device(TraceEvent event) {
+        return Device.withId(event.board());
     }
 }
