@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sstream>
 
+#include "../../test/firmware/support/Digits.h"
 #include "support.h"
 
 extern "C" {
@@ -12,7 +13,6 @@ static int read(frame_view *view, const std::string &text) {
 }
 
 static std::string frame(const std::string &addresses, const std::string &message) {
-  static const char DIGITS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   return addresses + DIGITS[message.size() * 8 / 64] + DIGITS[message.size() * 8 % 64] + message;
 }
 
@@ -116,7 +116,6 @@ TEST(FrameView, what_only_looks_like_a_content_is_sealed) {
 }
 
 TEST(FrameView, reads_the_address_of_every_piece) {
-  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   for (int id = 0; id < 64; id++)
     for (int digit = 0; digit < 16; digit++) {
       frame_view view;
@@ -130,12 +129,9 @@ TEST(FrameView, reads_the_address_of_every_piece) {
 }
 
 TEST(FrameView, tells_what_an_acknowledgement_says_by_its_length) {
-  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   for (size_t length = 0; length <= 67; length++) {
-    size_t bits = 8 * length;
-    std::string frame = std::string("+KABSUPO") + DIGITS[bits / 64] + DIGITS[bits % 64] + std::string(length, 'x');
     frame_view view;
-    ASSERT_EQ(read(&view, frame), 0) << length;
+    ASSERT_EQ(read(&view, frame("+KABSUPO", std::string(length, 'x'))), 0) << length;
     std::string expected = length == 8 ? "delivered" : length == 9 ? "pieces" : length == 16 ? "stale" : "unknown";
     EXPECT_EQ(frame_answer_text(&view), expected) << length;
   }

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "../firmware/support/Reference.h"
 #include "TestMega.h"
 
 namespace {
@@ -10,8 +11,8 @@ namespace {
 const int KEYS = 1000;
 
 Bytes header(size_t length) {
-  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  return bytesOf("SUHOROMA") + bytesOf({DIGITS[8 * length >> 6], DIGITS[8 * length & 63]});
+  const Bytes frame = reference::frame("SUHO", "ROMA", Bytes(length));
+  return Bytes(frame.begin(), frame.end() - static_cast<std::ptrdiff_t>(length));
 }
 
 }  // namespace

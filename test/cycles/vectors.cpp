@@ -1,4 +1,5 @@
 // What the assembly computes: the same vectors that the portable code and the Java library are held to.
+#include "../firmware/support/Reference.h"
 #include "../firmware/support/Vectors.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +12,7 @@ const size_t HEADER_LENGTH = 10;
 
 // Address and size digits as in SPEC 1 and 2; the vector has no plain frame.
 Bytes plainFrame(const Vector &vector) {
-  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const Bytes content = vector.bytes("content");
-  const size_t bits = 8 * content.size();
-  const std::string size = {DIGITS[bits >> 6], DIGITS[bits & 63]};
-  return bytesOf(vector.text("destination") + vector.text("origin") + size) + content;
+  return reference::frame(vector.text("destination"), vector.text("origin"), vector.bytes("content"));
 }
 
 }  // namespace

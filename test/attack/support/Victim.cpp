@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "support/Digits.h"
+
 static const uint8_t PIECE_LENGTH = 67;
 static const uint32_t SENDER_EPOCH = 5;
 
@@ -108,7 +110,7 @@ void Victim::reset(bool keepsRam) {
   board.request('R', {1});
 }
 
-char digit(unsigned value) { return "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[value % 64]; }
+char digit(unsigned value) { return DIGITS[value % 64]; }
 
 Bytes piece(const std::string &origin, unsigned id, unsigned index, const Bytes &part) {
   const std::string header =

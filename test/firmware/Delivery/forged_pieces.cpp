@@ -7,6 +7,7 @@
 #include <map>
 
 #include "support/Air.h"
+#include "support/Digits.h"
 #include "support/Keys.h"
 #include "support/Reference.h"
 
@@ -17,7 +18,6 @@ const uint32_t ID_AT = 2;
 const uint32_t INDEX_AT = 3;
 const uint32_t MESSAGE_AT = 10;
 const size_t PART = 67;
-const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 uint32_t airtime(const Bytes &packet) { return 42 + 6 * static_cast<uint32_t>(packet.size()); }
 

@@ -2,6 +2,7 @@
 
 #include <delivery/Pieces.h>
 
+#include "support/Digits.h"
 #include "support/Keys.h"
 #include "support/Pieces.h"
 #include "support/Reference.h"
@@ -42,8 +43,7 @@ class InPieces : public testing::Test {
 
 TEST(Pieces, are_cut_as_in_the_vectors) {
   for (const Vector &vector : vectors("pieces.json", "valid")) {
-    const size_t id =
-        std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(vector.text("id"));
+    const size_t id = DIGITS.find(vector.text("id"));
     EXPECT_EQ(vector.bytesList("pieces"), cut(vector.bytes("frame"), static_cast<uint8_t>(id))) << vector.toString();
   }
 }

@@ -2,6 +2,7 @@
 #include <delivery/Relay.h>
 #include <gtest/gtest.h>
 
+#include "support/Digits.h"
 #include "support/FakeClock.h"
 #include "support/FakeRadio.h"
 
@@ -17,10 +18,7 @@ Bytes unicast(uint8_t number, const std::string &to = "SUPO", const std::string 
 }
 
 // 12 bits of 0…255 are the digits AA…D/.
-std::string digitsOf(uint8_t number) {
-  static const char DIGITS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  return std::string{DIGITS[number >> 6], DIGITS[number & 63]};
-}
+std::string digitsOf(uint8_t number) { return std::string{DIGITS[number >> 6], DIGITS[number & 63]}; }
 
 Bytes answer(uint8_t number, uint8_t proof = 0x5A, const std::string &from = "SUPO") {
   return bytesOf("+K" + digitsOf(number) + from + "BA") + Bytes(8, proof);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "Digits.h"
+
 namespace reference {
 
 uint16_t crc(const Bytes &bytes) {
@@ -55,7 +57,6 @@ Bytes packet(uint8_t sequence, const Bytes &frame) {
 }
 
 Bytes frame(const std::string &destination, const std::string &origin, const Bytes &message) {
-  static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const size_t bits = message.size() * 8;
   return bytesOf(destination + origin + DIGITS.at(bits / 64) + DIGITS.at(bits % 64)) + message;
 }
