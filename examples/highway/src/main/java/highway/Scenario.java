@@ -64,13 +64,14 @@ final class Scenario implements AutoCloseable {
     private final Options options;
     private final Timeline timeline;
     private final Chart chart = new Chart();
-    private final Trace trace = new Trace();
     private final Replay model = new Replay(KEYRING);
     private final BlockingQueue<Runnable> happenings = new LinkedBlockingQueue<>();
     private final List<Behaviour> behaviours;
     private final List<Device> ready = new ArrayList<>();
     private int joined;
     private int events;
+    /** Emulated time of the last event: what happens outside of the emulator is not earlier than that. */
+    private double seconds;
     private final List<Child> children = new ArrayList<>();
     private FileChannel lock;
     private EventLog log;
@@ -100,7 +101,7 @@ final class Scenario implements AutoCloseable {
 
     private void tell(String event, Object... fields) {
         if (log != null) {
-            log.tell(trace.seconds(), event, fields);
+            log.tell(seconds, event, fields);
         }
     }
 
@@ -192,14 +193,15 @@ final class Scenario implements AutoCloseable {
         Optional<Observation> seen;
         try {
             event = TraceEvent.parse(events + 1, line);
-            seen = trace.read(event);
+            seen = Trace.read(event);
         } catch (MalformedEventException noEvent) {
             // A message of the emulator, or cut off.
             warn(line);
             return;
         }
         events++;
-        log.line(trace.seconds(), line);
+        seconds = event.seconds();
+        log.line(seconds, line);
         if (!introduced) {
             introduced = true;
             introduce();
@@ -307,7 +309,7 @@ final class Scenario implements AutoCloseable {
 
     private void startAgent(Device device) throws IOException {
         start(device.id(), options.agentCommand(device), line -> {
-            if (!options.live() || !log.observed(trace.seconds(), device, line)) {
+            if (!options.live() || !log.observed(seconds, device, line)) {
                 see(said(device, line));
             }
         });
@@ -315,7 +317,7 @@ final class Scenario implements AutoCloseable {
 
     private Observation said(Device device, String line) {
         String tag = "[" + device.id() + "] ";
-        return new Observation.Said(trace.seconds(), device,
+        return new Observation.Said(seconds, device,
                 line.startsWith(tag) ? line.substring(tag.length()) : line);
     }
 

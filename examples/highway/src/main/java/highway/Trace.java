@@ -21,20 +21,16 @@ final class Trace {
     private static final List<String> WORDS = List.of("handshake 1", "handshake 2", "handshake 3", "renewal 1",
             "renewal 2", "renewal 3", "asks for a part", "asks for the key of the group");
 
-    private double seconds;
-
-    /** Emulated time of the last event: what happens outside of the emulator is not earlier than that. */
-    double seconds() {
-        return seconds;
+    private Trace() {
     }
 
     /** What an event shows of the scenario; nothing for those that are of no interest here. */
-    Optional<Observation> read(TraceEvent event) {
-        seconds = event.seconds();
+    static Optional<Observation> read(TraceEvent event) {
+        double seconds = event.seconds();
         return switch (event.name()) {
             case "rf-tx" -> Optional.of(event.textOrEmpty("kind").equals("acknowledgement")
                     ? new Acknowledged(seconds, event.textOrEmpty("origin"), event.textOrEmpty("answers"))
-                    : word(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(seconds, event)));
+                    : word(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(event)));
             case "rf-damaged" ->
                 device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
             case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
@@ -45,7 +41,7 @@ final class Trace {
     }
 
     /** What one host says to another in a broadcast. */
-    private Optional<Hosts> word(TraceEvent event) {
+    private static Optional<Hosts> word(TraceEvent event) {
         Payload payload = Payload.of(Bytes.copyOf(event.bytes("payload")));
         Bytes word = payload.message();
         if (payload.kind() != Payload.Kind.BROADCAST || word.length() < HEAD || !Word.isWord(word)) {
@@ -54,12 +50,12 @@ final class Trace {
         Address to = new Address((int) word.number(1, 4));
         int kind = word.at(0) - 0x80 >> 2;
         String part = kind == 1 ? ", part " + (1 + word.at(0) % 4) : "";
-        return Optional.of(new Hosts(seconds, event.textOrEmpty("origin"), to.toString(),
+        return Optional.of(new Hosts(event.seconds(), event.textOrEmpty("origin"), to.toString(),
                 (kind < WORDS.size() ? WORDS.get(kind) : "unknown") + part));
     }
 
-    private static Aired aired(double seconds, TraceEvent event) {
-        return new Aired(seconds, event.textOrEmpty("origin"), event.textOrEmpty("destination"),
+    private static Aired aired(TraceEvent event) {
+        return new Aired(event.seconds(), event.textOrEmpty("origin"), event.textOrEmpty("destination"),
                 event.textOrEmpty("sealed").equals("true"), event.textOrEmpty("content"));
     }
 

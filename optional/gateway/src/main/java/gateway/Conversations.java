@@ -22,8 +22,9 @@ final class Conversations {
     /** A frame was heard, here or elsewhere. */
     void learn(Frame frame, boolean here, long now) {
         Payload packet = Payload.of(frame.encode());
-        if (packet.whole() != packet) {
-            destination(packet.whole()).ifPresent(to -> headers.renew(message(frame), to));
+        Payload whole = packet.whole();
+        if (whole != packet && Payload.lengthIn(whole.bytes()) > 0) {
+            headers.renew(message(frame), Address.parse(whole.destination()));
         }
         if (here) {
             question(frame).ifPresent(question -> awaited.renew(question, true));
@@ -62,14 +63,5 @@ final class Conversations {
     /** By what the pieces of a message are known. */
     private static String message(Frame piece) {
         return piece.origin() + " " + piece.destination().toString().charAt(ID);
-    }
-
-    /** Whom the message is for that a first piece begins. */
-    private static Optional<Address> destination(Payload whole) {
-        try {
-            return Optional.of(Address.parse(whole.destination()));
-        } catch (IllegalArgumentException none) {
-            return Optional.empty();
-        }
     }
 }

@@ -115,21 +115,17 @@ final class TraceMutants {
         }
         for (String field : List.of("board", "from", "destination", "origin", "id")) {
             if (event.has(field) && (!field.equals("destination") || !isUnknown(line))) {
-                other(field, event).ifPresent(other -> enter("another " + field, line, "",
-                        (trace, it) -> trace.change(it, field, other)));
+                other(field, event).ifPresent(other -> change("another " + field, line, field, other));
             }
         }
         if (event.has("kind")) {
-            other(KINDS, event.textOrEmpty("kind"))
-                    .ifPresent(other -> enter("another kind", line, "",
-                            (trace, it) -> trace.change(it, "kind", other)));
+            other(KINDS, event.text("kind")).ifPresent(other -> change("another kind", line, "kind", other));
         }
         if (event.has("number")) {
-            enter("another number", line, "", (trace, it) -> trace.change(it, "number", it.number("number") + 1));
+            change("another number", line, "number", event.number("number") + 1);
         }
         if (event.has("content") && !isUnknown(line)) {
-            enter("another content", line, "",
-                    (trace, it) -> trace.change(it, "content", it.textOrEmpty("content") + "00"));
+            change("another content", line, "content", event.text("content") + "00");
         }
         if (event.is("host-outcome")) {
             for (String outcome : OUTCOMES) {
@@ -140,8 +136,7 @@ final class TraceMutants {
             }
         }
         if (event.is("reset")) {
-            enter("another why", line, "", (trace, it) -> trace.change(it, "why",
-                    it.textOrEmpty("why").equals("power") ? "port opened" : "power"));
+            change("another why", line, "why", event.text("why").equals("power") ? "port opened" : "power");
         }
         if (event.is("rf-rx") && event.has("end")) {
             enter("heard before it is sent", line, "", (trace, it) -> {
@@ -149,13 +144,10 @@ final class TraceMutants {
                 trace.place(Trace.moved(it, -SLOT, "end", "t"));
             });
         }
-        if (event.has("payload")) {
-            for (Region region : Region.of(event.textOrEmpty("kind"), event.textOrEmpty("payload"))) {
-                if (event.is("rf-rx")) {
-                    String changed = region.flipped(event.textOrEmpty("payload"), random);
-                    enter("a bit changed as heard: " + region.name(), line, "",
-                            (trace, it) -> trace.change(it, "payload", changed));
-                }
+        if (event.is("rf-rx")) {
+            for (Region region : Region.of(event.text("kind"), event.text("payload"))) {
+                change("a bit changed as heard: " + region.name(), line, "payload",
+                        region.flipped(event.text("payload"), random));
             }
         }
     }
@@ -462,6 +454,10 @@ final class TraceMutants {
     private Optional<String> other(List<String> values, String than) {
         List<String> others = values.stream().filter(value -> !value.equals(than)).toList();
         return others.isEmpty() ? Optional.empty() : Optional.of(others.get(random.nextInt(others.size())));
+    }
+
+    private void change(String operator, int line, String field, Object value) {
+        enter(operator, line, "", (trace, it) -> trace.change(it, field, value));
     }
 
     private void moved(String operator, int number, double seconds) {
