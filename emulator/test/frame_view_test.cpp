@@ -13,7 +13,7 @@ static int read(frame_view *view, const std::string &text) {
 }
 
 static std::string frame(const std::string &addresses, const std::string &message) {
-  return addresses + DIGITS[message.size() * 8 / 64] + DIGITS[message.size() * 8 % 64] + message;
+  return addresses + digits()[message.size() * 8 / 64] + digits()[message.size() * 8 % 64] + message;
 }
 
 TEST(FrameView, reads_every_frame_of_the_vectors) {
@@ -119,7 +119,7 @@ TEST(FrameView, reads_the_address_of_every_piece) {
   for (int id = 0; id < 64; id++)
     for (int digit = 0; digit < 16; digit++) {
       frame_view view;
-      std::string address = std::string("+F") + DIGITS[id] + DIGITS[digit];
+      std::string address = std::string("+F") + digits()[id] + digits()[digit];
       ASSERT_EQ(read(&view, address + "SUPOAIx"), 0);
       EXPECT_EQ(view.kind, KIND_PIECE);
       EXPECT_EQ(view.piece_id, id);

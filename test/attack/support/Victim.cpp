@@ -110,7 +110,7 @@ void Victim::reset(bool keepsRam) {
   board.request('R', {1});
 }
 
-char digit(unsigned value) { return DIGITS[value % 64]; }
+char digit(unsigned value) { return digits()[value % 64]; }
 
 Bytes piece(const std::string &origin, unsigned id, unsigned index, const Bytes &part) {
   const std::string header =

@@ -75,7 +75,7 @@ TEST(Address, refuses_invalid_vectors_of_four_bytes) {
 
 TEST(Address, every_byte_outside_the_alphabet_is_no_digit) {
   for (int byte = 0; byte < 256; byte++) {
-    const size_t value = DIGITS.find(static_cast<char>(byte));
+    const size_t value = digits().find(static_cast<char>(byte));
     const uint8_t expected = value == std::string::npos ? javinolib::NOT_A_DIGIT : static_cast<uint8_t>(value);
     EXPECT_EQ(expected, javinolib::base64Value(static_cast<uint8_t>(byte))) << byte;
     if (value == std::string::npos) continue;

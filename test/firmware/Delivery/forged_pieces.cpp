@@ -22,7 +22,7 @@ const size_t PART = 67;
 uint32_t airtime(const Bytes &packet) { return 42 + 6 * static_cast<uint32_t>(packet.size()); }
 
 std::string header(const std::string &to, const std::string &from, size_t length) {
-  return to + from + DIGITS[length * 8 / 64] + DIGITS[length * 8 % 64];
+  return to + from + digits()[length * 8 / 64] + digits()[length * 8 % 64];
 }
 
 // Listens, and sends as soon as a piece has ended: before its sender goes on, so that nothing collides.
@@ -60,8 +60,8 @@ class Attacker {
   void hear(const Bytes &packet) {
     if (sending_ || packet[0] != '+' || packet[1] != 'F') return;
     heard_.piece = packet;
-    heard_.id = static_cast<uint8_t>(DIGITS.find(static_cast<char>(packet[ID_AT])));
-    heard_.index = static_cast<uint8_t>(DIGITS.find(static_cast<char>(packet[INDEX_AT])) & 7);
+    heard_.id = static_cast<uint8_t>(digits().find(static_cast<char>(packet[ID_AT])));
+    heard_.index = static_cast<uint8_t>(digits().find(static_cast<char>(packet[INDEX_AT])) & 7);
     if (heard_.index == 0 && packet != heard_.first) {
       heard_.recorded = heard_.first;
       heard_.first = packet;
@@ -80,7 +80,7 @@ class Attacker {
 };
 
 Bytes forged(unsigned id, unsigned index, const Bytes &part) {
-  return bytesOf(std::string("+F") + DIGITS[id % 64] + DIGITS[index] + header("", "SUPO", part.size())) + part;
+  return bytesOf(std::string("+F") + digits()[id % 64] + digits()[index] + header("", "SUPO", part.size())) + part;
 }
 
 // Long messages that are delivered while an attacker forges, of any that fit into the time.

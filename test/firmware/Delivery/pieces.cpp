@@ -43,7 +43,7 @@ class InPieces : public testing::Test {
 
 TEST(Pieces, are_cut_as_in_the_vectors) {
   for (const Vector &vector : vectors("pieces.json", "valid")) {
-    const size_t id = DIGITS.find(vector.text("id"));
+    const size_t id = digits().find(vector.text("id"));
     EXPECT_EQ(vector.bytesList("pieces"), cut(vector.bytes("frame"), static_cast<uint8_t>(id))) << vector.toString();
   }
 }

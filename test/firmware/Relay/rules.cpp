@@ -18,7 +18,7 @@ Bytes unicast(uint8_t number, const std::string &to = "SUPO", const std::string 
 }
 
 // 12 bits of 0…255 are the digits AA…D/.
-std::string digitsOf(uint8_t number) { return std::string{DIGITS[number >> 6], DIGITS[number & 63]}; }
+std::string digitsOf(uint8_t number) { return std::string{digits()[number >> 6], digits()[number & 63]}; }
 
 Bytes answer(uint8_t number, uint8_t proof = 0x5A, const std::string &from = "SUPO") {
   return bytesOf("+K" + digitsOf(number) + from + "BA") + Bytes(8, proof);

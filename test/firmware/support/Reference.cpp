@@ -58,7 +58,7 @@ Bytes packet(uint8_t sequence, const Bytes &frame) {
 
 Bytes frame(const std::string &destination, const std::string &origin, const Bytes &message) {
   const size_t bits = message.size() * 8;
-  return bytesOf(destination + origin + DIGITS.at(bits / 64) + DIGITS.at(bits % 64)) + message;
+  return bytesOf(destination + origin + digits().at(bits / 64) + digits().at(bits % 64)) + message;
 }
 
 }  // namespace reference

@@ -20,7 +20,7 @@ const size_t PART = 67;
 
 const char *const ADDRESSES[] = {"SUPO", "ROMA", "//SU", "////", "SUHO", "++++", "+FAA", "+KAA"};
 
-char digit(unsigned value) { return DIGITS[value % 64]; }
+char digit(unsigned value) { return digits()[value % 64]; }
 
 void percepts(javinolib::Percepts &percepts) { percepts.add(F("distance"), 17); }
 bool act(const javinolib::Arguments &arguments) { return arguments.count() < 3; }
