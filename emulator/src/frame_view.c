@@ -30,16 +30,17 @@ static frame_kind kind_of(const uint8_t *destination) {
   return KIND_UNICAST;
 }
 
-// Whether the message is content in the clear: force;term or force#conversation;term in UTF-8.
+// Whether the message is content in the clear: performative;term or performative#conversation;term in UTF-8.
 static bool is_plain_content(const frame_view *view) {
-  static const char *const FORCES[] = {"tell",   "untell",  "achieve",   "unachieve", "signal", "askOne", "askAll",
-                                       "askHow", "tellHow", "untellHow", "sorry",     "move",   NULL};
+  static const char *const PERFORMATIVES[] = {"tell",   "untell", "achieve", "unachieve", "signal",
+                                              "askOne", "askAll", "askHow",  "tellHow",   "untellHow",
+                                              "sorry",  "move",   NULL};
   const uint8_t *divider = memchr(view->message, ';', view->message_length);
   if (!divider || divider + 1 == view->message + view->message_length) return false;
-  size_t force = (size_t)(divider - view->message);
-  if (force > CONVERSATION_LENGTH && divider[-CONVERSATION_LENGTH] == '#') force -= CONVERSATION_LENGTH;
-  for (int i = 0; FORCES[i]; i++)
-    if (force == strlen(FORCES[i]) && memcmp(view->message, FORCES[i], force) == 0)
+  size_t performative = (size_t)(divider - view->message);
+  if (performative > CONVERSATION_LENGTH && divider[-CONVERSATION_LENGTH] == '#') performative -= CONVERSATION_LENGTH;
+  for (int i = 0; PERFORMATIVES[i]; i++)
+    if (performative == strlen(PERFORMATIVES[i]) && memcmp(view->message, PERFORMATIVES[i], performative) == 0)
       return utf8_valid(view->message, view->message_length);
   return false;
 }

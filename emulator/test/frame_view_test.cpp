@@ -72,7 +72,7 @@ TEST(FrameView, tells_kind_and_sealed) {
   }
 }
 
-// A force of SPEC 3 that this does not know would be shown as sealed.
+// A performative of SPEC 3 that this does not know would be shown as sealed.
 TEST(FrameView, every_content_of_the_vectors_is_plain) {
   json_t *root = load_vectors("contents.json");
   size_t index;
@@ -86,16 +86,16 @@ TEST(FrameView, every_content_of_the_vectors_is_plain) {
   json_decref(root);
 }
 
-TEST(FrameView, every_force_of_the_specification_is_plain) {
+TEST(FrameView, every_performative_of_the_specification_is_plain) {
   std::string spec = read_text(SPEC);
-  std::istringstream table(spec.substr(spec.find("| force | conversation |")));
-  int forces = 0;
+  std::istringstream table(spec.substr(spec.find("| performative | conversation |")));
+  int performatives = 0;
   for (std::string row; std::getline(table, row) && !row.empty();) {
     std::istringstream cell(row.substr(0, row.find(" |")));
     std::string word;
     // Every second word is between backticks.
     while (std::getline(cell, word, '`') && std::getline(cell, word, '`')) {
-      forces++;
+      performatives++;
       for (const char *conversation : {"", "#AbC"}) {
         frame_view view;
         ASSERT_EQ(read(&view, frame("SUHOSUPO", word + conversation + ";a(plain,one)")), 0);
@@ -103,7 +103,7 @@ TEST(FrameView, every_force_of_the_specification_is_plain) {
       }
     }
   }
-  EXPECT_GT(forces, 0);
+  EXPECT_GT(performatives, 0);
 }
 
 TEST(FrameView, what_only_looks_like_a_content_is_sealed) {

@@ -47,8 +47,8 @@ local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialR
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
   "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped", "relayCopies",
   "relayAnswers", "relayRefused", "memoryDamaged"}
--- How a force goes with a conversation.
-local FORCES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
+-- How a performative goes with a conversation.
+local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",
   askAll = "always", askHow = "always", tellHow = "may", untellHow = "never", sorry = "always", move = "never"}
 local MOVES = {O = "offer", W = "want", D = "data", R = "ready", G = "go", A = "awake", C = "cancelled", X = "refused"}
 local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "predation"}
@@ -102,7 +102,7 @@ field(air, "repeat_of", "framenum", "Sent again; first in", base.NONE, frametype
 
 field(air, "content", "string", "Content")
 field(air, "content.bytes", "bytes", "Content")
-field(air, "force", "string", "Force")
+field(air, "performative", "string", "Performative")
 field(air, "conversation", "uint24", "Conversation")
 field(air, "term", "string", "Term")
 field(air, "move.type", "string", "Type of move")
@@ -590,7 +590,7 @@ local function show_move(tree, range)
   end
 end
 
--- Shows `force;term` or `force#conversation;term` (SPEC 3), and returns it for the list.
+-- Shows `performative;term` or `performative#conversation;term` (SPEC 3), and returns it for the list.
 local function show_content(tree, range)
   local bytes = range and range:raw() or ""
   local function bad(name, why)
@@ -601,19 +601,19 @@ local function show_content(tree, range)
     complain(tree, e_error, nil, "BAD_CONTENT", "empty")
     return ""
   end
-  local force, mark, term = bytes:match("^(%a+)(#?[%w+/]*);(.+)$")
-  local item = force == "move" and tree:add(f["content.bytes"], range) or text(tree, "content", range)
+  local performative, mark, term = bytes:match("^(%a+)(#?[%w+/]*);(.+)$")
+  local item = performative == "move" and tree:add(f["content.bytes"], range) or text(tree, "content", range)
   if #bytes > MAX_CONTENT_LENGTH then return bad("TOO_LONG", #bytes .. " bytes") end
-  local rule = FORCES[force]
-  if not rule or #mark ~= 0 and #mark ~= 4 or #mark == 4 and mark:sub(1, 1) ~= "#" then return bad("BAD_CONTENT", "not force;term") end
+  local rule = PERFORMATIVES[performative]
+  if not rule or #mark ~= 0 and #mark ~= 4 or #mark == 4 and mark:sub(1, 1) ~= "#" then return bad("BAD_CONTENT", "not performative;term") end
   if rule == "always" and mark == "" or rule == "never" and mark ~= "" then
-    return bad("BAD_CONTENT", force .. (mark == "" and " without a conversation" or " with a conversation"))
+    return bad("BAD_CONTENT", performative .. (mark == "" and " without a conversation" or " with a conversation"))
   end
-  if force ~= "move" and not is_utf8(bytes) then return bad("BAD_TEXT", "no UTF-8") end
-  text(item, "force", range(0, #force))
-  if mark ~= "" then item:add(f["conversation"], range(#force + 1, 3), digits(mark, 2, 4)) end
-  local rest = range(#force + #mark + 1)
-  if force == "move" then
+  if performative ~= "move" and not is_utf8(bytes) then return bad("BAD_TEXT", "no UTF-8") end
+  text(item, "performative", range(0, #performative))
+  if mark ~= "" then item:add(f["conversation"], range(#performative + 1, 3), digits(mark, 2, 4)) end
+  local rest = range(#performative + #mark + 1)
+  if performative == "move" then
     show_move(item, rest)
     return "move: " .. (MOVES[term:sub(1, 1)] or "unknown")
   end

@@ -403,11 +403,11 @@ class VectorsTest {
             int index = air(PARTS_PAYLOAD, frame("////", "ROMA", Bytes.ofHex(text(vector, "content"))));
             check(vector, () -> {
                 isRight(index);
-                shows(index, "force", text(vector, "force"));
+                shows(index, "performative", text(vector, "performative"));
                 shows(index, "conversation",
                         vector.get("conversation").isJsonNull() ? new Object[0]
                                 : new Object[] {text(vector, "conversation")});
-                if (text(vector, "force").equals("move")) {
+                if (text(vector, "performative").equals("move")) {
                     has(index, "content.bytes", text(vector, "content"));
                     shows(index, "move.type", "ready");
                 } else {

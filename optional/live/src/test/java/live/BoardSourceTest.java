@@ -69,7 +69,7 @@ class BoardSourceTest {
             JsonObject message = await("message", event -> true);
             assertEquals("SUPO ROMA tell <script>",
                     String.join(" ", message.get("from").getAsString(), message.get("to").getAsString(),
-                            message.get("force").getAsString(), message.get("text").getAsString()));
+                            message.get("performative").getAsString(), message.get("text").getAsString()));
             assertEquals("{\"radioBadTag\":3}", await("counters-of-board", event -> true).get("counters").toString());
             assertEquals(List.of("act"), source.controls());
         }

@@ -10,7 +10,7 @@ import { fate, titleOf } from './words.js';
 
 const ROWS = 100;
 const CHOICES = 40;
-const FORCES = ['tell', 'untell', 'achieve', 'unachieve', 'signal', 'askOne'];
+const PERFORMATIVES = ['tell', 'untell', 'achieve', 'unachieve', 'signal', 'askOne'];
 
 const KINDS = { __proto__: null, broadcast: 'to all', multicast: 'to a group', unicast: 'to one', acknowledgement: 'answer', piece: 'piece', reserved: 'reserved', 'no frame': 'no frame' };
 
@@ -53,10 +53,10 @@ export function stranger(app, model, state, t) {
     <form id="shout" @submit=${(e) => {
       e.preventDefault();
       const data = new FormData(e.target);
-      app.shout(() => broadcast(data.get('origin'), data.get('force'), data.get('term')));
+      app.shout(() => broadcast(data.get('origin'), data.get('performative'), data.get('term')));
     }}><fieldset><legend>Shout to all</legend>
       <label>as <input name="origin" value="EVIL" size="5" maxlength="4" required></label>
-      <select name="force" aria-label="force">${FORCES.map((force) => html`<option>${force}</option>`)}</select>
+      <select name="performative" aria-label="performative">${PERFORMATIVES.map((each) => html`<option>${each}</option>`)}</select>
       <input name="term" aria-label="term" value="help" size="18">
       <button id="shout-send">shout</button></fieldset></form>
     <fieldset><legend>Send what was heard</legend>

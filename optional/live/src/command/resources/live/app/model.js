@@ -174,7 +174,7 @@ export class Model {
         this.#pin(e, s);
         break;
       case 'message':
-        this.#mark(s, 'heard', e.board, `${text(e.from)} → ${text(e.to)}: ${text(e.force)} ${text(e.text)}`, { event: e });
+        this.#mark(s, 'heard', e.board, `${text(e.from)} → ${text(e.to)}: ${text(e.performative)} ${text(e.text)}`, { event: e });
         break;
       case 'acted':
         this.#mark(s, 'acted', e.board, e.error === undefined ? text(e.action) : `${text(e.action)}: ${text(e.error)}`);

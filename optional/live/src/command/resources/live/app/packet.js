@@ -74,13 +74,13 @@ export function fieldsOf(packet) {
 const sizeOf = (digits) =>
   ALPHABET.indexOf(String.fromCharCode(digits[0])) * 64 + ALPHABET.indexOf(String.fromCharCode(digits[1]));
 
-/** The payload, in hex, of a broadcast that says `force;term`; an error says in one line what is wrong. */
-export function broadcast(origin, force, term) {
+/** The payload, in hex, of a broadcast that says `performative;term`; an error says in one line what is wrong. */
+export function broadcast(origin, performative, term) {
   if (!isDevice(origin)) {
     throw new Error(`“${origin}” is no address of a device: use four letters or digits, such as EVIL`);
   }
   if (term === '') throw new Error('There is nothing to shout: write a term, such as help');
-  const content = new TextEncoder().encode(force + ';' + term);
+  const content = new TextEncoder().encode(performative + ';' + term);
   const most = MAX_RADIO_PAYLOAD - HEADER_LENGTH;
   if (content.length > most) {
     throw new Error(`The term is ${content.length - most} bytes too long for one packet: use a shorter one`);

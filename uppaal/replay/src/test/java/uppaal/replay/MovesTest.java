@@ -187,7 +187,7 @@ class MovesTest {
     }
 
     @Test
-    void content_ofAnotherForceOrType_isNone() {
+    void content_ofAnotherPerformativeOrType_isNone() {
         after("home says O 1").then("home says Q 1").assertAccepted();
         say(lines.get(at), hex("tell;Gabcde"));
         assertAccepted();
