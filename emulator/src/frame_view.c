@@ -11,9 +11,9 @@
 #define CONVERSATION_LENGTH 4  // with the # before it
 #define TAG_LENGTH 8
 #define PROOF_LENGTH 8
-// Of a piece's index digit: its low bits, and the one that asks for an answer.
-#define PIECE_INDEX 7
-#define PIECE_ASKS 8
+// Of a fragment's index digit: its low bits, and the one that asks for an answer.
+#define FRAGMENT_INDEX 7
+#define FRAGMENT_ASKS 8
 
 static int digit_value(uint8_t digit) {
   static const char ALPHABET[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -24,7 +24,8 @@ static int digit_value(uint8_t digit) {
 static frame_kind kind_of(const uint8_t *destination) {
   if (memcmp(destination, "////", ADDRESS_LENGTH) == 0) return KIND_BROADCAST;
   if (memcmp(destination, "//", 2) == 0) return KIND_MULTICAST;
-  if (memcmp(destination, "+F", 2) == 0 && digit_value(destination[3]) <= (PIECE_ASKS | PIECE_INDEX)) return KIND_PIECE;
+  if (memcmp(destination, "+F", 2) == 0 && digit_value(destination[3]) <= (FRAGMENT_ASKS | FRAGMENT_INDEX))
+    return KIND_FRAGMENT;
   if (memcmp(destination, "+K", 2) == 0) return KIND_ACKNOWLEDGEMENT;
   if (destination[0] == '+' || destination[0] == '/') return KIND_RESERVED;
   return KIND_UNICAST;
@@ -56,23 +57,23 @@ int frame_view_read(frame_view *view, const uint8_t *payload, size_t length) {
   view->message = payload + HEADER_LENGTH;
   view->message_length = length - HEADER_LENGTH;
   view->kind = kind_of(view->destination);
-  view->piece_id = digit_value(payload[2]);
-  view->piece_index = digit_value(payload[3]) & PIECE_INDEX;
-  view->asks = (digit_value(payload[3]) & PIECE_ASKS) != 0;
+  view->fragment_id = digit_value(payload[2]);
+  view->fragment_index = digit_value(payload[3]) & FRAGMENT_INDEX;
+  view->asks = (digit_value(payload[3]) & FRAGMENT_ASKS) != 0;
   view->sealed = (view->kind == KIND_MULTICAST || view->kind == KIND_UNICAST) &&
                  view->message_length >= NONCE_LENGTH + TAG_LENGTH && !is_plain_content(view);
   return 0;
 }
 
 const char *frame_kind_text(frame_kind kind) {
-  static const char *const TEXTS[] = {"broadcast", "multicast", "unicast", "piece", "acknowledgement", "reserved"};
+  static const char *const TEXTS[] = {"broadcast", "multicast", "unicast", "fragment", "acknowledgement", "reserved"};
   return TEXTS[kind];
 }
 
 const char *frame_answer_text(const frame_view *view) {
   switch (view->message_length) {
     case PROOF_LENGTH: return "delivered";
-    case 1 + PROOF_LENGTH: return "pieces";
+    case 1 + PROOF_LENGTH: return "fragments";
     case NONCE_LENGTH + 2 + PROOF_LENGTH: return "stale";
     default: return "unknown";
   }

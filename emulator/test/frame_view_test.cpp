@@ -57,8 +57,8 @@ TEST(FrameView, tells_kind_and_sealed) {
       {"SUHOSUPOBw1234567890abcd", KIND_UNICAST, true},
       {"SUHOSUPOCItell;a(plain,one)", KIND_UNICAST, false},
       {"SUHOSUPOAoshort", KIND_UNICAST, false},
-      {"+FAASUPOAIx", KIND_PIECE, false},
-      {"+F/PSUPOBw1234567890abcd", KIND_PIECE, false},
+      {"+FAASUPOAIx", KIND_FRAGMENT, false},
+      {"+F/PSUPOBw1234567890abcd", KIND_FRAGMENT, false},
       {"+FAQSUPOAIx", KIND_RESERVED, false},  // no such index
       {"+K//SUPOBA12345678", KIND_ACKNOWLEDGEMENT, false},
       {"+GAASUPOAIx", KIND_RESERVED, false},
@@ -115,16 +115,16 @@ TEST(FrameView, what_only_looks_like_a_content_is_sealed) {
   }
 }
 
-TEST(FrameView, reads_the_address_of_every_piece) {
+TEST(FrameView, reads_the_address_of_every_fragment) {
   static const std::string DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   for (int id = 0; id < 64; id++)
     for (int digit = 0; digit < 16; digit++) {
       frame_view view;
       std::string address = std::string("+F") + DIGITS[id] + DIGITS[digit];
       ASSERT_EQ(read(&view, address + "SUPOAIx"), 0);
-      EXPECT_EQ(view.kind, KIND_PIECE);
-      EXPECT_EQ(view.piece_id, id);
-      EXPECT_EQ(view.piece_index, digit % 8);
+      EXPECT_EQ(view.kind, KIND_FRAGMENT);
+      EXPECT_EQ(view.fragment_id, id);
+      EXPECT_EQ(view.fragment_index, digit % 8);
       EXPECT_EQ(view.asks, digit >= 8);
     }
 }
@@ -136,7 +136,7 @@ TEST(FrameView, tells_what_an_acknowledgement_says_by_its_length) {
     std::string frame = std::string("+KABSUPO") + DIGITS[bits / 64] + DIGITS[bits % 64] + std::string(length, 'x');
     frame_view view;
     ASSERT_EQ(read(&view, frame), 0) << length;
-    std::string expected = length == 8 ? "delivered" : length == 9 ? "pieces" : length == 16 ? "stale" : "unknown";
+    std::string expected = length == 8 ? "delivered" : length == 9 ? "fragments" : length == 16 ? "stale" : "unknown";
     EXPECT_EQ(frame_answer_text(&view), expected) << length;
   }
 }

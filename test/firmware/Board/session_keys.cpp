@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -301,11 +301,11 @@ TEST_F(BoardSessionKeys, without_one_what_was_told_is_told_again_if_the_reply_is
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
 }
 
-TEST_F(BoardSessionKeys, without_one_a_first_piece_is_told_too) {
-  const std::vector<Bytes> pieces = cut(sealed(KEY, "SUHO", "SUPP", nonce(1), std::string(90, 'x')), 5);
-  board.receive(pieces[1]);
+TEST_F(BoardSessionKeys, without_one_a_first_fragment_is_told_too) {
+  const std::vector<Bytes> fragments = cut(sealed(KEY, "SUHO", "SUPP", nonce(1), std::string(90, 'x')), 5);
+  board.receive(fragments[1]);
   EXPECT_EQ(std::vector<std::string>(), withoutKey());
-  board.receive(pieces[0]);
+  board.receive(fragments[0]);
   EXPECT_EQ(std::vector<std::string>{"SUHOSUPP"}, withoutKey());
 }
 

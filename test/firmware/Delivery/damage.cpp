@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/Keys.h"
-#include "support/Pieces.h"
+#include "support/Fragments.h"
 #include "support/Reference.h"
 #include "support/TestBoard.h"
 
@@ -16,7 +16,7 @@ using javinolib::Trailer;
 namespace {
 
 const uint8_t DELIVERED = 0x06;
-const uint8_t PIECES = 0x07;
+const uint8_t FRAGMENTS = 0x07;
 const uint8_t ASKS_PARITY = 0x10;
 
 // Bits of an acknowledgement: of its count, of its header, and of its proof.
@@ -155,7 +155,7 @@ TEST_F(DamagedAnswers, fifteen_wrong_bits_of_the_header_are_borne_beside) {
 TEST_F(DamagedAnswers, all_of_one_that_is_another_s_are_refused) {
   const Bytes others[] = {acknowledgement(OTHER_KEY, "SUPP", "SUHO", nonce, DELIVERED),
                           acknowledgement(KEY, "SUPP", "SUHA", nonce, DELIVERED),
-                          acknowledgement(KEY, "SUHO", "SUHO", nonce, DELIVERED), answer(PIECES, {1})};
+                          acknowledgement(KEY, "SUHO", "SUHO", nonce, DELIVERED), answer(FRAGMENTS, {1})};
   for (const Bytes &other : others) hear(other, wrongSymbols(PROOF_AT, 7));
   EXPECT_FALSE(isDelivered());
 }
@@ -171,14 +171,14 @@ TEST_F(DamagedAnswers, after_sixteen_guesses_at_a_message_none_is_borne) {
   EXPECT_TRUE(isDelivered()) << "an intact one is";
 }
 
-TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_pieces_is_borne_too) {
+TEST_F(DamagedAnswers, what_has_arrived_of_a_message_in_fragments_is_borne_too) {
   hear(answer(), {});
   ASSERT_TRUE(isDelivered());
   send("tell;" + std::string(150, 'x'));
   board.sendNext();
   const Bytes third = board.sendNext();
   EXPECT_EQ(3u, board.radio.sent.size() - 1);
-  hear(answer(PIECES, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
+  hear(answer(FRAGMENTS, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
   EXPECT_EQ(1u, board.counter(Counter::RADIO_ANSWERS_BORNE));
   EXPECT_EQ(third, board.sendNext()) << "the one that is lacking";
 }
@@ -189,7 +189,7 @@ TEST_F(DamagedAnswers, what_is_borne_is_no_guess) {
   send("tell;" + std::string(150, 'x'));
   board.sendNext();
   board.sendNext();
-  for (int i = 0; i < 40; i++) hear(answer(PIECES, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
+  for (int i = 0; i < 40; i++) hear(answer(FRAGMENTS, {3}), wrongSymbols(PROOF_AT + 12, 7) + wrongSymbols(PROOF_AT, 1));
   EXPECT_EQ(40u, board.counter(Counter::RADIO_ANSWERS_BORNE));
 }
 

@@ -14,8 +14,8 @@ using testing::NiceMock;
 namespace {
 
 const Bytes KEY(16, 7);
-const std::string ONE_PACKET(8, 'x');      // with header, nonce and tag 32 bytes
-const std::string EIGHT_PIECES(152, 'y');  // with header, nonce and tag 176 bytes, 22 in each piece
+const std::string ONE_PACKET(8, 'x');         // with header, nonce and tag 32 bytes
+const std::string EIGHT_FRAGMENTS(152, 'y');  // with header, nonce and tag 176 bytes, 22 in each fragment
 
 class LoopbackRadioTest : public testing::Test {
  protected:
@@ -89,18 +89,18 @@ TEST_F(LoopbackRadioTest, delivers_what_fits_one_packet) {
   EXPECT_EQ(1u, roma.counter(Counter::RADIO_SENT));
 }
 
-TEST_F(LoopbackRadioTest, delivers_the_longest_message_in_eight_pieces) {
-  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_PIECES));
+TEST_F(LoopbackRadioTest, delivers_the_longest_message_in_eight_fragments) {
+  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_FRAGMENTS));
   pass(200);
-  EXPECT_THAT(contents(), ElementsAre(EIGHT_PIECES));
+  EXPECT_THAT(contents(), ElementsAre(EIGHT_FRAGMENTS));
   pass(50);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   roma.use();
   EXPECT_EQ(8u, roma.counter(Counter::RADIO_SENT));
 }
 
-TEST_F(LoopbackRadioTest, sends_again_only_the_piece_that_was_missed) {
-  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_PIECES));
+TEST_F(LoopbackRadioTest, sends_again_only_the_fragment_that_was_missed) {
+  ASSERT_EQ(Status::OK, send("SUPO", EIGHT_FRAGMENTS));
   while (romaRadio.idle()) pass(1);
   while (romaRadio.sending()) pass(1);
   while (!romaRadio.sending()) pass(1);
@@ -111,7 +111,7 @@ TEST_F(LoopbackRadioTest, sends_again_only_the_piece_that_was_missed) {
     pass(1);
     received = contents();
   }
-  EXPECT_THAT(received, ElementsAre(EIGHT_PIECES));
+  EXPECT_THAT(received, ElementsAre(EIGHT_FRAGMENTS));
   pass(50);
   EXPECT_THAT(outcomes(), ElementsAre(DELIVERED));
   roma.use();
@@ -119,10 +119,10 @@ TEST_F(LoopbackRadioTest, sends_again_only_the_piece_that_was_missed) {
   EXPECT_EQ(1u, roma.counter(Counter::RADIO_RESENT));
 }
 
-TEST_F(LoopbackRadioTest, refuses_what_eight_pieces_do_not_carry) {
-  EXPECT_EQ(Status::TOO_LONG, send("SUPO", EIGHT_PIECES + "y"));
-  EXPECT_EQ(Status::OK, send("////", EIGHT_PIECES + "fourteen bytes"));
-  EXPECT_EQ(Status::TOO_LONG, send("////", EIGHT_PIECES + "fourteen bytes!"));
+TEST_F(LoopbackRadioTest, refuses_what_eight_fragments_do_not_carry) {
+  EXPECT_EQ(Status::TOO_LONG, send("SUPO", EIGHT_FRAGMENTS + "y"));
+  EXPECT_EQ(Status::OK, send("////", EIGHT_FRAGMENTS + "fourteen bytes"));
+  EXPECT_EQ(Status::TOO_LONG, send("////", EIGHT_FRAGMENTS + "fourteen bytes!"));
 }
 
 TEST_F(LoopbackRadioTest, a_radio_that_is_not_joined_does_not_start) {

@@ -8,13 +8,13 @@ local HEADER_LENGTH = 10
 local MAX_MESSAGE_LENGTH = 511
 local MAX_CONTENT_LENGTH = 494
 local MAX_RADIO_PAYLOAD = 77
-local PIECE_LENGTH = 67
+local FRAGMENT_LENGTH = 67
 local NONCE_LENGTH, TAG_LENGTH, PROOF_LENGTH = 6, 8, 8
 local NOTICE_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of a notice without serials, and of that its signature
 local LONGEST_COUNT = 80
 local CRC_OF_HOP = 0x0811  -- each hop, modulo 3, changes the CRC by it
 local HOPS_NOT_KNOWN = 255
-local PIECES_TIME = 5  -- seconds without a new piece after which a message is forgotten
+local FRAGMENTS_TIME = 5  -- seconds without a new fragment after which a message is forgotten
 local ANSWERABLE = 16  -- frames with the same last bits of their nonce among which an answer looks for its own
 
 local air = Proto("javino", "Javino")
@@ -43,7 +43,7 @@ local COMMANDS = {H = "hello", P = "poll", A = "act", C = "list actions", I = "s
   V = "set session key", L = "list keys", S = "statistics", transmit = "transmit"}
 local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialRepeats", "radioReceived", "radioDamaged",
   "radioMissed", "radioBadFrames", "radioReserved", "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed",
-  "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioPiecesDropped", "radioExpired",
+  "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
   "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped", "relayCopies",
   "relayAnswers", "relayRefused", "memoryDamaged"}
@@ -142,16 +142,16 @@ field(air, "sealed", "bytes", "Sealed content C")
 field(air, "tag", "bytes", "Tag T")
 field(air, "tag.right", "bool", "Tag is right")
 
-field(air, "piece.id", "uint8", "Id of the whole")
-field(air, "piece.index", "uint8", "Index")
-field(air, "piece.asks", "bool", "Asks for an answer")
-field(air, "piece.part", "bytes", "Part")
-field(air, "piece.whole_in", "framenum", "Whole in")
-field(air, "piece.in", "framenum", "Piece in")
+field(air, "fragment.id", "uint8", "Id of the whole")
+field(air, "fragment.index", "uint8", "Index")
+field(air, "fragment.asks", "bool", "Asks for an answer")
+field(air, "fragment.part", "bytes", "Part")
+field(air, "fragment.whole_in", "framenum", "Whole in")
+field(air, "fragment.in", "framenum", "Fragment in")
 
 field(air, "acknowledgement.nonce", "uint16", "Last bits of the nonce", base.HEX)
 field(air, "acknowledgement.answers", "string", "Answers")
-field(air, "acknowledgement.pieces", "uint8", "Pieces that are here", base.HEX)
+field(air, "acknowledgement.fragments", "uint8", "Fragments that are here", base.HEX)
 field(air, "acknowledgement.floor", "bytes", "Floor")
 field(air, "acknowledgement.uptime", "uint16", "Uptime", base.UNIT_STRING, {" × 0.1 s"})
 field(air, "acknowledgement.proof", "bytes", "Proof")
@@ -459,7 +459,7 @@ local function open(frame)
 end
 
 -- Whether a frame's partner has made a proof, and whether it then asks for parity; nil where there is no key.
-local PROOF_TYPES = {delivered = {"\6", "\22"}, pieces = {"\7", "\23"}, stale = {"\8"}}
+local PROOF_TYPES = {delivered = {"\6", "\22"}, fragments = {"\7", "\23"}, stale = {"\8"}}
 
 local function is_proof(answered, acknowledger, answers, message)
   local keys = keys_for(answered.destination, answered.origin)
@@ -510,7 +510,7 @@ local function class_of(address)
   if address == "++++" then return "serial" end
   if address == "////" then return "broadcast" end
   if address:sub(1, 2) == "//" then return "multicast" end
-  if address:sub(1, 2) == "+F" then return "piece" end
+  if address:sub(1, 2) == "+F" then return "fragment" end
   if address:sub(1, 2) == "+K" then return "acknowledgement" end
   if value >= 62 * 64 ^ 3 or RESERVED_WORDS[address] then return "reserved" end
   return "device"
@@ -737,7 +737,7 @@ local function answered_by(place, acknowledger, bits, answers, message)
   if likely then return own_sending(list, likely[1]), likely[2] end
 end
 
-local ANSWERS = {[8] = "delivered", [9] = "pieces", [16] = "stale"}
+local ANSWERS = {[8] = "delivered", [9] = "fragments", [16] = "stale"}
 
 local function show_acknowledgement(tree, range, pinfo, frame, place)
   local message, packet = frame.message, this_packet(pinfo)
@@ -750,7 +750,7 @@ local function show_acknowledgement(tree, range, pinfo, frame, place)
     complain(tree, e_error, body or range, "radioBadProofs", "no acknowledgement has " .. #message .. " bytes")
     return "acknowledgement of no known shape"
   end
-  if answers == "pieces" then tree:add(f["acknowledgement.pieces"], body(0, 1)) end
+  if answers == "fragments" then tree:add(f["acknowledgement.fragments"], body(0, 1)) end
   if answers == "stale" then
     show_nonce(tree, "acknowledgement.floor", body(0, 6))
     tree:add(f["acknowledgement.uptime"], body(6, 2))
@@ -794,15 +794,15 @@ local function show_sealed(tree, range, frame)
   return show_message(tree, ByteArray.new(content, true):tvb("Content, opened")(), false)
 end
 
--- What is wrong with the shape of a piece, or nil (SPEC 7.1).
-local function wrong_piece(frame, index)
+-- What is wrong with the shape of a fragment, or nil (SPEC 7.1).
+local function wrong_fragment(frame, index)
   local length = #frame.message
   if index > 7 then return "index " .. index end
-  if length == 0 or length > PIECE_LENGTH then return length .. " bytes" end
-  if index * PIECE_LENGTH + length > HEADER_LENGTH + MAX_MESSAGE_LENGTH then return "the whole would be too long" end
+  if length == 0 or length > FRAGMENT_LENGTH then return length .. " bytes" end
+  if index * FRAGMENT_LENGTH + length > HEADER_LENGTH + MAX_MESSAGE_LENGTH then return "the whole would be too long" end
   if frame.origin == "++++" then return "from the serial line" end
   if index > 0 then return nil end
-  if length < PIECE_LENGTH then return "a first piece of " .. length .. " bytes" end
+  if length < FRAGMENT_LENGTH then return "a first fragment of " .. length .. " bytes" end
   local destination, bits = frame.message:sub(1, 4), digits(frame.message, 9, 10)
   if not digits(destination, 1, 4) or not bits or bits % 8 ~= 0 or HEADER_LENGTH + bits / 8 <= MAX_RADIO_PAYLOAD then return "no header of a whole" end
   if frame.message:sub(5, 8) ~= frame.origin then return "the whole is another device's" end
@@ -816,20 +816,20 @@ local function join(partial)
   if not first then return "", false end
   local total = HEADER_LENGTH + digits(first, 9, 10) / 8
   local parts = {}
-  for i = 0, math.ceil(total / PIECE_LENGTH) - 1 do
+  for i = 0, math.ceil(total / FRAGMENT_LENGTH) - 1 do
     local part = partial.parts[i]
-    if not part or #part ~= math.min(PIECE_LENGTH, total - i * PIECE_LENGTH) then return table.concat(parts), false end
+    if not part or #part ~= math.min(FRAGMENT_LENGTH, total - i * FRAGMENT_LENGTH) then return table.concat(parts), false end
     table.insert(parts, part)
   end
   return table.concat(parts), true
 end
 
--- Joins a piece with those before it, and returns the message that they make.
-local function add_piece(place, pinfo, frame, id, index)
+-- Joins a fragment with those before it, and returns the message that they make.
+local function add_fragment(place, pinfo, frame, id, index)
   local key = place .. frame.origin .. id
   local partial = known.partial[key]
   local another = partial and partial.parts[index] and partial.parts[index] ~= frame.message
-  if not partial or another or pinfo.abs_ts - partial.time > PIECES_TIME then
+  if not partial or another or pinfo.abs_ts - partial.time > FRAGMENTS_TIME then
     partial = {parts = {}, numbers = {}}
     known.partial[key] = partial
   end
@@ -847,35 +847,35 @@ end
 
 local show_frame
 
-local function show_piece(tree, range, pinfo, frame, place)
+local function show_fragment(tree, range, pinfo, frame, place)
   local packet = this_packet(pinfo)
   local id, digit = digits(frame.destination, 3, 3), digits(frame.destination, 4, 4)
   local index = digit < 16 and digit % 8 or digit
-  tree:add(f["piece.id"], range(2, 1), id)
-  tree:add(f["piece.index"], range(3, 1), index)
-  tree:add(f["piece.asks"], range(3, 1), digit >= 8 and digit < 16)
-  if #frame.message > 0 then tree:add(f["piece.part"], range(HEADER_LENGTH)) end
-  local wrong = wrong_piece(frame, index)
+  tree:add(f["fragment.id"], range(2, 1), id)
+  tree:add(f["fragment.index"], range(3, 1), index)
+  tree:add(f["fragment.asks"], range(3, 1), digit >= 8 and digit < 16)
+  if #frame.message > 0 then tree:add(f["fragment.part"], range(HEADER_LENGTH)) end
+  local wrong = wrong_fragment(frame, index)
   if wrong then
-    complain(tree, e_error, range, "radioPiecesDropped", wrong)
-    return "a piece that fits no message"
+    complain(tree, e_error, range, "radioFragmentsDropped", wrong)
+    return "a fragment that fits no message"
   end
   if place and not pinfo.visited and not packet.partial then
-    packet.partial = add_piece(place, pinfo, frame, id, index)
+    packet.partial = add_fragment(place, pinfo, frame, id, index)
     local first = packet.partial.parts[0]
     if first and #first >= HEADER_LENGTH + NONCE_LENGTH then
       remember_answerable(place, pinfo, {origin = frame.origin, destination = first:sub(1, 4), nonce = first:sub(HEADER_LENGTH + 1, HEADER_LENGTH + NONCE_LENGTH)})
     end
   end
-  local line = string.format("piece %d of %d%s", index, id, digit >= 8 and ", asks" or "")
+  local line = string.format("fragment %d of %d%s", index, id, digit >= 8 and ", asks" or "")
   local partial = packet.partial
   if not partial then return line end
   for i = 0, 7 do
-    if partial.numbers[i] and partial.numbers[i] ~= pinfo.number then tree:add(f["piece.in"], partial.numbers[i]):set_generated() end
+    if partial.numbers[i] and partial.numbers[i] ~= pinfo.number then tree:add(f["fragment.in"], partial.numbers[i]):set_generated() end
   end
   if not partial.whole then return line end
   if partial.whole_in ~= pinfo.number then
-    tree:add(f["piece.whole_in"], partial.whole_in):set_generated()
+    tree:add(f["fragment.whole_in"], partial.whole_in):set_generated()
     return line .. ", whole in " .. partial.whole_in
   end
   local whole = ByteArray.new(partial.whole, true):tvb("Frame, put together")
@@ -915,8 +915,8 @@ show_frame = function(parent, range, pinfo, place, whole)
     line = show_message(tree, body, true)
   elseif frame.class == "acknowledgement" then
     line = show_acknowledgement(tree, range, pinfo, frame, place)
-  elseif frame.class == "piece" then
-    line = show_piece(tree, range, pinfo, frame, place)
+  elseif frame.class == "fragment" then
+    line = show_fragment(tree, range, pinfo, frame, place)
   else
     frame.nonce = frame.message:sub(1, NONCE_LENGTH)
     if place and not pinfo.visited and #frame.nonce == NONCE_LENGTH then remember_answerable(place, pinfo, frame) end

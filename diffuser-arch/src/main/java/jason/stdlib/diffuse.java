@@ -33,7 +33,7 @@ import diffuser.OutgoingMessage;
  *     plans; to wait for an answer use <code>.send(<i>To</i>,<i>Performative</i>,<i>Content</i>,<i>Answer</i>)</code>.
  * <li>+ Content (literal or list of literals; a triggering event, a plan or its label for the performatives of plans): with
  * the performative, at most 494 bytes. Up to 67 bytes to all and 53 to a group or device fit one radio packet; longer
- * ones are cut into pieces.
+ * ones are cut into fragments.
  * </ul>
  *
  * <p>Examples:<ul>

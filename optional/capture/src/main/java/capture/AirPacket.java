@@ -33,7 +33,7 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
     private static final double MICROS_A_SECOND = 1e6;
     /** Of nonce and tag: SPEC 5. */
     private static final int ENVELOPE_LENGTH = 14;
-    /** Of the index digit of a piece whose sender wants an answer: SPEC 7.1. */
+    /** Of the index digit of a fragment whose sender wants an answer: SPEC 7.1. */
     private static final int ASKS = 8;
 
     /** How a packet came, in the order of the numbers of SPEC 10.1. */
@@ -93,13 +93,13 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
                 + switch (kind) {
                     case BROADCAST -> Word.isWord(frame.message()) ? "word, " + frame.message().length() + " bytes"
                             : new String(frame.message().toArray(), StandardCharsets.UTF_8);
-                    case PIECE -> pieceOf(frame);
+                    case FRAGMENT -> fragmentOf(frame);
                     case DEVICE, MULTICAST -> "sealed, " + (frame.message().length() - ENVELOPE_LENGTH) + " bytes";
                     default -> frame.message().length() + " bytes";
                 };
     }
 
-    private static String pieceOf(Frame frame) {
+    private static String fragmentOf(Frame frame) {
         int index = frame.destination().value() & 0x3F;
         return index % ASKS + " of " + frame.destination().member().charAt(0) + (index >= ASKS ? ", asks" : "");
     }

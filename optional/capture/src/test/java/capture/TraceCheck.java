@@ -21,8 +21,8 @@ public final class TraceCheck {
     private final List<JsonObject> events;
     private final List<Tshark.Dissected> packets;
 
-    /** What was found, for tests that want more of it. @param pieces that were put together. */
-    public record Found(int packets, long damaged, long opened, long pieces, long acknowledgements) {
+    /** What was found, for tests that want more of it. @param fragments that were put together. */
+    public record Found(int packets, long damaged, long opened, long fragments, long acknowledgements) {
     }
 
     private TraceCheck(List<JsonObject> events, List<Tshark.Dissected> packets) {
@@ -127,9 +127,9 @@ public final class TraceCheck {
             assertEquals(kind.equals("unicast") ? "device" : kind, packet.shown("javino.destination.class").get(0));
         }
         if (event.has("index")) {
-            assertEquals(text(event, "id"), packet.shown("javino.piece.id").get(0));
-            assertEquals(text(event, "index"), packet.shown("javino.piece.index").get(0));
-            assertEquals(event.get("asks").getAsBoolean() ? "1" : "0", packet.shown("javino.piece.asks").get(0));
+            assertEquals(text(event, "id"), packet.shown("javino.fragment.id").get(0));
+            assertEquals(text(event, "index"), packet.shown("javino.fragment.index").get(0));
+            assertEquals(event.get("asks").getAsBoolean() ? "1" : "0", packet.shown("javino.fragment.asks").get(0));
         }
         if (event.has("answers")) {
             assertEquals(text(event, "answers"), packet.shown("javino.acknowledgement.answers").get(0));

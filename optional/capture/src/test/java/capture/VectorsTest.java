@@ -498,7 +498,7 @@ class VectorsTest {
                 shows(both[0], "acknowledged_in", both[1] + 1);
                 String frame = text(vector, "frame");
                 has(both[1], "acknowledgement.proof", frame.substring(frame.length() - 16));
-                for (String field : List.of("pieces", "uptime")) {
+                for (String field : List.of("fragments", "uptime")) {
                     assertEquals(vector.has(field) ? List.of(vector.get(field).getAsLong()) : List.of(),
                             dissected.get(both[1]).shown("javino.acknowledgement." + field).stream()
                                     .map(Long::decode).toList());
@@ -544,25 +544,25 @@ class VectorsTest {
     }
 
     @Test
-    void pieces_inAnyOrder_arePutTogether() throws Exception {
-        List<JsonObject> valid = vectors("pieces", "valid").toList();
+    void fragments_inAnyOrder_arePutTogether() throws Exception {
+        List<JsonObject> valid = vectors("fragments", "valid").toList();
         for (boolean backwards : List.of(false, true)) {
             for (JsonObject vector : valid) {
-                List<JsonElement> pieces = new ArrayList<>(vector.getAsJsonArray("pieces").asList());
+                List<JsonElement> fragments = new ArrayList<>(vector.getAsJsonArray("fragments").asList());
                 if (backwards) {
-                    Collections.reverse(pieces);
+                    Collections.reverse(fragments);
                 }
-                List<Integer> indexes = pieces.stream()
-                        .map(piece -> air(PARTS_PAYLOAD, Bytes.ofHex(piece.getAsString()))).toList();
+                List<Integer> indexes = fragments.stream()
+                        .map(fragment -> air(PARTS_PAYLOAD, Bytes.ofHex(fragment.getAsString()))).toList();
                 int last = indexes.get(indexes.size() - 1);
                 Frame whole = frame(Bytes.ofHex(text(vector, "frame")));
                 check(text(vector, "frame") + backwards, () -> {
                     for (int index : indexes) {
                         int k = backwards ? last - index : indexes.indexOf(index);
-                        shows(index, "piece.id", digit(text(vector, "id")));
-                        shows(index, "piece.index", k);
-                        shows(index, "piece.asks", 0);
-                        shows(index, "piece.whole_in", index == last ? new Object[0] : new Object[] {last + 1});
+                        shows(index, "fragment.id", digit(text(vector, "id")));
+                        shows(index, "fragment.index", k);
+                        shows(index, "fragment.asks", 0);
+                        shows(index, "fragment.whole_in", index == last ? new Object[0] : new Object[] {last + 1});
                     }
                     Tshark.Dissected end = dissected.get(last);
                     assertEquals(List.of(whole.destination().toString()),
@@ -570,25 +570,25 @@ class VectorsTest {
                     assertEquals(List.of(whole.message().hex()), end.hex("javino.message").stream().skip(1).toList());
                     assertEquals(indexes.stream().filter(index -> index != last).map(index -> index + 1).sorted()
                             .map(Object::toString).toList(),
-                            end.shown("javino.piece.in").stream().sorted((a, b) -> Integer.parseInt(a)
+                            end.shown("javino.fragment.in").stream().sorted((a, b) -> Integer.parseInt(a)
                                     - Integer.parseInt(b)).toList());
                 });
             }
         }
-        vectors("pieces", "asking").forEach(vector -> {
-            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "piece")));
+        vectors("fragments", "asking").forEach(vector -> {
+            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "fragment")));
             check(vector, () -> {
                 shows(index, "origin", text(vector, "origin"));
-                shows(index, "piece.id", digit(text(vector, "id")));
-                shows(index, "piece.index", text(vector, "index"));
-                shows(index, "piece.asks", 1);
-                has(index, "piece.part", text(vector, "part"));
+                shows(index, "fragment.id", digit(text(vector, "id")));
+                shows(index, "fragment.index", text(vector, "index"));
+                shows(index, "fragment.asks", 1);
+                has(index, "fragment.part", text(vector, "part"));
             });
         });
-        vectors("pieces", "invalid").forEach(vector -> {
-            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "piece")));
+        vectors("fragments", "invalid").forEach(vector -> {
+            int index = air(PARTS_PAYLOAD, Bytes.ofHex(text(vector, "fragment")));
             boolean fromSerial = text(vector, "why").equals("from the serial line");
-            check(vector, () -> fails(index, fromSerial ? "radioBadFrames" : "radioPiecesDropped"));
+            check(vector, () -> fails(index, fromSerial ? "radioBadFrames" : "radioFragmentsDropped"));
         });
         dissect();
     }

@@ -7,7 +7,7 @@ import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 
 /**
- * What belongs together: pieces and the header of their message, acknowledgements and what they answer (SPEC 7.1, 7.3).
+ * What belongs together: fragments and the header of their message, acknowledgements and what they answer (SPEC 7.1, 7.3).
  */
 final class Conversations {
 
@@ -17,7 +17,7 @@ final class Conversations {
     private static final int INDEX = 3;
     private static final int ID = 2;
     private static final char LAST_INDEX = 'H';
-    private static final int PIECES = 8;
+    private static final int FRAGMENTS = 8;
     /** So long an acknowledgement is on its way to its cell and through it. */
     private static final long UNDER_WAY_MILLIS = 1000;
 
@@ -27,7 +27,7 @@ final class Conversations {
 
     /** A frame was heard, here or elsewhere. */
     void learn(Frame frame, boolean here, long now) {
-        if (isFirstPiece(frame)) {
+        if (isFirstFragment(frame)) {
             whole(frame).ifPresent(to -> headers.renew(message(frame), to));
         }
         if (here) {
@@ -39,9 +39,9 @@ final class Conversations {
         }
     }
 
-    /** Whom a piece is for; nothing where the first piece of its message is not known. */
-    Optional<Address> destination(Frame piece) {
-        return Optional.ofNullable(headers.get(message(piece)));
+    /** Whom a fragment is for; nothing where the first fragment of its message is not known. */
+    Optional<Address> destination(Frame fragment) {
+        return Optional.ofNullable(headers.get(message(fragment)));
     }
 
     /** Whether an acknowledgement answers what was heard here. */
@@ -58,7 +58,7 @@ final class Conversations {
     private static Optional<String> question(Frame frame) {
         Bytes message = frame.message();
         Address to = frame.destination();
-        if (isFirstPiece(frame)) {
+        if (isFirstFragment(frame)) {
             to = whole(frame).orElse(to);
             message = message.length() > Frame.HEADER_LENGTH ? message.from(Frame.HEADER_LENGTH) : Bytes.EMPTY;
         }
@@ -73,17 +73,17 @@ final class Conversations {
         return acknowledgement.origin() + " " + (acknowledgement.destination().value() & 0xFFF);
     }
 
-    /** By what the pieces of a message are known. */
-    private static String message(Frame piece) {
-        return piece.origin() + " " + piece.destination().toString().charAt(ID);
+    /** By what the fragments of a message are known. */
+    private static String message(Frame fragment) {
+        return fragment.origin() + " " + fragment.destination().toString().charAt(ID);
     }
 
-    private static boolean isFirstPiece(Frame frame) {
-        return frame.destination().kind() == Address.Kind.PIECE
-                && (frame.destination().value() & 0x3F) % PIECES == 0;
+    private static boolean isFirstFragment(Frame frame) {
+        return frame.destination().kind() == Address.Kind.FRAGMENT
+                && (frame.destination().value() & 0x3F) % FRAGMENTS == 0;
     }
 
-    /** Whom the message is for that a first piece begins. */
+    /** Whom the message is for that a first fragment begins. */
     private static Optional<Address> whole(Frame first) {
         try {
             Address to = Address.parse(first.message().slice(0, Address.LENGTH).text());

@@ -157,7 +157,7 @@ final class Router {
         if (conversations.isAnswered(frame, now)) {
             return Optional.of(GatewayCounter.ANSWERED);
         }
-        Optional<Address> destination = frame.destination().kind() == Address.Kind.PIECE
+        Optional<Address> destination = frame.destination().kind() == Address.Kind.FRAGMENT
                 ? conversations.destination(frame) : Optional.of(frame.destination());
         if (destination.isEmpty()) {
             return Optional.of(GatewayCounter.ORPHANS);
@@ -178,7 +178,7 @@ final class Router {
             case DEVICE -> locations.of(destination, now).filter(cell::equals).isPresent();
             case MULTICAST -> locations.hasMemberHere(destination, now);
             case BROADCAST -> broadcasts;
-            case SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
+            case SERIAL, FRAGMENT, ACKNOWLEDGEMENT, RESERVED -> false;
         };
     }
 
@@ -187,7 +187,7 @@ final class Router {
         return switch (destination.kind()) {
             case DEVICE -> nth % SEARCH_EVERY == 0 || nth <= 2 && locations.of(destination, now).isEmpty();
             case MULTICAST -> nth <= 2 && !locations.hasMemberBeside(sender, destination, now);
-            case BROADCAST, SERIAL, PIECE, ACKNOWLEDGEMENT, RESERVED -> false;
+            case BROADCAST, SERIAL, FRAGMENT, ACKNOWLEDGEMENT, RESERVED -> false;
         };
     }
 
@@ -198,7 +198,7 @@ final class Router {
             boolean possible = packet.length() <= LONGEST && frame.origin().kind() == Address.Kind.DEVICE
                     && switch (frame.destination().kind()) {
                         case SERIAL, RESERVED -> false;
-                        case DEVICE, BROADCAST, MULTICAST, PIECE, ACKNOWLEDGEMENT -> true;
+                        case DEVICE, BROADCAST, MULTICAST, FRAGMENT, ACKNOWLEDGEMENT -> true;
                     };
             return possible ? Optional.of(frame) : Optional.empty();
         } catch (ProtocolException none) {

@@ -82,15 +82,15 @@ final class Attacker implements AutoCloseable {
         return new Frame(to.address(), from.address(), random(30, random)).encode().toArray();
     }
 
-    /** A piece that begins a message, and asks which of it are here. */
-    static byte[] forgedPiece(Field.Post from, Field.Post to, Random random) {
+    /** A fragment that begins a message, and asks which of it are here. */
+    static byte[] forgedFragment(Field.Post from, Field.Post to, Random random) {
         Bytes begun = new Frame(to.address(), from.address(), random(400, random)).encode().slice(0, PART);
-        Address piece = Address.parse("+F" + "ABCDEFGHIJKLMNOPQRSTUVWXYZ".charAt(random.nextInt(26)) + "I");
-        return new Frame(piece, from.address(), begun).encode().toArray();
+        Address fragment = Address.parse("+F" + "ABCDEFGHIJKLMNOPQRSTUVWXYZ".charAt(random.nextInt(26)) + "I");
+        return new Frame(fragment, from.address(), begun).encode().toArray();
     }
 
     /**
-     * A last piece of one byte, in the next message of a sender whose messages all go in pieces: it tells a wrong
+     * A last fragment of one byte, in the next message of a sender whose messages all go in fragments: it tells a wrong
      * length.
      *
      * @param ended how many of its messages have ended: their ids run from 0 (SPEC 7.1), and one is under way.

@@ -36,7 +36,7 @@ final class Attacks implements Campaign {
         List<Line> lines = attack(settings, report);
         report.text("""
             **The firmware's sources on the PC** (`test/attack`): a whole board with a simulated EEPROM gets hostile
-            packets and, between them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in pieces.
+            packets and, between them, *genuine* ones. *Tries* are hostile packets, or whole hostile messages in fragments.
             *Accepted*: the host was handed a forged or repeated message, or the board took a forged acknowledgement or
             stale notice for genuine.""");
         Table table = new Table("attack", "tries", "accepted", "genuine", "of these lost");

@@ -33,8 +33,8 @@ final class Nonces {
         if (payload.length < MESSAGE) {
             return;
         }
-        // The first piece holds the header and the nonce of the whole; of the others the first tells nothing new.
-        if (isFirstPiece(payload)) {
+        // The first fragment holds the header and the nonce of the whole; of the others the first tells nothing new.
+        if (isFirstFragment(payload)) {
             payload = Arrays.copyOfRange(payload, MESSAGE, payload.length);
         }
         if (payload.length < MESSAGE + OVERHEAD || payload[0] == '+'
@@ -44,7 +44,7 @@ final class Nonces {
         enter(payload);
     }
 
-    private static boolean isFirstPiece(byte[] payload) {
+    private static boolean isFirstFragment(byte[] payload) {
         return payload[0] == '+' && payload[1] == 'F' && (payload[3] == 'A' || payload[3] == 'I');
     }
 

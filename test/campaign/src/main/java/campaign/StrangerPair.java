@@ -75,7 +75,7 @@ final class StrangerPair implements AutoCloseable {
         if (event.is("rf-tx", one.name()) || event.is("rf-tx", other.name())) {
             try {
                 heard.add(Frame.decode(Bytes.ofHex(event.text("payload"))));
-            } catch (ProtocolException piece) {
+            } catch (ProtocolException fragment) {
                 // None of their words is as long.
             }
         }

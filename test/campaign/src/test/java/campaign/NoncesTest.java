@@ -45,14 +45,14 @@ class NoncesTest {
     }
 
     @Test
-    void see_firstPieceUnderAFramesNonce_isRepeated() {
+    void see_firstFragmentUnderAFramesNonce_isRepeated() {
         send("SUPOROMA", 7, "content and tag");
         see("+FAAROMAAA" + "SUPOROMAZZ" + nonce(7) + "another and tag");
         assertEquals(1, nonces.repeated());
     }
 
     @Test
-    void see_broadcastsAcknowledgementsAndLaterPieces_haveNone() {
+    void see_broadcastsAcknowledgementsAndLaterFragments_haveNone() {
         see("////ROMAZZ" + "0000001" + "tell;hello world");
         see("////ROMAZZ" + "0000001" + "tell;other world");
         see("+KABROMAZZ" + "12345678" + "12345678");

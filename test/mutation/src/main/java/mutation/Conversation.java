@@ -27,7 +27,7 @@ import javino.protocol.Content;
 import javino.protocol.Outcome;
 
 /**
- * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in pieces, partners that
+ * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in fragments, partners that
  * are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who repeats
  * what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their hosts
  * never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are jammed.
@@ -63,11 +63,11 @@ final class Conversation {
     private static final String ABSENT = "SUDD";
     private static final List<String> IDS = List.of("SUAA", "SUBB", "SUCC");
     private static final int SHORT = 16;
-    /** Bytes of contents in three pieces, of which the last has one byte, and in four full ones; the most of SPEC. */
-    private static final int PIECES = 111;
-    private static final int MORE_PIECES = 244;
+    /** Bytes of contents in three fragments, of which the last has one byte, and in four full ones; the most of SPEC. */
+    private static final int FRAGMENTS = 111;
+    private static final int MORE_FRAGMENTS = 244;
     private static final int MOST = 494;
-    /** The number of a broadcast in pieces. */
+    /** The number of a broadcast in fragments. */
     private static final int LONG_BROADCAST = 11;
 
     /** What came of it. */
@@ -242,7 +242,7 @@ final class Conversation {
             for (ReceivedMessage message : to.host.messages()) {
                 String content = message.content().toString();
                 if (!message.from().toString().equals(from.id) || message.to().toString().equals(ALL)) {
-                    continue; // nothing proves a broadcast: a piece of it may be the attacker's
+                    continue; // nothing proves a broadcast: a fragment of it may be the attacker's
                 }
                 if (!content.equals(from.sent.get(content.replaceAll("x*\"\\)", "")))) {
                     return from.id + " never sent " + content;
@@ -296,9 +296,9 @@ final class Conversation {
             List<String> to = List.of(next, ALL, GROUP, ALL, other, ALL, next, ALL, next,
                     id.equals(IDS.get(0)) ? ABSENT : other);
             String destination = to.get(which % to.size());
-            int longer = id.equals(IDS.get(0)) ? MOST : MORE_PIECES;
-            boolean inPieces = which == LONG_BROADCAST || which % to.size() == 4;
-            int length = inPieces ? PIECES : which % to.size() == 8 ? longer : SHORT;
+            int longer = id.equals(IDS.get(0)) ? MOST : MORE_FRAGMENTS;
+            boolean inFragments = which == LONG_BROADCAST || which % to.size() == 4;
+            int length = inFragments ? FRAGMENTS : which % to.size() == 8 ? longer : SHORT;
             String begin = "tell;m(\"" + id + " " + which + " ";
             String end = "\")";
             String content = begin + "x".repeat(Math.max(0, length - begin.length() - end.length())) + end;

@@ -33,7 +33,7 @@ record Region(String name, int begin, int end) {
                 regions.add(new Region("what an acknowledgement says", HEADER, length - TAG));
                 regions.add(new Region("proof", length - TAG, length));
             }
-            case "piece" -> regions.add(new Region("part of a frame", HEADER, length));
+            case "fragment" -> regions.add(new Region("part of a frame", HEADER, length));
             default -> regions.add(new Region("content", HEADER, length));
         }
         return regions.stream().filter(region -> region.begin < region.end).toList();

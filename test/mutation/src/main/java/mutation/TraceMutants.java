@@ -47,7 +47,8 @@ final class TraceMutants {
     private static final Set<String> REPEATED =
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
     private static final List<String> OUTCOMES = List.of("sent", "delivered", "undelivered");
-    private static final List<String> KINDS = List.of("unicast", "multicast", "broadcast", "piece", "acknowledgement");
+    private static final List<String> KINDS =
+            List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement");
 
     private final List<String> lines;
     private final Trace genuine;

@@ -45,7 +45,7 @@ class ConversationTest {
             Pattern.compile("\"(kind|answers|trailer|outcome|why)\":\"([a-z ]+)\"").matcher(line).results()
                     .forEach(way -> ways.add(way.group(2)));
         }
-        for (String way : List.of("unicast", "multicast", "broadcast", "piece", "acknowledgement", "stale", "mark",
+        for (String way : List.of("unicast", "multicast", "broadcast", "fragment", "acknowledgement", "stale", "mark",
                 "parity", "delivered", "undelivered", "sent", "power", "fault")) {
             assertEquals(true, ways.contains(way), () -> way + " is not in " + ways);
         }

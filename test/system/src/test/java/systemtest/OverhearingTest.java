@@ -99,7 +99,7 @@ class OverhearingTest {
     }
 
     @Test
-    void unicast_inPieces_isDelivered() throws Exception {
+    void unicast_inFragments_isDelivered() throws Exception {
         String content = "tell;" + "x".repeat(150);
         assertEquals(Outcome.DELIVERED,
                 Host.get(police.board.transmit(Address.parse("ROMA"), Content.parse(content)).end()));

@@ -95,9 +95,9 @@ class SessionKeysTest {
         assertEquals("tell;" + prefix + "1", support.message().content().toString());
         assertEquals(Outcome.DELIVERED, end(support, SUPO, "tell;" + prefix + "2"));
         assertEquals("tell;" + prefix + "2", police.message().content().toString());
-        String pieces = "tell;" + prefix + "3" + "x".repeat(100);
-        assertEquals(Outcome.DELIVERED, end(police, SUPP, pieces));
-        assertEquals(pieces, support.message().content().toString());
+        String fragments = "tell;" + prefix + "3" + "x".repeat(100);
+        assertEquals(Outcome.DELIVERED, end(police, SUPP, fragments));
+        assertEquals(fragments, support.message().content().toString());
     }
 
     /** Plays all that the police has sent so far; nothing of it may be handed to the support. */

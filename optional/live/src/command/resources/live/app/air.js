@@ -12,7 +12,7 @@ const ROWS = 100;
 const CHOICES = 40;
 const PERFORMATIVES = ['tell', 'untell', 'achieve', 'unachieve', 'signal', 'askOne'];
 
-const KINDS = { __proto__: null, broadcast: 'to all', multicast: 'to a group', unicast: 'to one', acknowledgement: 'answer', piece: 'piece', reserved: 'reserved', 'no frame': 'no frame' };
+const KINDS = { __proto__: null, broadcast: 'to all', multicast: 'to a group', unicast: 'to one', acknowledgement: 'answer', fragment: 'fragment', reserved: 'reserved', 'no frame': 'no frame' };
 
 const grouped = (bytes) => hexOf(bytes).replace(/(.{8})(?=.)/g, '$1\u200a');
 

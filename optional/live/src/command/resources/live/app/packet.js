@@ -55,12 +55,12 @@ export function fieldsOf(packet) {
     if (packet.answers === 'stale') {
       take('floor', NONCE_LENGTH, (b) => 'only numbers above ' + hexOf(b) + ' are accepted');
       take('uptime', 2, (b) => numberOf(b) / 10 + ' s since the board started');
-    } else if (packet.answers === 'pieces') {
-      take('pieces', 1, (b) => 'has the pieces ' + b[0].toString(2).padStart(8, '0'));
+    } else if (packet.answers === 'fragments') {
+      take('fragments', 1, (b) => 'has the fragments ' + b[0].toString(2).padStart(8, '0'));
     }
     take('proof', rest(), () => 'only who has the key can make it');
-  } else if (packet.kind === 'piece') {
-    take('piece', rest(), () => 'a part of a longer frame');
+  } else if (packet.kind === 'fragment') {
+    take('fragment', rest(), () => 'a part of a longer frame');
   } else if (packet.sealed) {
     take('nonce', NONCE_LENGTH, (b) => 'start ' + numberOf(b.slice(0, 3)) + ', message ' + numberOf(b.slice(3)) + ' of it');
     take('ciphertext', rest() - TAG_LENGTH, (b) => b.length + ' bytes that only the key opens');

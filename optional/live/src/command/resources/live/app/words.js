@@ -12,7 +12,7 @@ export const REFUSALS = {
   radioOwn: { short: 'my own name', why: 'a fake: it claims to come from this very board' },
   radioBadFrames: { short: 'no frame', why: 'not understood: its bytes are no frame' },
   radioReserved: { short: 'reserved address', why: 'not understood: its address is reserved' },
-  radioPiecesDropped: { short: 'impossible piece', why: 'a piece of an impossible shape' },
+  radioFragmentsDropped: { short: 'impossible fragment', why: 'a fragment of an impossible shape' },
   radioReplayFull: { short: 'too many senders', why: 'it cannot remember the number of one more sender' },
   radioQueueFull: { short: 'queue full', why: 'good, but no place was left: nobody took the messages before' },
   radioBlocked: { short: 'radio closed', why: 'its agent wants no messages' },
@@ -52,7 +52,7 @@ function packetWords(state, p) {
     const done = p.answeredAt !== undefined && p.answeredAt <= state.t ? ' The answer came back: it has arrived.' : '';
     return `${who} sends to ${titleOfAddress(state, p.destination)} alone${again}. A closed lock: only these two have the key.${done}`;
   }
-  if (p.kind === 'piece') return `${who} sends a part of a longer message.`;
+  if (p.kind === 'fragment') return `${who} sends a part of a longer message.`;
   return `${who} sends bytes that no board understands.`;
 }
 

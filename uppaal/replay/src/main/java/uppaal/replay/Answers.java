@@ -84,7 +84,7 @@ final class Answers {
             possible |= come;
         }
         throw new RefusedException(
-                String.format("%s answers that it has the pieces %02x of %s; expected %02x or fewer, "
+                String.format("%s answers that it has the fragments %02x of %s; expected %02x or fewer, "
                         + "with the first", desk.name, told, proved.get(proved.size() - 1), possible));
     }
 

@@ -120,7 +120,7 @@ final class Bytes {
     private static void order(Desk desk, Frame frame, Payload piece) throws RefusedException {
         String wrong = frame.wrongNow(piece);
         if (!wrong.isEmpty()) {
-            throw new RefusedException(desk.name + " sends piece " + piece.index() + " of " + frame + " " + wrong);
+            throw new RefusedException(desk.name + " sends fragment " + piece.index() + " of " + frame + " " + wrong);
         }
         frame.last = piece;
     }
@@ -190,13 +190,13 @@ final class Bytes {
         Frame frame = desk.cut.get(payload.pieceId());
         if (frame == null) {
             throw new RefusedException(
-                    desk.name + " sends a piece of a message that it has not begun; expected a first piece");
+                    desk.name + " sends a fragment of a message that it has not begun; expected a first fragment");
         }
         if (payload.asks() && !frame.isUnicast()) {
-            throw new RefusedException(desk.name + " asks for an answer to a piece of a message to many");
+            throw new RefusedException(desk.name + " asks for an answer to a fragment of a message to many");
         }
         if (payload.index() >= frame.pieces() || !frame.hasPiece(payload.index(), payload.message())) {
-            throw new RefusedException(desk.name + " sends other bytes as piece " + payload.index() + " of " + frame
+            throw new RefusedException(desk.name + " sends other bytes as fragment " + payload.index() + " of " + frame
                     + "; expected those of the whole that it has sealed and cut");
         }
     }

@@ -162,7 +162,7 @@ final class Desk {
     /** Each frame that is cut has the next id. */
     void checkId(Frame frame) throws RefusedException {
         if (lastId >= 0 && !wasStale && frame.pieceId != (lastId + 1) % IDS) {
-            throw new RefusedException(name + " cuts a frame into pieces with id " + frame.pieceId + "; expected "
+            throw new RefusedException(name + " cuts a frame into fragments with id " + frame.pieceId + "; expected "
                     + (lastId + 1) % IDS);
         }
     }

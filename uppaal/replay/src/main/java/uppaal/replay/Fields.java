@@ -10,7 +10,7 @@ final class Fields {
     private static final int ADDRESS = 4;
     private static final int INDEX_AT = 3;
     private static final int INDEXES = 16;
-    private static final Map<Integer, String> ANSWERS = Map.of(8, "delivered", 9, "pieces", 16, "stale");
+    private static final Map<Integer, String> ANSWERS = Map.of(8, "delivered", 9, "fragments", 16, "stale");
 
     private Fields() {
     }
@@ -51,7 +51,7 @@ final class Fields {
             return to.equals(Payload.ALL) ? "broadcast" : "multicast";
         }
         if (to.startsWith("+F") && Payload.digit(to, INDEX_AT) < INDEXES) {
-            return "piece";
+            return "fragment";
         }
         return to.startsWith("+K") ? "acknowledgement" : to.matches("[+/].*") ? "reserved" : "unicast";
     }

@@ -108,10 +108,10 @@ final class Frame {
     String wrongNow(Payload piece) {
         boolean over = last == null || last.asks() || !isUnicast() && last.index() == pieces() - 1;
         if (!over && piece.index() <= last.index()) {
-            return "after piece " + last.index() + "; expected a later one";
+            return "after fragment " + last.index() + "; expected a later one";
         }
         return last != null && last.asks() && !isAnswered && !(piece.index() == 0 && piece.asks())
-                ? "though nobody has answered; expected that its first piece asks"
+                ? "though nobody has answered; expected that its first fragment asks"
                 : "";
     }
 

@@ -289,7 +289,7 @@ final class Message {
 
     /** Of what sort it is: of those one after the other, some are surely heard. */
     String sort() {
-        return kind + (pieces > 1 ? " in pieces" : "");
+        return kind + (pieces > 1 ? " in fragments" : "");
     }
 
     /** Its receiver hands it on or answers. */

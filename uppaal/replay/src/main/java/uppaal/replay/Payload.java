@@ -54,7 +54,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
     }
 
     boolean isPiece() {
-        return kind.equals("piece");
+        return kind.equals("fragment");
     }
 
     boolean isAcknowledgement() {
@@ -147,7 +147,7 @@ record Payload(String hex, String kind, String destination, String origin, byte[
 
     /** The same for every time that the same piece, or frame, is sent. */
     String identity() {
-        return isPiece() ? "piece " + origin + pieceId() + "/" + index() + HexFormat.of().formatHex(message) : hex;
+        return isPiece() ? "fragment " + origin + pieceId() + "/" + index() + HexFormat.of().formatHex(message) : hex;
     }
 
     /** Whether it goes to a device, in one packet, and is long enough for a nonce. */

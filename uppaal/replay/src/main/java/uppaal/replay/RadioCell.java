@@ -23,8 +23,8 @@ import java.util.function.Predicate;
  */
 final class RadioCell {
     private static final Map<String, String> COMES =
-            Map.of("ack", "ack_comes", "pieces", "pieces_come", "stale", "stale_comes");
-    private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "pieces", 16, "stale");
+            Map.of("ack", "ack_comes", "fragments", "fragments_come", "stale", "stale_comes");
+    private static final Map<Integer, String> ANSWERS = Map.of(8, "ack", 9, "fragments", 16, "stale");
     /** How exactly starts and ends of packets are known, in seconds: some bits. */
     static final double DISORDER = 0.002;
     /** How much later than it could a board may tell its host of what has ended, in seconds. */
@@ -335,7 +335,7 @@ final class RadioCell {
                     + " times: " + message + "; expected that it is sealed anew or undelivered");
         }
         if (payload.isPiece() && message.told(payload) > LOST) {
-            throw new RefusedException(board.name() + " sends again a piece that has come, though it was told "
+            throw new RefusedException(board.name() + " sends again a fragment that has come, though it was told "
                     + (LOST + 1) + " times that others have not: " + message);
         }
         checkPatience(start, board, message);
@@ -490,14 +490,14 @@ final class RadioCell {
                 message.receiver(board).perhapsSends(start, answer);
             }
         }
-        if (answer.equals("pieces") && able.size() == 1) {
+        if (answer.equals("fragments") && able.size() == 1) {
             checkAnswered(board, board.questions.unanswered(able.get(0)));
         }
         able.forEach(message -> heed(board, message));
         meet(board, able::contains);
-        if (answer.equals("pieces") && able.size() == 1 && able.get(0).missed(payload.message()[0], start) > LOST) {
+        if (answer.equals("fragments") && able.size() == 1 && able.get(0).missed(payload.message()[0], start) > LOST) {
             throw new RefusedException(board.name() + " answers " + (LOST + 1)
-                    + " times in a row without a piece that came undamaged: " + able.get(0));
+                    + " times in a row without a fragment that came undamaged: " + able.get(0));
         }
         if (answer.equals("stale")) {
             board.forgetExpected();
@@ -550,7 +550,7 @@ final class RadioCell {
         for (Message message : packet.answered()) {
             if (board.hasBeen(message.origin)) {
                 message.perhaps(seconds, COMES.get(packet.answer()));
-                if (packet.answer().equals("pieces")) {
+                if (packet.answer().equals("fragments")) {
                     message.goesOn();
                 }
             }
@@ -598,7 +598,7 @@ final class RadioCell {
                 packet.answered().get(0).confirm();
             } else if (packet.answer().equals("stale")) {
                 packet.answered().get(0).outdate();
-            } else if (packet.answer().equals("pieces")) {
+            } else if (packet.answer().equals("fragments")) {
                 packet.answered().get(0).told(payload.message()[0]);
             }
         }
@@ -622,8 +622,9 @@ final class RadioCell {
         message.comes(seconds);
         if (!message.isDoubted()) {
             board.questions.come(message, !payload.isPiece() ? "a unicast"
-                    : !isNew ? "a piece that asks, which may be there,"
-                            : payload.index() == 0 ? "a new first piece that asks" : "another new piece that asks",
+                    : !isNew ? "a fragment that asks, which may be there,"
+                            : payload.index() == 0 ? "a new first fragment that asks"
+                                    : "another new fragment that asks",
                     seconds);
         }
     }

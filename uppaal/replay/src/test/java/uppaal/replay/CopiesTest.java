@@ -132,10 +132,10 @@ class CopiesTest {
     }
 
     @Test
-    void copy_ofAMulticastABroadcastOrAPiece_isRefused() {
+    void copy_ofAMulticastABroadcastOrAFragment_isRefused() {
         for (String[] each : new String[][] {{"broadcast", "2f2f2f2f524f4d4141513031"},
                 {"multicast", "2f2f5355524f4d414277" + "00".repeat(14)},
-                {"piece", "2b464141524f4d414277" + "00".repeat(14)}}) {
+                {"fragment", "2b464141524f4d414277" + "00".repeat(14)}}) {
             Lines before = Lines.of("relays");
             lines.all.clear();
             lines.all.addAll(before.all);

@@ -16,7 +16,7 @@ final class Talk {
     static final String LONG = "tell;" + "x".repeat(70);
     private static final Map<Integer, Integer> TYPES = Map.of(0, 6, 1, 7, 8, 8);
     private static final int ASKS_PARITY = 0x10;
-    private static final int PIECE = 67;
+    private static final int FRAGMENT = 67;
 
     final Lines lines = new Lines();
 
@@ -88,7 +88,7 @@ final class Talk {
     static String kind(byte[] payload) {
         String to = Payload.lengthIn(payload) == payload.length ? new String(payload, 0, 4, StandardCharsets.US_ASCII)
                 : "";
-        return to.isEmpty() ? "no frame" : to.startsWith("+F") ? "piece" : to.startsWith("+K") ? "acknowledgement"
+        return to.isEmpty() ? "no frame" : to.startsWith("+F") ? "fragment" : to.startsWith("+K") ? "acknowledgement"
                 : to.equals("////") ? "broadcast" : to.startsWith("//") ? "multicast" : "unicast";
     }
 
@@ -103,8 +103,8 @@ final class Talk {
     }
 
     /** @param digits of the id and the index */
-    static byte[] piece(String digits, byte[] frame, int index) {
-        byte[] message = Arrays.copyOfRange(frame, index * PIECE, Math.min(frame.length, (index + 1) * PIECE));
+    static byte[] fragment(String digits, byte[] frame, int index) {
+        byte[] message = Arrays.copyOfRange(frame, index * FRAGMENT, Math.min(frame.length, (index + 1) * FRAGMENT));
         return SharedKey.join(Payload.header("+F" + digits, "SUPO", message.length), message);
     }
 

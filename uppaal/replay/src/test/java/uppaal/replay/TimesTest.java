@@ -169,7 +169,7 @@ class TimesTest {
     /** Who hears a packet with a trailer may tell of it before its sender does. */
     @Test
     void times_packetThatIsSentAgainAtOnce_isRefusedAtTheEndOfATraceToo() {
-        Lines lines = Lines.of("pieces");
+        Lines lines = Lines.of("fragments");
         int sent = lines.where(line -> lines.text(line, "trailer").equals("parity")).get(2);
         double start = lines.get(sent).get("start").getAsDouble();
         for (int line : lines.where(line -> lines.get(line).has("start")
@@ -177,7 +177,8 @@ class TimesTest {
             lines.all.add(lines.copy(line));
             shift(lines, lines.all.size(), SLOT - gap(lines, sent, sent));
         }
-        assertTrue(refusal(lines).contains("board4 sends piece 2 of SUPO to SUPP, nonce 000002000002 after piece 2"),
+        assertTrue(
+                refusal(lines).contains("board4 sends fragment 2 of SUPO to SUPP, nonce 000002000002 after fragment 2"),
                 refusal(lines));
     }
 
@@ -185,11 +186,11 @@ class TimesTest {
     @Test
     void times_attemptAfterTooFewQuietSlotsThatWereHeard_isRefused() {
         for (int slots : List.of(5, 7)) {
-            Lines lines = Lines.of("pieces");
+            Lines lines = Lines.of("fragments");
             int acknowledged = packet(lines, "board5", "acknowledgement", 2);
             int sent = lines.where(line -> line > acknowledged && lines.is(line, "board4", "rf-tx")).get(0);
             shiftAll(lines, sent, slots * SLOT - gap(lines, acknowledged, sent));
-            assertEquals(slots == 5, refusal(lines).contains("SUPO sends a piece of it"), refusal(lines));
+            assertEquals(slots == 5, refusal(lines).contains("SUPO sends a fragment of it"), refusal(lines));
         }
     }
 

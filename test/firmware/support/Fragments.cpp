@@ -1,4 +1,4 @@
-#include "Pieces.h"
+#include "Fragments.h"
 
 #include <delivery/Pieces.h>
 #include <secure/Proof.h>
@@ -11,16 +11,16 @@ std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest) {
   std::vector<Bytes> all;
   const uint16_t length = static_cast<uint16_t>(frame.size());
   for (uint8_t index = 0; index < pieces::count(length, longest); index++) {
-    Bytes piece(HEADER_LENGTH + longest);
-    piece.resize(pieces::cut(frame.data(), length, id, index, longest, piece.data()));
-    all.push_back(piece);
+    Bytes fragment(HEADER_LENGTH + longest);
+    fragment.resize(pieces::cut(frame.data(), length, id, index, longest, fragment.data()));
+    all.push_back(fragment);
   }
   return all;
 }
 
-Bytes wantingAnswer(Bytes piece) {
-  piece.at(3) = static_cast<uint8_t>(piece.at(3) + pieces::WANTS_ANSWER);  // A…H become I…P
-  return piece;
+Bytes wantingAnswer(Bytes fragment) {
+  fragment.at(3) = static_cast<uint8_t>(fragment.at(3) + pieces::WANTS_ANSWER);  // A…H become I…P
+  return fragment;
 }
 
 Bytes acknowledgement(const Bytes &key, const std::string &sender, const std::string &acknowledger, const Bytes &nonce,

@@ -25,12 +25,12 @@ std::string header(const std::string &to, const std::string &from, size_t length
   return to + from + DIGITS[length * 8 / 64] + DIGITS[length * 8 % 64];
 }
 
-// Listens, and sends as soon as a piece has ended: before its sender goes on, so that nothing collides.
+// Listens, and sends as soon as a fragment has ended: before its sender goes on, so that nothing collides.
 class Attacker {
  public:
-  // Makes a packet of what was heard: the last piece, its id and index, and the last first piece of another message.
+  // Makes a packet of what was heard: the last fragment, its id and index, and the last first fragment of another message.
   struct Heard {
-    Bytes piece;
+    Bytes fragment;
     uint8_t id;
     uint8_t index;
     Bytes recorded;
@@ -59,7 +59,7 @@ class Attacker {
  private:
   void hear(const Bytes &packet) {
     if (sending_ || packet[0] != '+' || packet[1] != 'F') return;
-    heard_.piece = packet;
+    heard_.fragment = packet;
     heard_.id = static_cast<uint8_t>(DIGITS.find(static_cast<char>(packet[ID_AT])));
     heard_.index = static_cast<uint8_t>(DIGITS.find(static_cast<char>(packet[INDEX_AT])) & 7);
     if (heard_.index == 0 && packet != heard_.first) {
@@ -75,7 +75,7 @@ class Attacker {
   RandomBytes random_;
   Heard heard_;
   double budget_ = 0;
-  uint32_t ends_ = 0;  // ms until the piece that is on the air has ended
+  uint32_t ends_ = 0;  // ms until the fragment that is on the air has ended
   bool sending_ = false;
 };
 
@@ -116,45 +116,45 @@ struct Kind {
 const size_t LONGEST = 494;
 
 const Kind KINDS[] = {
-    {"a last piece of one byte", LONGEST,
+    {"a last fragment of one byte", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id, 1 + random.number(7), random.bytes(1));
      }},
-    {"a last piece of one byte of the message to come", LONGEST,
+    {"a last fragment of one byte of the message to come", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return heard.index == 7 ? forged(heard.id + 1, 1 + random.number(7), random.bytes(1)) : Bytes();
      }},
-    {"a last piece of the right length", LONGEST,
+    {"a last fragment of the right length", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id, 7, random.bytes(518 - 7 * PART));
      }},
-    {"a last piece of the right length, of one byte", 7 * PART + 1 - 24,
+    {"a last fragment of the right length, of one byte", 7 * PART + 1 - 24,
      [](const Attacker::Heard &heard, RandomBytes &random) { return forged(heard.id, 7, random.bytes(1)); }},
-    {"the piece that comes next", LONGEST,
+    {"the fragment that comes next", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id, (heard.index + 1u) % 7, random.bytes(PART));
      }},
-    {"the piece that has come", LONGEST,
+    {"the fragment that has come", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return heard.index % 7 == 0 ? Bytes() : forged(heard.id, heard.index, random.bytes(PART));
      }},
-    {"a first piece of another length", LONGEST,
+    {"a first fragment of another length", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id, 0, bytesOf(header("SUPP", "SUPO", 2 * PART - 10)) + random.bytes(PART - 10));
      }},
-    {"a first piece of the same length", LONGEST,
+    {"a first fragment of the same length", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id, 0, bytesOf(header("SUPP", "SUPO", LONGEST + 14)) + random.bytes(PART - 10));
      }},
-    {"a first piece of the message to come", LONGEST,
+    {"a first fragment of the message to come", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id + 1, 0, bytesOf(header("SUPP", "SUPO", 2 * PART - 10)) + random.bytes(PART - 10));
      }},
-    {"a first piece to another device", LONGEST,
+    {"a first fragment to another device", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &random) {
        return forged(heard.id, 0, bytesOf(header("SUHO", "SUPO", LONGEST + 14)) + random.bytes(PART - 10));
      }},
-    {"the first piece of the message before, with this one's id", LONGEST,
+    {"the first fragment of the message before, with this one's id", LONGEST,
      [](const Attacker::Heard &heard, RandomBytes &) {
        if (heard.recorded.empty() || heard.index == 0) return Bytes();
        return forged(heard.id, 0, Bytes(heard.recorded.begin() + MESSAGE_AT, heard.recorded.end()));
@@ -163,7 +163,7 @@ const Kind KINDS[] = {
 
 }  // namespace
 
-TEST(ForgedPieces, with_5_percent_of_the_air_cost_15_percent_of_the_long_messages_at_most) {
+TEST(ForgedFragments, with_5_percent_of_the_air_cost_15_percent_of_the_long_messages_at_most) {
   const uint32_t SEEDS = 2;
   std::map<size_t, int> before;  // by length
   for (const Kind &kind : KINDS) {

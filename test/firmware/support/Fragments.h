@@ -7,13 +7,13 @@
 
 #include "Bytes.h"
 
-/// The pieces of a whole frame, all without a wish for an answer.
+/// The fragments of a whole frame, all without a wish for an answer.
 /// @param id 0…63
-/// @param longest the most bytes of a piece
-std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javinolib::PIECE_LENGTH);
+/// @param longest the most bytes of a fragment
+std::vector<Bytes> cut(const Bytes &frame, uint8_t id, uint8_t longest = javinolib::FRAGMENT_LENGTH);
 
-/// A piece whose sender wants an answer.
-Bytes wantingAnswer(Bytes piece);
+/// A fragment whose sender wants an answer.
+Bytes wantingAnswer(Bytes fragment);
 
 /// What another board would send to acknowledge a frame with this nonce.
 /// @param type 6, 7 or 8, or 0x16 or 0x17 (SPEC 7.3)

@@ -11,15 +11,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 
-/** SPEC 7.1: frames of each number of pieces and at each edge, and pieces that no frame has. */
-final class PieceVectors {
+/** SPEC 7.1: frames of each number of fragments and at each edge, and fragments that no frame has. */
+final class FragmentVectors {
 
     private static final String DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     private static final String KEY = "000102030405060708090a0b0c0d0e0f";
     private static final int PART = 67;
     private static final int HEADER = 10;
 
-    private PieceVectors() {
+    private FragmentVectors() {
     }
 
     static Map<String, List<Map<String, Object>>> all() {
@@ -29,12 +29,12 @@ final class PieceVectors {
                 valid(EnvelopeVectors.seal(KEY, "SUPO", "//SU", Wire.unhex("000001000001"),
                         text("tell;" + "y".repeat(195))), "z"),
                 valid(Wire.frame("////", "ROMA", text("tell;" + "x".repeat(489))), "/")));
-        // The shortest, and each number of pieces with a full, a nearly full and a one-byte last one.
+        // The shortest, and each number of fragments with a full, a nearly full and a one-byte last one.
         valid.add(valid(Wire.frame("////", "CAFE", counting(0, 78 - HEADER)), "B"));
-        for (int pieces = 2; pieces <= 8; pieces++) {
-            for (int total : new int[] {PART * pieces - 1, PART * pieces, PART * pieces + 1}) {
+        for (int fragments = 2; fragments <= 8; fragments++) {
+            for (int total : new int[] {PART * fragments - 1, PART * fragments, PART * fragments + 1}) {
                 if (total <= 521) {
-                    valid.add(valid(Wire.frame("CAFE", "ROMA", counting(pieces, total - HEADER)), "+"));
+                    valid.add(valid(Wire.frame("CAFE", "ROMA", counting(fragments, total - HEADER)), "+"));
                 }
             }
         }
@@ -45,25 +45,25 @@ final class PieceVectors {
         return lists;
     }
 
-    /** No piece asks for an answer. */
+    /** No fragment asks for an answer. */
     private static Map<String, Object> valid(byte[] frame, String id) {
-        List<String> pieces = new ArrayList<>();
+        List<String> fragments = new ArrayList<>();
         for (int at = 0; at < frame.length; at += PART) {
             byte[] part = Arrays.copyOfRange(frame, at, Math.min(at + PART, frame.length));
-            pieces.add(Wire.hex(piece(id, DIGITS.charAt(pieces.size()), new String(frame, 4, 4,
+            fragments.add(Wire.hex(fragment(id, DIGITS.charAt(fragments.size()), new String(frame, 4, 4,
                     StandardCharsets.US_ASCII), part)));
         }
-        return vector("frame", Wire.hex(frame), "id", id, "pieces", pieces);
+        return vector("frame", Wire.hex(frame), "id", id, "fragments", fragments);
     }
 
-    private static byte[] piece(String id, char index, String origin, byte[] part) {
+    private static byte[] fragment(String id, char index, String origin, byte[] part) {
         return Wire.frame("+F" + id + index, origin, part);
     }
 
-    /** A piece that wants an answer: its index digit is raised by 8. */
+    /** A fragment that wants an answer: its index digit is raised by 8. */
     private static Map<String, Object> asking(String id, int index) {
         byte[] part = index == 0 ? first("SUPO", "ROMA") : counting(index, 20);
-        return vector("piece", Wire.hex(piece(id, DIGITS.charAt(index + 8), "ROMA", part)), "origin", "ROMA",
+        return vector("fragment", Wire.hex(fragment(id, DIGITS.charAt(index + 8), "ROMA", part)), "origin", "ROMA",
                 "id", id, "index", index, "part", Wire.hex(part));
     }
 
@@ -82,8 +82,8 @@ final class PieceVectors {
                 invalid('P', counting(0, 67), "the whole would have 536 bytes"),
                 invalid('Q', counting(0, 20), "index digit 16"),
                 invalid('/', counting(0, 20), "index digit 63"),
-                invalid('A', Arrays.copyOf(first, 66), "first piece of 66 bytes"),
-                invalid('A', Arrays.copyOf(first, 9), "first piece shorter than a header"),
+                invalid('A', Arrays.copyOf(first, 66), "first fragment of 66 bytes"),
+                invalid('A', Arrays.copyOf(first, 9), "first fragment shorter than a header"),
                 invalid('A', Arrays.copyOf(Wire.frame("SUPO", "ROMA", counting(0, 67)), PART),
                         "the whole has 77 bytes and fits a packet"),
                 invalid('A', join(text("SUPOROMAAA"), counting(0, 57)), "the whole has no message"),
@@ -91,16 +91,16 @@ final class PieceVectors {
                 invalid('A', join(text("SUPOROMAL="), counting(0, 57)), "the whole's size has a bad digit"),
                 invalid('A', join(text("SU=OROMALQ"), counting(0, 57)), "the whole's destination has a bad digit"),
                 invalid('A', first("SUPO", "ROMB"), "the whole comes from another device"),
-                invalid('A', first("+FAA", "ROMA"), "the whole is itself a piece"),
+                invalid('A', first("+FAA", "ROMA"), "the whole is itself a fragment"),
                 invalid('A', first("+KAA", "ROMA"), "the whole goes to where acknowledgements go"),
                 invalid('A', first("++++", "ROMA"), "the whole goes to the serial line"),
                 invalid('A', first("/AAA", "ROMA"), "the whole goes to a reserved address")));
-        invalid.add(vector("piece", Wire.hex(piece("A", 'A', "++++", first("SUPO", "++++"))),
+        invalid.add(vector("fragment", Wire.hex(fragment("A", 'A', "++++", first("SUPO", "++++"))),
                 "why", "from the serial line"));
         return invalid;
     }
 
     private static Map<String, Object> invalid(char index, byte[] part, String why) {
-        return vector("piece", Wire.hex(piece("A", index, "ROMA", part)), "why", why);
+        return vector("fragment", Wire.hex(fragment("A", index, "ROMA", part)), "why", why);
     }
 }

@@ -1,11 +1,11 @@
-// Messages in pieces that were never sent so.
+// Messages in fragments that were never sent so.
 
 #include "attacks/attacks.h"
 #include "support/Victim.h"
 
 namespace {
 
-const uint32_t EXPIRY = 5000;  // of a message that gets no more pieces, in ms
+const uint32_t EXPIRY = 5000;  // of a message that gets no more fragments, in ms
 const size_t PART = 67;
 
 Bytes longFrame(Victim &victim) { return victim.genuine(60 + victim.random.number(430), victim.random.number(3) == 0); }
@@ -17,16 +17,16 @@ std::string anyOrigin(RandomBytes &random) {
   return random.number(4) == 0 ? "ROMA" : origin;
 }
 
-// A first piece that looks like that of a message to the board.
+// A first fragment that looks like that of a message to the board.
 Bytes forgedFirst(const std::string &origin, unsigned id, unsigned bytes, RandomBytes &random) {
   const std::string header =
       std::string(random.number(3) == 0 ? "//SU" : "SUPO") + origin + digit(bytes * 8 / 64) + digit(bytes * 8);
-  return piece(origin, id, random.number(2) * 8, bytesOf(header) + random.bytes(PART - 10));
+  return fragment(origin, id, random.number(2) * 8, bytesOf(header) + random.bytes(PART - 10));
 }
 
 }  // namespace
 
-Tally mixPieces(uint32_t seed, uint64_t tries) {
+Tally mixFragments(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   return victim.endure(tries, [&] {
     const size_t length = 60 + victim.random.number(430);
@@ -34,7 +34,7 @@ Tally mixPieces(uint32_t seed, uint64_t tries) {
     const Bytes first = victim.genuine(length, toGroup);
     const Bytes second = victim.genuine(length, toGroup);
     const unsigned id = victim.random.number(64);
-    const std::vector<Bytes> sources[] = {piecesOf(first, id), piecesOf(second, id)};
+    const std::vector<Bytes> sources[] = {fragmentsOf(first, id), fragmentsOf(second, id)};
     const uint32_t all = (1u << sources[0].size()) - 1;
     for (int i = 0; i < 50; i++) {
       const uint32_t choice = 1 + victim.random.number(all - 1);  // of both at least one
@@ -51,7 +51,7 @@ Tally mixPieces(uint32_t seed, uint64_t tries) {
   });
 }
 
-Tally forgePieces(uint32_t seed, uint64_t tries) {
+Tally forgeFragments(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   return victim.endure(tries, [&] {
     for (int i = 0; i < 100; i++) {
@@ -63,9 +63,10 @@ Tally forgePieces(uint32_t seed, uint64_t tries) {
       for (unsigned index = 1; index * PART < whole; index++) {
         const size_t fits = whole - index * PART < PART ? whole - index * PART : PART;
         const size_t length = victim.random.number(8) == 0 ? victim.random.number(PART + 1) : fits;
-        victim.suffer(piece(origin, id, index + victim.random.number(2) * 8, victim.random.bytes(length)));
+        victim.suffer(fragment(origin, id, index + victim.random.number(2) * 8, victim.random.bytes(length)));
       }
-      victim.suffer(piece(origin, id, victim.random.number(64), victim.random.bytes(victim.random.number(PART + 1))));
+      victim.suffer(
+          fragment(origin, id, victim.random.number(64), victim.random.bytes(victim.random.number(PART + 1))));
       victim.skip(victim.random.number(500));
     }
     victim.skip(EXPIRY);
@@ -73,7 +74,7 @@ Tally forgePieces(uint32_t seed, uint64_t tries) {
   });
 }
 
-Tally floodWithFirstPieces(uint32_t seed, uint64_t tries) {
+Tally floodWithFirstFragments(uint32_t seed, uint64_t tries) {
   Victim victim(seed);
   return victim.endure(tries, [&] {
     for (int i = 0; i < 20; i++) {
