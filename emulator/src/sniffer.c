@@ -10,9 +10,9 @@
 // How much later than the end of a packet a receiver's decoder may tell it.
 #define ARRIVAL_BITS 8
 
-// The source behind the boards' is the stranger's.
+// The source behind the boards' is the injector's.
 static const char *board_name(const sniffer *s, size_t board) {
-  return board < s->config->board_count ? s->config->boards[board].name : STRANGER;
+  return board < s->config->board_count ? s->config->boards[board].name : INJECTOR;
 }
 
 static void write_message(trace *t, const frame_view *view) {

@@ -64,7 +64,7 @@ final class Device implements BoardListener, KeyService.Host {
      * @param inbox    where its messages go.
      * @param warnings where its user is told what went wrong.
      * @param wake     ends its sleep.
-     * @param keyService   finds keys for strangers, if that library is there.
+     * @param keyService   agrees on keys, if that library is there.
      */
     record DeviceContext(String agent, Inbox inbox, Warnings warnings, Runnable wake, Optional<KeyService> keyService) {
     }
@@ -240,7 +240,7 @@ final class Device implements BoardListener, KeyService.Host {
         return keys.peer(from);
     }
 
-    // What finds keys for strangers wants of the board.
+    // What key agreement wants of the board.
 
     @Override
     public Transmission transmit(Address to, Word word) {
@@ -249,7 +249,7 @@ final class Device implements BoardListener, KeyService.Host {
 
     @Override
     public CompletableFuture<?> setSessionKey(Address device, Key key) {
-        keys.addStranger(device);
+        keys.addCertified(device);
         return session.join().setSessionKey(device, key);
     }
 

@@ -278,7 +278,7 @@ public class Diffuser extends AgArch {
         return services.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
-    /** What a device is from which something came sealed; without a board, a stranger. For any thread. */
+    /** What a device is from which something came sealed; without a board, certified only. For any thread. */
     public TrustLevel peer(Address device) {
         return device().map(board -> board.peer(device)).orElse(TrustLevel.CERTIFIED);
     }

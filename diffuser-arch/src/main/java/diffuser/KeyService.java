@@ -27,7 +27,7 @@ public interface KeyService extends BoardService {
         /** As the other. */
         Transmission transmitAsIs(Address to, Content content);
 
-        /** Gives the board the session key of a pair. What comes sealed from the device is a stranger's from now on. */
+        /** Gives the board the session key of a pair. The device counts as certified from now on. */
         CompletableFuture<?> setSessionKey(Address device, Key key);
 
         /** Gives the board the key of a group, which it stores. */
@@ -39,7 +39,7 @@ public interface KeyService extends BoardService {
         /** Tells the agent with which devices the board has session keys now. */
         void met(Set<Address> peers);
 
-        /** A message of a stranger for the agent. */
+        /** A message of a certified device for the agent. */
         void received(Address from, Content content);
 
         /** Tells the user something. */
@@ -67,6 +67,6 @@ public interface KeyService extends BoardService {
      */
     Transmission transmit(Host host, Address to, Content content);
 
-    /** Whether strangers can get the key of the own group, if they have the right certificate. */
+    /** Whether certified devices can get the key of the own group. */
     boolean sharesGroup();
 }

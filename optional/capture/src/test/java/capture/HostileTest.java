@@ -21,7 +21,7 @@ import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Bytes of strangers: the dissector shows what it can, and never fails. {@link Tshark} looks for that. */
+/** Bytes of attackers: the dissector shows what it can, and never fails. {@link Tshark} looks for that. */
 class HostileTest {
 
     private static final String KEYRING = "ROMA SUPO = 000102030405060708090a0b0c0d0e0f\n"

@@ -23,7 +23,8 @@ import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
 /** {@code javino enroll}: has a device certified. */
-@Command(name = "enroll", description = {"Has a device certified by an authority, so that strangers can trust it.",
+@Command(name = "enroll", description = {
+        "Has a device certified by an authority, so that devices without its key can trust it.",
         "First it writes a request. javino ca issue makes a certificate of it, which --certificate then takes in. The "
                 + "device's secret stays in a file that only you can read."})
 public final class EnrollCommand implements FurtherCommand {

@@ -45,8 +45,8 @@ import javino.protocol.Status;
 import javino.protocol.Word;
 
 /**
- * Keys with strangers for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
- * certificate for the board's address, or the agent refuses strangers, it does nothing.
+ * Key agreement for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
+ * certificate for the board's address, or the agent refuses it, it does nothing.
  */
 public final class BoardMeetings implements KeyService, Meetings.Outside {
 
@@ -106,7 +106,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         public KeyService of(Diffuser diffuser) {
             return new BoardMeetings(folder(), new WallClock("key agreement of " + diffuser.getAgName()),
                     thrown -> diffuser.getTS().getLogger().log(Level.SEVERE,
-                            "a step towards a stranger has failed: " + thrown, thrown));
+                            "a step of key agreement has failed: " + thrown, thrown));
         }
 
         private static Path folder() {
@@ -132,13 +132,13 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
      */
     public static BoardMeetings of(Diffuser diffuser) throws JasonException {
         return diffuser.service(BoardMeetings.class).orElseThrow(() -> new Failure("no_certificate",
-                "another library finds keys for strangers here").toException());
+                "another library agrees on keys here").toException());
     }
 
     // What the agent wants
 
     /**
-     * Welcomes strangers with certificates, or refuses all.
+     * Accepts certified devices, or refuses all.
      *
      * @return completes when it is so; fails with what {@link Failure#of} reads if there is no certificate. Completes
      *         at once where there is no board with an address yet.
@@ -274,14 +274,14 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         }
     }
 
-    /** Forgets all strangers, and has the board forget them. */
+    /** Forgets all certified devices, and has the board forget them. */
     private void close() {
         if (meetings == null) {
             return;
         }
         meetings = null;
         Stream.concat(errands.values().stream(), forGroup.stream()).forEach(errand -> errand.fail("no_key",
-                "the board has no key for " + errand.to() + ", and no strangers are met by it any more"));
+                "the board has no key for " + errand.to() + ", and agrees on keys with nobody any more"));
         errands.clear();
         forGroup.clear();
         given.forEach(host::deleteKey);
@@ -393,7 +393,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     private static Throwable noPlace(Address device) {
-        return new Failure("no_place", "the board has no place for the key with the stranger " + device
+        return new Failure("no_place", "the board has no place for the key with the certified device " + device
                 + ": build its sketch with JAVINO_SESSION_KEYS of 1 or more").toException();
     }
 

@@ -2,9 +2,9 @@ package keyagreement;
 
 import java.util.Locale;
 
-/** What became of a message to a stranger. */
+/** What became of a message to a certified device. */
 public enum Ending {
-    /** The stranger's host has taken it. */
+    /** The device's host has taken it. */
     DELIVERED,
     /** There is no proof of that; it may have arrived all the same. */
     UNDELIVERED,

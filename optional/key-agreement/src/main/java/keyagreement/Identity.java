@@ -20,7 +20,7 @@ import keyagreement.edhoc.P256;
 import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Secret;
 
-/** What a device is to strangers: its certificate and secret, the authorities that it trusts, their last notices. */
+/** What certifies a device: its certificate and secret, the authorities that it trusts, their last notices. */
 public final class Identity {
 
     // Lines of a device's file, and of what an authority answers.

@@ -127,7 +127,7 @@ public final class Meetings {
      */
     public Optional<Long> send(Address to, Content content, long now) {
         if (to.kind() != Address.Kind.DEVICE || to.equals(self)) {
-            throw new IllegalArgumentException("a message to a stranger goes to another device, not to " + to);
+            throw new IllegalArgumentException("a message goes to another device, not to " + to);
         }
         long ticket = lastTicket + 1;
         Optional<Peer> peer = peer(to);
@@ -179,7 +179,7 @@ public final class Meetings {
             case MESSAGE_3, RENEWAL_3 -> known(from).ifPresent(peer -> peer.third(word, now));
             case WANT -> known(from).ifPresent(peer -> peer.wanted(word.body().at(0), now));
             case GROUP, CONTENT, SEQUENCES, NOTICE, GROUP_KEY ->
-                throw new IllegalArgumentException("not from a stranger: " + word);
+                throw new IllegalArgumentException("not without a session key: " + word);
         }
     }
 

@@ -67,7 +67,7 @@ final class Shared {
         return answers;
     }
 
-    /** For all else that a stranger can make this host say. */
+    /** For all else that anybody can make this host say. */
     Sparingly hints() {
         return hints;
     }

@@ -72,14 +72,14 @@ class IdentityTest {
     }
 
     @Test
-    void strangers_withCertificatesOfOneAuthority_agreeOnAKeyThatIsNewEachTime() throws HandshakeException {
+    void devices_withCertificatesOfOneAuthority_agreeOnAKeyThatIsNewEachTime() throws HandshakeException {
         Key key = agree(supo, roma);
         assertNotEquals(key, agree(supo, roma));
         assertNotEquals(key, agree(roma, supo));
     }
 
     @Test
-    void stranger_ofAnotherAuthority_isRefused() throws IOException, JavinoException {
+    void device_ofAnotherAuthority_isRefused() throws IOException, JavinoException {
         Identity other = new Town(elsewhere).certified("BUSA");
         assertTrue(refused(Reason.NOT_CERTIFIED, supo, other).contains("is not trusted here"));
         assertTrue(refused(Reason.NOT_CERTIFIED, other, supo).contains("is not trusted here"));
@@ -87,7 +87,7 @@ class IdentityTest {
 
     /** Who claims the right authority's number has a certificate of it, or none that anybody has the secret of. */
     @Test
-    void stranger_withAForgedCertificate_isRefused() throws IOException, JavinoException {
+    void device_withAForgedCertificate_isRefused() throws IOException, JavinoException {
         Identity busa = town.certified("BUSA");
         Path file = Identity.file(folder, address(busa));
         Entries forged = Entries.parse(Files.readString(file), file);
@@ -98,7 +98,7 @@ class IdentityTest {
     }
 
     @Test
-    void stranger_withAnotherAddress_isRefused() throws IOException, JavinoException {
+    void device_withAnotherAddress_isRefused() throws IOException, JavinoException {
         Identity busa = town.certified("BUSA");
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
         Responder impostor = new Responder(busa.with(address(supo)), initiator.message1(), RANDOM);
@@ -112,12 +112,12 @@ class IdentityTest {
 
     /** A twin, or this device's own messages come back. */
     @Test
-    void stranger_withTheOwnAddress_isRefused() {
+    void device_withTheOwnAddress_isRefused() {
         assertTrue(refused(Reason.NOT_CERTIFIED, supo, supo).contains("own address"));
     }
 
     @Test
-    void stranger_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
+    void device_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
         Notice notice = town.revoke(roma);
         agree(supo, roma);
         assertTrue(supo.take(notice.toBytes()));
@@ -132,7 +132,7 @@ class IdentityTest {
     }
 
     @Test
-    void stranger_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
+    void device_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
         Identity busa = town.certified("BUSA", Town.TODAY);
         agree(supo, busa);
         supo.take(town.authority.revoke(List.of(), null, Town.TODAY.plusDays(1)).toBytes());
@@ -142,13 +142,13 @@ class IdentityTest {
     }
 
     @Test
-    void stranger_whoseDayIsBeforeTheLeast_isRefused() throws Exception {
+    void device_whoseDayIsBeforeTheLeast_isRefused() throws Exception {
         supo.take(town.authority.revoke(List.of(), Town.TODAY.plusDays(101), Town.TODAY).toBytes());
         refused(Reason.REVOKED, supo, roma);
     }
 
     @Test
-    void notice_thatIsForgedOlderOrOfAStranger_isNotTaken() throws Exception {
+    void notice_thatIsForgedOlderOrOfAnotherAuthority_isNotTaken() throws Exception {
         Notice first = town.revoke();
         Notice second = town.revoke(roma);
         assertTrue(supo.take(second.toBytes()));
@@ -163,7 +163,7 @@ class IdentityTest {
 
     /** Another could have its certificate reported as expired by sending a copy of it. */
     @Test
-    void stranger_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
+    void device_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
         supo.take(town.revoke(roma).toBytes());
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
         Bytes message2 = new Responder(roma.with(address(supo)), initiator.message1(), RANDOM).message2();

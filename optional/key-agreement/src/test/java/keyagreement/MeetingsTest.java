@@ -85,7 +85,7 @@ class MeetingsTest {
     }
 
     @Test
-    void send_toAStrangerAndAgainAfterAReset_isDeliveredInTime() {
+    void send_toACertifiedDeviceAndAgainAfterAReset_isDeliveredInTime() {
         List<long[]> times = LongStream.range(0, 15).mapToObj(this::times).toList();
 
         long first = median(times.stream().mapToLong(each -> each[0]));
@@ -195,7 +195,7 @@ class MeetingsTest {
     }
 
     @Test
-    void send_tooManyStrangers_isRefusedAndWhoWasMetIsNotForgotten() {
+    void send_tooManyDevices_isRefusedAndWhoWasMetIsNotForgotten() {
         World.Host roma = world.add(romaIdentity);
         World.Host supo = world.add(supoIdentity);
         assertEquals(Optional.of(Ending.DELIVERED), end(roma, supo));

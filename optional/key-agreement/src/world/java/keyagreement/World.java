@@ -27,7 +27,7 @@ import javino.protocol.Word;
 
 /**
  * Hosts with boards and certificates, and the air between them, in memory and in a time of its own. Packets are
- * damaged, come twice or late; hosts are killed and boards reset between any two steps; a stranger sends what he likes.
+ * damaged, come twice or late; hosts are killed and boards reset between any two steps; an attacker sends what he likes.
  */
 final class World {
 
@@ -158,7 +158,7 @@ final class World {
         }
     }
 
-    /** That of a stranger, whom all boards hear. */
+    /** That of an attacker, whom all boards hear. */
     Attacker.Voice voice() {
         return new Attacker.Voice() {
             @Override

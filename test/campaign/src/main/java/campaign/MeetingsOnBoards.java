@@ -73,13 +73,13 @@ final class MeetingsOnBoards {
     /** What is done with each pair, side by side. */
     private interface Doing {
 
-        List<Double> with(StrangerPair pair, Random random) throws Exception;
+        List<Double> with(CertifiedPair pair, Random random) throws Exception;
     }
 
     private List<List<Double>> pairs(int cells, int pairsInCell, double bitErrors, long seed, Doing doing)
             throws Exception {
         ExecutorService threads = Executors.newCachedThreadPool();
-        List<StrangerPair> pairs = new CopyOnWriteArrayList<>();
+        List<CertifiedPair> pairs = new CopyOnWriteArrayList<>();
         try (Closing closing = new Closing()) {
             Timetable time = closing.add(new Timetable());
             Field field = closing.add(Field.start(
@@ -89,12 +89,12 @@ final class MeetingsOnBoards {
             Certificates authority = new Certificates(field.folder(), "authority");
             for (int cell = 0; cell < cells; cell++) {
                 for (int i = 0; i < pairsInCell; i++) {
-                    pairs.add(closing.add(new StrangerPair(field, time, cell, i, authority)));
+                    pairs.add(closing.add(new CertifiedPair(field, time, cell, i, authority)));
                 }
             }
             List<Callable<List<Double>>> all = new ArrayList<>();
             for (int i = 0; i < pairs.size(); i++) {
-                StrangerPair pair = pairs.get(i);
+                CertifiedPair pair = pairs.get(i);
                 Random random = new Random(seed * 100 + i);
                 all.add(() -> doing.with(pair, random));
             }
@@ -119,7 +119,7 @@ final class MeetingsOnBoards {
                 lost++;
             }
         }
-        return took.orElse(StrangerPair.PATIENCE);
+        return took.orElse(CertifiedPair.PATIENCE);
     }
 
     private List<Double> times(Table table, double bitErrors) throws Exception {

@@ -15,7 +15,7 @@ import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Responder;
 
 /**
- * The same bytes as each thing that a stranger may say. A word, certificate or notice that can be read is written as it
+ * The same bytes as each thing that an attacker may send. A word, certificate or notice that can be read is written as it
  * was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is taken, since nobody here
  * has made one.
  */

@@ -42,7 +42,7 @@ final class TraceMutants {
     /** A unicast that was sent as often is undelivered. */
     private static final int ATTEMPTS = 8;
     /** Whoever sends by a command: he may send anything. */
-    private static final String STRANGER = "stranger";
+    private static final String INJECTOR = "injector";
     /** What hosts and boards may say as often as they like. */
     private static final Set<String> REPEATED =
             Set.of("host-handed", "host-taking", "host-outcome", "reset", "host-id");
@@ -166,7 +166,7 @@ final class TraceMutants {
 
     private void times(int number) {
         Trace.Packet packet = packets.get(number);
-        if (packet.board().equals(STRANGER)) {
+        if (packet.board().equals(INJECTOR)) {
             return;
         }
         if (isMissed(packet)) {
@@ -220,7 +220,7 @@ final class TraceMutants {
 
     private void bytes(int number) {
         Trace.Packet packet = packets.get(number);
-        if (packet.board().equals(STRANGER)) {
+        if (packet.board().equals(INJECTOR)) {
             return;
         }
         for (Region region : Region.of(text(packet.sent(), "kind"), packet.payload())) {
@@ -263,12 +263,12 @@ final class TraceMutants {
 
     /**
      * Something that the model does not speak of, what a host does with keys and the radio when it wants, what a
-     * stranger sends, a reset of a board that has no past, or an id that is known or under
+     * injector sends, a reset of a board that has no past, or an id that is known or under
      * which nothing is sent.
      */
     private boolean tellsNothing(int line) {
         JsonObject event = genuine.events().get(line);
-        if (text(event, "board").equals(STRANGER) || text(event, "from").equals(STRANGER)) {
+        if (text(event, "board").equals(INJECTOR) || text(event, "from").equals(INJECTOR)) {
             return true;
         }
         List<JsonObject> before = of(text(event, "board"), genuine.events().subList(0, line));
@@ -468,7 +468,7 @@ final class TraceMutants {
                 values.add(text(each, field));
             }
         }
-        values.removeAll(List.of("", STRANGER));
+        values.removeAll(List.of("", INJECTOR));
         return other(List.copyOf(values), text(event, field));
     }
 

@@ -239,7 +239,7 @@ class FalseGatewayTest extends JoinedCells {
     }
 
     @Test
-    void stranger_onTheAirWhoPlaysGateway_deliversNothingAndNothingTwice() throws Exception {
+    void injector_onTheAirWhoPlaysGateway_deliversNothingAndNothingTwice() throws Exception {
         exchange(0, 2);
         List<TraceEvent> recorded = emulator.sentBy("police");
         int said = 0;
@@ -248,7 +248,7 @@ class FalseGatewayTest extends JoinedCells {
             say(WEST, changed(HEX.parseHex(sent.text("payload"))));
             said += 2;
             // Only so many may wait to be sent, and on a busy machine the boards' time goes by slowly.
-            emulator.await("what the stranger says", said, event -> event.is("rf-tx", "stranger"));
+            emulator.await("what the injector says", said, event -> event.is("rf-tx", "injector"));
         }
         exchange(2, 3);
         onUnicast(intruder, packet -> say(WEST, forgedAcknowledgement(frame(packet))));

@@ -97,12 +97,12 @@ class PhasesTest {
         assertHandedOver("tell;last");
     }
 
-    /** While it waits for an answer, or between two fragments: a stranger's packets follow each other meanwhile. */
+    /** While it waits for an answer, or between two fragments: the injector's packets follow each other meanwhile. */
     private void resetInNoise() throws Exception {
-        int before = count("rf-tx", "stranger");
+        int before = count("rf-tx", "injector");
         nuisance.makeNoise();
         nuisance.makeNoise();
-        next("rf-tx", "stranger", before);
+        next("rf-tx", "injector", before);
         nuisance.pass(A_WHILE);
         nuisance.cut("police", RESET);
         police.awaitOnline(1);
@@ -221,10 +221,10 @@ class PhasesTest {
         police.send("SUPP", "tell;newer");
         support.counter(Counter.RADIO_REPEATS);
         emulator.await("the second", event -> event.is("host-taken", "support") && event.number("number") == 1);
-        int strange = count("rf-tx", "stranger");
+        int strange = count("rf-tx", "injector");
         nuisance.send(first);
         nuisance.send(asking);
-        next("rf-tx", "stranger", strange + 1);
+        next("rf-tx", "injector", strange + 1);
         assertHandedOver(LONG, "tell;newer");
 
         cutSupport(POWER_CUT);
@@ -235,7 +235,7 @@ class PhasesTest {
         assertHandedOver("tell;last");
     }
 
-    /** Its second fragment is lost, and nobody hears which it lacks; but a stranger sends it. */
+    /** Its second fragment is lost, and nobody hears which it lacks; but the injector sends it. */
     private CompletableFuture<Outcome> transmitWithHelp() throws Exception {
         int sent = count("rf-tx", "police");
         int answered = count("rf-tx", "support");
@@ -273,14 +273,14 @@ class PhasesTest {
             cutSupport(what);
 
             police.send("SUPP", "tell;repeated");
-            int noises = count("rf-tx", "stranger");
+            int noises = count("rf-tx", "injector");
             List<TraceEvent> sent = emulator.sentBy("police");
             nuisance.send(sent.get(sent.size() - 1).text("payload"));
             nuisance.makeNoise();
-            next("rf-tx", "stranger", noises);
+            next("rf-tx", "injector", noises);
             nuisance.pass(A_WHILE / 2);
             cutSupport(what);
-            next("rf-tx", "stranger", noises + 1);
+            next("rf-tx", "injector", noises + 1);
         }
         assertHandedOver("tell;taken", "tell;repeated", "tell;taken", "tell;repeated");
         assertEquals(List.of(), support.messages());

@@ -110,7 +110,7 @@ class SessionKeysTest {
     }
 
     @Test
-    void message_ofAStranger_isToldToTheHostAndDeliveredOnceBothHaveAKey() throws Exception {
+    void message_withoutAKey_isToldToTheHostAndDeliveredOnceBothHaveAKey() throws Exception {
         ExecutionException failed = assertThrows(ExecutionException.class,
                 () -> police.board.transmit(SUPP, Content.parse("tell;x")).taken().get());
         assertEquals(Status.NO_KEY, ((RequestFailedException) failed.getCause()).status());

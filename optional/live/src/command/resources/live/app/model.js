@@ -209,7 +209,7 @@ export class Model {
       start: number(e.start, s.t),
       end: number(e.end, s.t),
       board: name,
-      place: name === 'stranger' ? s.stranger : s.boards.get(name)?.place,
+      place: name === 'injector' ? s.injector : s.boards.get(name)?.place,
       payload: text(e.payload),
       destination: text(e.destination),
       origin: text(e.origin),
@@ -236,7 +236,7 @@ export class Model {
   #answered(answer) {
     for (let i = this.packets.length - 1; i >= Math.max(0, this.packets.length - 64); i--) {
       const p = this.packets[i];
-      if (p.kind !== 'acknowledgement' && p.board !== 'stranger' && (p.destination === answer.origin || p.kind === 'fragment')) {
+      if (p.kind !== 'acknowledgement' && p.board !== 'injector' && (p.destination === answer.origin || p.kind === 'fragment')) {
         p.answeredAt ??= answer.t;
         return [p.board];
       }

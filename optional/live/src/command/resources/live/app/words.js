@@ -29,7 +29,7 @@ const LEFT = {
 };
 
 export const titleOf = (state, name) =>
-  name === 'stranger' ? 'A stranger' : plain(state.boards.get(name)?.title ?? name ?? '', 24);
+  name === 'injector' ? 'The injector' : plain(state.boards.get(name)?.title ?? name ?? '', 24);
 
 const titleOfAddress = (state, address) =>
   plain([...state.boards.values()].find((b) => b.address === address)?.title ?? address, 24);
@@ -37,12 +37,12 @@ const titleOfAddress = (state, address) =>
 /** What a packet is, for who has never seen one. */
 function packetWords(state, p) {
   const who = titleOf(state, p.board);
-  const claims = p.board === 'stranger' ? ` in the name of ${titleOfAddress(state, p.origin)}` : '';
+  const claims = p.board === 'injector' ? ` in the name of ${titleOfAddress(state, p.origin)}` : '';
   if (p.kind === 'broadcast') {
     return `${who} calls to all in range${claims}: “${plain(p.content ?? '', 40)}”. An open lock: everybody can read it, and nobody can be sure who sent it.`;
   }
-  if (p.board === 'stranger') {
-    return `A stranger sends a packet${claims} to ${titleOfAddress(state, p.destination)}. Without the key, no change of it and no copy will be accepted.`;
+  if (p.board === 'injector') {
+    return `The injector sends a packet${claims} to ${titleOfAddress(state, p.destination)}. Without the key, no change of it and no copy will be accepted.`;
   }
   const again = p.again ? ', once more in case the first was lost' : '';
   if (p.kind === 'multicast') {

@@ -352,7 +352,7 @@ class BytesTest {
     @Test
     void handed_thoughAFirstFragmentWasForged_isOnlyWhatWasSaid() {
         for (String content : List.of(LONG, LONG + "y")) {
-            Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("stranger", changed(BEGIN, -1))
+            Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("injector", changed(BEGIN, -1))
                     .sends("police", END).hands(0, FIRST, content);
             if (content.equals(LONG)) {
                 assertAccepted(talk, "1 messages opened, 0 proofs");
@@ -367,7 +367,7 @@ class BytesTest {
     void handed_broadcastOfWhichAFragmentWasForged_mayBeAnything() {
         byte[] whole = broadcast(LONG);
         for (boolean isForged : List.of(true, false)) {
-            Talk talk = asked("////", LONG).sends("police", fragment("AA", whole, 0)).sends("stranger",
+            Talk talk = asked("////", LONG).sends("police", fragment("AA", whole, 0)).sends("injector",
                     isForged ? changed(fragment("AB", whole, 1), -1) : fragment("AB", whole, 1))
                     .sends("police", fragment("AB", whole, 1));
             talk.lines.add(9, "support", "host-handed",
@@ -381,13 +381,13 @@ class BytesTest {
         }
     }
 
-    /** Its board's own fragment is what it is, though a stranger has sent another one before. */
+    /** Its board's own fragment is what it is, though the injector has sent another one before. */
     @Test
     void broadcast_ofWhichNobodyKnowsWhatItSays_isItsBoards() {
         byte[] whole = broadcast(LONG);
         Talk talk = asked("////", LONG);
         talk.last().remove("content");
-        talk.sends("police", fragment("AA", whole, 0)).sends("stranger", changed(fragment("AB", whole, 1), -1))
+        talk.sends("police", fragment("AA", whole, 0)).sends("injector", changed(fragment("AB", whole, 1), -1))
                 .sends("police", fragment("AB", whole, 1));
         assertTrue(talk.lines.replay().refusal().isEmpty(), talk.lines.replay()::verdict);
     }
@@ -397,7 +397,7 @@ class BytesTest {
     void acknowledgement_ofAForgedFragmentOfWhatWasTaken_isAccepted() {
         Talk talk = asked("SUPP", LONG).sends("police", BEGIN).sends("police", END).hands(0, FIRST, LONG)
                 .sends("support", acknowledgement(FIRST, ""))
-                .sends("stranger", changed(fragment("AI", LONG_FRAME, 0), -1))
+                .sends("injector", changed(fragment("AI", LONG_FRAME, 0), -1))
                 .sends("support", acknowledgement(FIRST, "")).sends("support", acknowledgement(FIRST, ""));
         assertAccepted(talk, "1 messages opened, 3 proofs");
     }
@@ -446,7 +446,7 @@ class BytesTest {
     void sealedAnew_withoutKeys_isAcceptedWhicheverItIs() {
         Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).resets("support", "power").pauses(10)
                 .greets("support", "SUPP", "000002").pauses(20)
-                .sends("stranger", sealed("SUPP", FIRST, HELP))
+                .sends("injector", sealed("SUPP", FIRST, HELP))
                 .unheard("support", acknowledgement(FIRST, "00000100001f00d2"))
                 .asks("SUPP", "tell;helq").asks("//SU", HELP).sends("police", sealed("SUPP", SECOND, "tell;helq"))
                 .sends("support", acknowledgement(SECOND, "00000100001f0100"))
@@ -462,7 +462,7 @@ class BytesTest {
         Talk talk = delivered().sends("support", acknowledgement(FIRST, "")).asks("SUPP", HELP)
                 .sends("police", sealed("SUPP", SECOND, HELP)).hands(1, SECOND, HELP)
                 .sends("support", acknowledgement(SECOND, "")).resets("support", "power").pauses(10)
-                .greets("support", "SUPP", "000002").pauses(20).sends("stranger", frame)
+                .greets("support", "SUPP", "000002").pauses(20).sends("injector", frame)
                 .sends("support", acknowledgement(FIRST, "00000100001f00d2"));
         assertAccepted(talk, "2 messages opened, 3 proofs");
     }
@@ -496,7 +496,7 @@ class BytesTest {
 
     /** A board without a host, of which nobody has said who it is. */
     @Test
-    void stranger_maySendAnything_butAForgeryIsNeverHanded() {
+    void injector_maySendAnything_butAForgeryIsNeverHanded() {
         byte[] right = sealed("SUPP", FIRST, HELP);
         byte[] header =
                 SharedKey.join(Payload.header("+FAA", "SUPO", Frame.HEADER), Payload.header("SUPP", "SUPO", 200));

@@ -174,7 +174,7 @@ class MovesTest {
     }
 
     @Test
-    void message_toManyFromStrangers_isNotHeard() {
+    void message_toManyFromAttackers_isNotHeard() {
         after("away says R 1").then("away hears G 1");
         lines.get(at).addProperty("destination", "////");
         then("away says A 1", hex("walker")).assertRefused("says 'awake' as 'walker'");

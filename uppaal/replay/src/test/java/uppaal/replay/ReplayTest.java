@@ -1049,7 +1049,7 @@ class ReplayTest {
     }
 
     @Test
-    void replay_strangerWithAnIdOfItsOwn_isHeard() {
+    void replay_injectorWithAnIdOfItsOwn_isHeard() {
         Lines lines = twoBoards();
         String payload = UNICAST.replace("5355504f", "43414645") + "00".repeat(10);
         reach(lines, 2, "thief", payload, "unicast");
@@ -1059,9 +1059,9 @@ class ReplayTest {
     }
 
     @Test
-    void replay_strangerWithWhatIsNoFrame_isHeard() {
+    void replay_injectorWithWhatIsNoFrame_isHeard() {
         Lines lines = twoBoards();
-        reach(lines, 2, "stranger", "00", "no frame");
+        reach(lines, 2, "injector", "00", "no frame");
         assertTrue(lines.replay().refusal().isEmpty(), lines.replay().verdict());
     }
 

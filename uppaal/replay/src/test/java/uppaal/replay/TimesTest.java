@@ -206,18 +206,18 @@ class TimesTest {
     /** Bits of several packets together may be no carrier to a board, though it has heard the first one begin. */
     @Test
     void times_attemptSoonAfterCarriersThatOverlapped_isAccepted() {
-        for (int strangers : List.of(1, 2)) {
+        for (int injectors : List.of(1, 2)) {
             Lines lines = Lines.of("highway");
             double start = lines.get(packet(lines, "support", "unicast", 0)).get("start").getAsDouble();
-            for (int stranger = 1; stranger <= strangers; stranger++) {
-                double begin = start - (5 + 0.5 * stranger) * SLOT;
+            for (int injector = 1; injector <= injectors; injector++) {
+                double begin = start - (5 + 0.5 * injector) * SLOT;
                 Map<String, Object> noise =
-                        Map.of("payload", "a" + stranger, "kind", "no frame", "from", "stranger" + stranger, "start",
+                        Map.of("payload", "a" + injector, "kind", "no frame", "from", "injector" + injector, "start",
                                 begin);
-                lines.add(begin + 3 * SLOT, "stranger" + stranger, "rf-tx", noise)
+                lines.add(begin + 3 * SLOT, "injector" + injector, "rf-tx", noise)
                         .add(begin + 3 * SLOT, "support", "rf-rx", noise);
             }
-            assertEquals(strangers == 2, refusal(lines).equals("accepted"), refusal(lines));
+            assertEquals(injectors == 2, refusal(lines).equals("accepted"), refusal(lines));
         }
     }
 
@@ -307,9 +307,9 @@ class TimesTest {
         double end = start - 1.2 * SLOT;
         shift(lines, taking - 1, end - 2 * SLOT - lines.get(taking - 1).get("t").getAsDouble());
         shift(lines, taking, end - SLOT / 4 - lines.get(taking).get("t").getAsDouble());
-        Map<String, Object> noise = Map.of("payload", "aa", "kind", "no frame", "from", "stranger", "start",
+        Map<String, Object> noise = Map.of("payload", "aa", "kind", "no frame", "from", "injector", "start",
                 end - 95 / 4000.0);
-        lines.add(end, "stranger", "rf-tx", noise).add(end, "hospital", "rf-rx", noise);
+        lines.add(end, "injector", "rf-tx", noise).add(end, "hospital", "rf-rx", noise);
         assertEquals("accepted", refusal(lines));
     }
 

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import keyagreement.BoardMeetings;
 
 /** Agents on devices that have never met: a bus (ROMA) has a message for the police (SUPO). No board has a key. */
-class StrangersTest {
+class KeyAgreementTest {
 
     private static final String BUS = """
             !start.
@@ -49,7 +49,7 @@ class StrangersTest {
             +!start <- .port("@PORT@"); .setMyRFId("SUPO"); .getRFMessages(open); .print("ready"); @THEN@.
             -!start[error(outcome_unknown)] <- !start.
             +hello(X)[cast(unicast, S), peer(provisioned, S)] <- .print("known ", S, " says ", X).
-            +hello(X)[cast(unicast, S), peer(certified, S)] <- .print("stranger ", S, " says ", X);
+            +hello(X)[cast(unicast, S), peer(certified, S)] <- .print("certified ", S, " says ", X);
                 .diffuse(S, tell, welcome(X)).
             """;
 
@@ -107,7 +107,7 @@ class StrangersTest {
         authority.enroll("SUPO", identities);
         try (AgentProcess police = police("true");
                 AgentProcess bus = bus("!reach(1); !ask; !teach; !reach(2); .wait(4000); !reach(3)")) {
-            police.await("stranger ROMA says 1");
+            police.await("certified ROMA says 1");
             bus.await("delivered 1");
             bus.await("SUPO welcomes me 1");
             bus.await("key with SUPO certified");
@@ -115,13 +115,13 @@ class StrangersTest {
             bus.await("delivered 2");
             emulator.command(Map.of("do", "reset", "board", "police"));
             bus.await("delivered 3");
-            police.await("stranger ROMA says 3");
+            police.await("certified ROMA says 3");
             assertTrue(police.lines().stream().anyMatch(line -> line.contains("dropped tellHow from ROMA")
-                    && line.contains("[peer(certified,S)]")), "strangers do not teach: " + police.lines());
+                    && line.contains("[peer(certified,S)]")), "certified devices do not teach: " + police.lines());
         }
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(4)")) {
             bus.await("delivered 4");
-            police.await("stranger ROMA says 4");
+            police.await("certified ROMA says 4");
         }
         for (String board : new String[] {"bus", "police"}) {
             assertFalse(emulator.sentBy(board).stream().anyMatch(packet -> packet.text("payload").contains(HELLO)));
@@ -130,7 +130,7 @@ class StrangersTest {
 
     @ParameterizedTest
     @CsvSource({"revoked", "expired", "no_answer"})
-    void stranger_whoseCertificateDoesNotCount_getsNothing(String error) throws Exception {
+    void certifiedDevice_whoseCertificateDoesNotCount_getsNothing(String error) throws Exception {
         switch (error) {
             case "revoked" -> {
                 authority.enroll("SUPO", identities);
@@ -148,7 +148,7 @@ class StrangersTest {
 
     @Test
     @Tag("verify")
-    void stranger_whoseHostIsAwayOrRefuses_doesNotAnswer() throws Exception {
+    void certifiedDevice_whoseHostIsAwayOrRefuses_doesNotAnswer() throws Exception {
         authority.enroll("SUPO", identities);
         try (AgentProcess bus = bus("!call(1); .keyAgreement(refuse); !call(2)")) {
             bus.await("failed no_answer");
@@ -180,10 +180,10 @@ class StrangersTest {
     }
 
     @Test
-    void agentOnAnUno_withAPlaceForAKey_meetsAStranger() throws Exception {
-        takeAnUno("unoofstrangers");
+    void agentOnAnUno_withAPlaceForAKey_agreesOnAKey() throws Exception {
+        takeAnUno("unowithsessionkey");
         try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(1); !ask")) {
-            police.await("stranger ROMA says 1");
+            police.await("certified ROMA says 1");
             bus.await("SUPO welcomes me 1");
             bus.await("speed is 80");
         }
@@ -210,7 +210,7 @@ class StrangersTest {
             twin.await("ready");
             try (AgentProcess police = police("true"); AgentProcess bus = bus("!reach(1)")) {
                 bus.await("delivered 1");
-                police.await("stranger ROMA says 1");
+                police.await("certified ROMA says 1");
                 assertTrue(twin.lines().stream().noneMatch(line -> line.contains("says")), twin.lines().toString());
             }
         }

@@ -25,8 +25,8 @@ import javino.protocol.PollReply;
 import javino.protocol.Word;
 import keyagreement.BoardMeetings;
 
-/** A host that finds keys for strangers as an agent's does, without an agent. */
-public final class Stranger implements KeyService.Host, BoardListener, AutoCloseable {
+/** A host that agrees on keys as an agent's does, without an agent. */
+public final class CertifiedHost implements KeyService.Host, BoardListener, AutoCloseable {
 
     private final BlockingQueue<String> warnings = new LinkedBlockingQueue<>();
     private final Address self;
@@ -40,7 +40,7 @@ public final class Stranger implements KeyService.Host, BoardListener, AutoClose
      * @param identities where its certificate is.
      * @param received   takes what others say, on the clock's thread.
      */
-    public Stranger(LinkOpener link, Address self, Path identities, BoardMeetings.Clock clock,
+    public CertifiedHost(LinkOpener link, Address self, Path identities, BoardMeetings.Clock clock,
             Consumer<Content> received) {
         this.self = self;
         this.received = received;

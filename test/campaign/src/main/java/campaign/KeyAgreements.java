@@ -11,11 +11,11 @@ import keyagreement.RandomMeetings;
 import keyagreement.RandomMeetings.Tally;
 
 /** Whether hosts that never met come to one key, whatever happens, and whether an attacker can spoil it. */
-final class Strangers implements Campaign {
+final class KeyAgreements implements Campaign {
 
     @Override
     public String name() {
-        return "strangers";
+        return "keyAgreement";
     }
 
     @Override

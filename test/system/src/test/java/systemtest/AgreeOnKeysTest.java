@@ -17,7 +17,7 @@ import keyagreement.BoardMeetings;
 
 /** {@code docs/how-to/agree-on-keys.md}, done as it says. */
 @Tag("verify")
-class MeetStrangersTest {
+class AgreeOnKeysTest {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
     private static final Pattern FILE =

@@ -6,24 +6,24 @@ static const char HEARER[] = R"({"boards":[{"name":"near","firmware":"@blink","p
     {"name":"far","firmware":"@blink","position":[150,0]}]})";
 static const std::string HELLO = "2f2f2f2f43414645417748656c6c6f21";
 
-TEST(Stranger, a_packet_is_heard_in_range_of_where_it_stands) {
+TEST(Injector, a_packet_is_heard_in_range_of_where_it_stands) {
   Scratch scratch;
   Emulation run(scratch, HEARER);
   EXPECT_EQ(run.command(R"({"do":"send","position":[-10,0],"payload":")" + HELLO + "\"}"), "");
   run.run_until(0.5);
   auto sent = run.events("rf-tx");
   ASSERT_EQ(sent.size(), 1u);
-  EXPECT_EQ(sent[0].board, "stranger");
+  EXPECT_EQ(sent[0].board, "injector");
   EXPECT_EQ(sent[0].text("payload"), HELLO);
   EXPECT_EQ(sent[0].text("content"), "Hello!");
   auto received = run.events("rf-rx");
   ASSERT_EQ(received.size(), 1u);
   EXPECT_EQ(received[0].board, "near");
-  EXPECT_EQ(received[0].text("from"), "stranger");
+  EXPECT_EQ(received[0].text("from"), "injector");
   EXPECT_EQ(received[0].text("payload"), HELLO);
 }
 
-TEST(Stranger, a_bit_is_inverted_so_that_the_line_check_still_passes) {
+TEST(Injector, a_bit_is_inverted_so_that_the_line_check_still_passes) {
   Scratch scratch;
   Emulation run(scratch, HEARER);
   EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","flip":8})"), "");
@@ -35,7 +35,7 @@ TEST(Stranger, a_bit_is_inverted_so_that_the_line_check_still_passes) {
   EXPECT_EQ(received[1].text("payload"), "ffff7f");
 }
 
-TEST(Stranger, a_copy_tells_the_hops_behind_it) {
+TEST(Injector, a_copy_tells_the_hops_behind_it) {
   Scratch scratch;
   Emulation run(scratch, HEARER);
   EXPECT_EQ(run.command(R"({"do":"send","position":[0,0],"payload":"000000","hops":2})"), "");
@@ -49,7 +49,7 @@ TEST(Stranger, a_copy_tells_the_hops_behind_it) {
   }
 }
 
-TEST(Stranger, packets_wait_in_a_queue_that_has_an_end) {
+TEST(Injector, packets_wait_in_a_queue_that_has_an_end) {
   Scratch scratch;
   Emulation run(scratch, HEARER);
   std::string longest = R"({"do":"send","position":[140,0],"payload":")" + std::string(2 * 77, '5') + "\"}";
@@ -63,7 +63,7 @@ TEST(Stranger, packets_wait_in_a_queue_that_has_an_end) {
   EXPECT_EQ(run.command(longest), "");
 }
 
-TEST(Stranger, collides_as_others_do) {
+TEST(Injector, collides_as_others_do) {
   Scratch scratch;
   Emulation run(scratch,
                 R"({"boards":[{"name":"sender","firmware":"@rf_send"},{"name":"mirror","firmware":"@rf_mirror"}]})");
@@ -72,6 +72,6 @@ TEST(Stranger, collides_as_others_do) {
   run.run_until(0.4);
   auto collisions = run.events("mirror", "rf-collision");
   ASSERT_GE(collisions.size(), 1u);
-  EXPECT_STREQ(json_string_value(json_array_get(json_object_get(collisions[0].fields, "boards"), 1)), "stranger");
+  EXPECT_STREQ(json_string_value(json_array_get(json_object_get(collisions[0].fields, "boards"), 1)), "injector");
   EXPECT_EQ(run.events("mirror", "rf-damaged").size(), 2u);
 }

@@ -1,7 +1,7 @@
 package campaign;
 
 import harness.Certificates;
-import harness.Stranger;
+import harness.CertifiedHost;
 import harness.TraceEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -26,7 +26,7 @@ import javino.protocol.Word;
 import keyagreement.Attacker;
 
 /** Two hosts that have certificates and no common key. */
-final class StrangerPair implements AutoCloseable {
+final class CertifiedPair implements AutoCloseable {
 
     /** In emulated seconds: what takes longer counts as lost. */
     static final double PATIENCE = 90;
@@ -42,15 +42,15 @@ final class StrangerPair implements AutoCloseable {
     private final Field.Post other;
     private final EmulatedClock firstClock;
     private final EmulatedClock secondClock;
-    private final Stranger first;
-    private final Stranger second;
+    private final CertifiedHost first;
+    private final CertifiedHost second;
     private final Map<String, Double> came = new ConcurrentHashMap<>();
     private final List<Frame> heard = new CopyOnWriteArrayList<>();
     private final Set<String> said = new HashSet<>();
     private CompletableFuture<Void> fault;
 
     /** @param number of the pair in its cell, from 0. */
-    StrangerPair(Field field, Timetable time, int cell, int number, Certificates authority) throws IOException {
+    CertifiedPair(Field field, Timetable time, int cell, int number, Certificates authority) throws IOException {
         this.field = field;
         this.time = time;
         this.cell = cell;
@@ -61,8 +61,8 @@ final class StrangerPair implements AutoCloseable {
         authority.enroll(other.address().toString(), identities);
         firstClock = new EmulatedClock(time);
         secondClock = new EmulatedClock(time);
-        first = new Stranger(field.link(one), one.address(), identities, firstClock, this::take);
-        second = new Stranger(field.link(other), other.address(), identities, secondClock, this::take);
+        first = new CertifiedHost(field.link(one), one.address(), identities, firstClock, this::take);
+        second = new CertifiedHost(field.link(other), other.address(), identities, secondClock, this::take);
     }
 
     private synchronized void take(Content content) {
