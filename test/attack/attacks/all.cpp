@@ -21,8 +21,8 @@ const std::vector<Attack> &allAttacks() {
       {"acknowledgements forged", forgeAcknowledgements},
       {"acknowledgements forged and damaged", forgeDamagedAcknowledgements},
       {"acknowledgements of other messages", replayAcknowledgements},
-      {"stale notices forged and replayed", forgeStaleNotices},
-      {"stale notices of a group's member for one multicast", raiseByMulticast},
+      {"stale acknowledgements forged and replayed", forgeStaleAcknowledgements},
+      {"stale acknowledgements of a group's member for one multicast", raiseByMulticast},
       {"invented origins of a group's member", inventOrigins},
   };
   return ALL;

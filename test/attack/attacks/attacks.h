@@ -31,5 +31,5 @@ Tally floodWithFirstFragments(uint32_t seed, uint64_t tries);
 Tally forgeAcknowledgements(uint32_t seed, uint64_t tries);
 Tally forgeDamagedAcknowledgements(uint32_t seed, uint64_t tries);
 Tally replayAcknowledgements(uint32_t seed, uint64_t tries);
-Tally forgeStaleNotices(uint32_t seed, uint64_t tries);
+Tally forgeStaleAcknowledgements(uint32_t seed, uint64_t tries);
 Tally raiseByMulticast(uint32_t seed, uint64_t tries);

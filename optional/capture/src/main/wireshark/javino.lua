@@ -10,7 +10,7 @@ local MAX_CONTENT_LENGTH = 494
 local MAX_RADIO_PAYLOAD = 77
 local FRAGMENT_LENGTH = 67
 local NONCE_LENGTH, TAG_LENGTH, PROOF_LENGTH = 6, 8, 8
-local NOTICE_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of a notice without serials, and of that its signature
+local REVOCATION_LIST_LENGTH, SIGNATURE_LENGTH = 71, 64  -- of one without serials, and of that its signature
 local LONGEST_COUNT = 80
 local CRC_OF_HOP = 0x0811  -- each hop, modulo 3, changes the CRC by it
 local HOPS_NOT_KNOWN = 255
@@ -55,7 +55,7 @@ local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "preda
 local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
 -- The words of hosts (SPEC 11.3) by their kinds.
 local KINDS = {[0] = "MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
-  "SEQUENCES", "NOTICE", "GROUP_KEY"}
+  "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY"}
 local FIRST_SEALED = 8
 -- The lengths of their bodies, of the fragments from 0 on; of the others any.
 local BODIES = {[0] = {37}, {63, 25}, {63}, {16}, {16}, {8}, {1}, {0}, [11] = {16}}
@@ -128,12 +128,12 @@ field(air, "word.body", "bytes", "Body")
 field(air, "word.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
 field(air, "word.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
 field(air, "word.id", "uint24", "Id of the content")
-field(air, "notice.authority", "bytes", "Authority")
-field(air, "notice.sequence", "uint16", "Sequence")
-field(air, "notice.day", "uint16", "Day", base.UNIT_STRING, {" days after 1970-01-01"})
-field(air, "notice.least_until", "uint16", "Least until", base.UNIT_STRING, {" days after 1970-01-01"})
-field(air, "notice.serial", "uint16", "Revoked serial")
-field(air, "notice.signature", "bytes", "Signature")
+field(air, "revocation_list.authority", "bytes", "Authority")
+field(air, "revocation_list.sequence", "uint16", "Sequence")
+field(air, "revocation_list.day", "uint16", "Day", base.UNIT_STRING, {" days after 1970-01-01"})
+field(air, "revocation_list.least_until", "uint16", "Least until", base.UNIT_STRING, {" days after 1970-01-01"})
+field(air, "revocation_list.serial", "uint16", "Revoked serial")
+field(air, "revocation_list.signature", "bytes", "Signature")
 
 field(air, "nonce", "bytes", "Nonce N")
 field(air, "epoch", "uint24", "Epoch")
@@ -621,14 +621,14 @@ local function show_content(tree, range)
   return plain(bytes)
 end
 
--- Shows a notice (SPEC 11.2), or returns false where it is none.
-local function show_notice(tree, range)
-  local serials = range:len() - NOTICE_LENGTH
+-- Shows a revocation list (SPEC 11.2), or returns false where it is none.
+local function show_revocation_list(tree, range)
+  local serials = range:len() - REVOCATION_LIST_LENGTH
   if serials < 0 or serials % 2 ~= 0 then return false end
-  tree:add(f["notice.authority"], range(0, 1))
-  for i, name in ipairs({"sequence", "day", "least_until"}) do tree:add(f["notice." .. name], range(2 * i - 1, 2)) end
-  for at = 7, 5 + serials, 2 do tree:add(f["notice.serial"], range(at, 2)) end
-  tree:add(f["notice.signature"], range(range:len() - SIGNATURE_LENGTH))
+  tree:add(f["revocation_list.authority"], range(0, 1))
+  for i, name in ipairs({"sequence", "day", "least_until"}) do tree:add(f["revocation_list." .. name], range(2 * i - 1, 2)) end
+  for at = 7, 5 + serials, 2 do tree:add(f["revocation_list.serial"], range(at, 2)) end
+  tree:add(f["revocation_list.signature"], range(range:len() - SIGNATURE_LENGTH))
   return true
 end
 
@@ -675,11 +675,11 @@ local function show_word(tree, range, is_plain)
   elseif name == "SEQUENCES" then
     if length % 3 ~= 0 then return bad(length .. " bytes") end
     for at = 0, length - 3, 3 do
-      shown:add(f["notice.authority"], body(at, 1))
-      shown:add(f["notice.sequence"], body(at + 1, 2))
+      shown:add(f["revocation_list.authority"], body(at, 1))
+      shown:add(f["revocation_list.sequence"], body(at + 1, 2))
     end
-  elseif name == "NOTICE" and not show_notice(shown, body) then
-    return bad("no notice")
+  elseif name == "REVOCATION_LIST" and not show_revocation_list(shown, body) then
+    return bad("no revocation list")
   end
   return line
 end

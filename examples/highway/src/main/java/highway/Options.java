@@ -184,7 +184,7 @@ final class Options {
         List<String> command = javino("ca", "issue", "--ca", authority.toString(), "--request",
                 request.toString(), "--out", certificate.toString());
         if (device == Device.SUPPORT) {
-            command.add("--keeper");
+            command.add("--group-key-server");
         }
         return command;
     }

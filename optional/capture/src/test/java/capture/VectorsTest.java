@@ -368,22 +368,22 @@ class VectorsTest {
     void sealedWord_ofEachKind_hasItsFields() throws Exception {
         int content = opened("SUPO", Bytes.join(Bytes.of(0xA0, 0, 1, 2), Bytes.ofText("tell;help")));
         int sequences = opened("SUPO", Bytes.of(0xA4, 9, 1, 0, 8, 0, 2));
-        int notice = opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
+        int revocationList = opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
         int groupKey = opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(16)));
         check("fields", () -> {
-            List.of(content, sequences, notice, groupKey).forEach(this::isRight);
+            List.of(content, sequences, revocationList, groupKey).forEach(this::isRight);
             shows(content, "word", "CONTENT");
             shows(content, "word.id", 0x102);
             shows(content, "content", "tell;help");
             shows(sequences, "word", "SEQUENCES");
-            has(sequences, "notice.authority", "09", "08");
-            shows(sequences, "notice.sequence", 0x100, 2);
-            shows(notice, "word", "NOTICE");
-            shows(notice, "notice.sequence", 3);
-            shows(notice, "notice.day", 0x5001);
-            shows(notice, "notice.least_until", 0x5002);
-            shows(notice, "notice.serial", 7, 0x100);
-            has(notice, "notice.signature", counting(64).hex());
+            has(sequences, "revocation_list.authority", "09", "08");
+            shows(sequences, "revocation_list.sequence", 0x100, 2);
+            shows(revocationList, "word", "REVOCATION_LIST");
+            shows(revocationList, "revocation_list.sequence", 3);
+            shows(revocationList, "revocation_list.day", 0x5001);
+            shows(revocationList, "revocation_list.least_until", 0x5002);
+            shows(revocationList, "revocation_list.serial", 7, 0x100);
+            has(revocationList, "revocation_list.signature", counting(64).hex());
             shows(groupKey, "word", "GROUP_KEY");
             has(groupKey, "word.body", counting(16).hex());
         });
@@ -510,7 +510,7 @@ class VectorsTest {
     }
 
     @Test
-    void staleNotice_ofAMember_answersTheGroupsFrame() throws Exception {
+    void staleAcknowledgement_ofAMember_answersTheGroupsFrame() throws Exception {
         Bytes key = Bytes.ofHex("000102030405060708090a0b0c0d0e0f");
         share("//SU", "", key.hex());
         Bytes nonce = Bytes.ofNumber(0x1000005, 6);

@@ -61,15 +61,15 @@ public final class EnrollCommand implements FurtherCommand {
         @Option(names = "--certificate", paramLabel = "FILE", description = "Take in what javino ca issue has written.")
         private Path certificate;
 
-        @Option(names = "--notice", paramLabel = "FILE", description = "Take in what javino ca revoke has written.")
-        private Path notice;
+        @Option(names = "--revocation-list", paramLabel = "FILE", description = "Take in what javino ca revoke has written.")
+        private Path revocationList;
     }
 
     @Override
     public Integer call() throws IOException, JavinoException, InterruptedException {
         if (what.certificate != null) {
             certify(Entries.read(what.certificate));
-        } else if (what.notice != null) {
+        } else if (what.revocationList != null) {
             take();
         } else {
             request(what.request == null ? Path.of(id.toString().replace('/', '-') + ".request") : what.request);
@@ -143,8 +143,8 @@ public final class EnrollCommand implements FurtherCommand {
                 .add(P256.number(answer.get(Identity.CONTRIBUTION).orElse(Bytes.EMPTY))).mod(P256.ORDER));
         own.set(Identity.SECRET, secret).set(Identity.CERTIFICATE, encoded).remove(REQUEST_SECRET)
                 .remove(Request.NAME);
-        for (Bytes notice : answer.all(Identity.NOTICE)) {
-            Identity.keep(Notice.decode(notice), own);
+        for (Bytes revocationList : answer.all(Identity.REVOCATION_LIST)) {
+            Identity.keep(RevocationList.decode(revocationList), own);
         }
         try {
             Identity.of(file(), own).check(certificate);
@@ -179,9 +179,9 @@ public final class EnrollCommand implements FurtherCommand {
     private void take() throws IOException, JavinoException, InterruptedException {
         Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
                 HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
-        Bytes notice = Entries.read(what.notice).get(Identity.NOTICE).orElseThrow(
-                () -> new JavinoException(what.notice + " has no notice; javino ca revoke writes one"));
-        boolean isNew = identity.take(notice);
-        say(Notice.decode(notice) + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
+        Bytes revocationList = Entries.read(what.revocationList).get(Identity.REVOCATION_LIST).orElseThrow(
+                () -> new JavinoException(what.revocationList + " has no revocation list; javino ca revoke writes one"));
+        boolean isNew = identity.take(revocationList);
+        say(RevocationList.decode(revocationList) + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
     }
 }

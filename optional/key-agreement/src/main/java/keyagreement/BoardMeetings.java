@@ -53,7 +53,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     /** Names the folder of identities where it is not {@link Identity#defaultFolder}. */
     public static final String FOLDER_PROPERTY = "javino.identities";
 
-    /** Messages to the own group that wait for its key, and how long in ms: a keeper needs some seconds. */
+    /** Messages to the own group that wait for its key, and how long in ms: a group key server needs some seconds. */
     private static final int MOST_FOR_GROUP = 8;
     private static final long GROUP_MILLIS = 30_000;
     private static final long NEVER = Long.MAX_VALUE;
@@ -207,7 +207,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         after(Peer.MOST_MILLIS, () -> errand.end(Outcome.UNDELIVERED));
         after(GROUP_MILLIS, () -> {
             if (forGroup.remove(errand)) {
-                errand.fail("no_key", "the board has no key for " + errand.to() + ", and no keeper of the group has"
+                errand.fail("no_key", "the board has no key for " + errand.to() + ", and no group key server has"
                         + " given one within " + GROUP_MILLIS / 1000 + " s");
             }
         });
@@ -260,7 +260,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
             }
             sharesGroup = identity.isPresent();
             if (identity.isPresent() && !refuses) {
-                keepsGroup = identity.get().certificate().keeper();
+                keepsGroup = identity.get().certificate().groupKeyServer();
                 Optional<Key> groupKey = keepsGroup ? keptGroupKey() : Optional.empty();
                 meetings = new Meetings(identity.get(), groupKey, this, new SecureRandom());
                 if (keepsGroup) {
@@ -461,7 +461,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
         host.warn(what);
     }
 
-    // The key of the group, of its keeper
+    // The key of the group, from its server
 
     private Path groupFile() {
         return folder.resolve(self.toString().replace('/', '-') + ".group");

@@ -10,7 +10,7 @@ public enum Ending {
     UNDELIVERED,
     /** Nobody of that address has proved a certificate that counts here. */
     NO_ANSWER,
-    /** A notice of the authority names the certificate. */
+    /** A revocation list of the authority names the certificate. */
     REVOKED,
     /** The certificate's last day is past. */
     EXPIRED,

@@ -41,14 +41,14 @@ record HostWord(Kind kind, int fragment, Bytes body) {
         RENEWAL_3(8),
         /** Asks for a fragment, by its first byte. */
         WANT(1),
-        /** Asks the keeper of a group for the group's key. */
+        /** Asks the group key server of a group for the group's key. */
         GROUP(0),
         /** A content with an id, sealed. */
         CONTENT(-1),
-        /** The sequences of the notices that a host has, sealed. */
+        /** The sequences of the revocation lists that a host has, sealed. */
         SEQUENCES(-1),
-        /** A notice of an authority, sealed. */
-        NOTICE(-1),
+        /** A revocation list of an authority, sealed. */
+        REVOCATION_LIST(-1),
         /** The key of a group, sealed. */
         GROUP_KEY(16);
 

@@ -17,7 +17,7 @@ import keyagreement.edhoc.HandshakeException;
 
 /**
  * How a host comes to a key with hosts that it has never met (SPEC 11.3): handshakes, the messages that wait for them,
- * notices, the keys of groups. It opens nothing and has no thread: it is told what happens, and tells an
+ * revocation lists, the keys of groups. It opens nothing and has no thread: it is told what happens, and tells an
  * {@link Outside} what to do.
  *
  * <p>A caller with a {@link javino.board.Board}
@@ -66,7 +66,7 @@ public final class Meetings {
         void deleteKey(Address device);
 
         /**
-         * Calls {@code board.setKey(group, key)}: it is kept in EEPROM. The keeper also keeps it itself, for
+         * Calls {@code board.setKey(group, key)}: it is kept in EEPROM. The group key server also keeps it itself, for
          * {@link Meetings#Meetings}.
          */
         void setGroupKey(Address group, Key key);
@@ -98,14 +98,14 @@ public final class Meetings {
 
     /**
      * @param identity the device's own.
-     * @param groupKey of a keeper, what {@link Outside#setGroupKey} had it keep last; else nothing.
+     * @param groupKey of a group key server, what {@link Outside#setGroupKey} had it keep last; else nothing.
      * @param random   for keys, nonces and waits.
      */
     public Meetings(Identity identity, Optional<Key> groupKey, Outside outside, SecureRandom random) {
         shared = new Shared(identity, outside, random);
         self = identity.certificate().address();
         groupKey.ifPresent(shared::setGroupKey);
-        if (identity.certificate().keeper() && groupKey.isEmpty()) {
+        if (identity.certificate().groupKeyServer() && groupKey.isEmpty()) {
             makeGroupKey();
         }
     }
@@ -139,7 +139,7 @@ public final class Meetings {
     }
 
     /**
-     * Asks the keeper of the own group for its key, by one broadcast that may be lost; what comes of it is
+     * Asks the group key server of the own group for its key, by one broadcast that may be lost; what comes of it is
      * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
      */
     public void wantGroupKey(long now) {
@@ -178,7 +178,7 @@ public final class Meetings {
             case MESSAGE_2, RENEWAL_2 -> known(from).ifPresent(peer -> peer.second(word, now));
             case MESSAGE_3, RENEWAL_3 -> known(from).ifPresent(peer -> peer.third(word, now));
             case WANT -> known(from).ifPresent(peer -> peer.wanted(word.body().at(0), now));
-            case GROUP, CONTENT, SEQUENCES, NOTICE, GROUP_KEY ->
+            case GROUP, CONTENT, SEQUENCES, REVOCATION_LIST, GROUP_KEY ->
                 throw new IllegalArgumentException("not without a session key: " + word);
         }
     }
@@ -223,7 +223,7 @@ public final class Meetings {
     }
 
     private void groupWanted(Address from, Address group, long now) {
-        if (!open || !shared.identity().certificate().keeper() || !group.equals(Address.multicast(self.group()))
+        if (!open || !shared.identity().certificate().groupKeyServer() || !group.equals(Address.multicast(self.group()))
                 || !from.group().equals(self.group())) {
             shared.count(Event.OVERHEARD);
             return;
@@ -252,18 +252,18 @@ public final class Meetings {
             return;
         }
         switch (read.get().kind()) {
-            case NOTICE -> notice(read.get().body(), now);
+            case REVOCATION_LIST -> revocationList(read.get().body(), now);
             case GROUP_KEY -> groupKey(peer.get(), read.get().body());
             default -> peer.get().opened(read.get(), now);
         }
     }
 
-    private void notice(Bytes notice, long now) {
+    private void revocationList(Bytes revocationList, long now) {
         try {
-            if (shared.identity().take(notice)) {
-                shared.count(Event.NOTICES);
+            if (shared.identity().take(revocationList)) {
+                shared.count(Event.REVOCATION_LISTS);
                 peers.values().forEach(Peer::check);
-                if (shared.identity().certificate().keeper()) {
+                if (shared.identity().certificate().groupKeyServer()) {
                     // Whoever it names has the key of the group.
                     makeGroupKey();
                     List.copyOf(peers.values()).forEach(peer -> peer.giveGroupKey(now));
@@ -272,7 +272,7 @@ public final class Meetings {
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
         } catch (IOException | JavinoException e) {
-            shared.outside().warn("a notice of the authority could not be kept: " + e.getMessage());
+            shared.outside().warn("a revocation list of the authority could not be kept: " + e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -285,7 +285,7 @@ public final class Meetings {
     }
 
     private void groupKey(Peer from, Bytes key) {
-        if (from.isKeeper()) {
+        if (from.isGroupKeyServer()) {
             shared.outside().setGroupKey(Address.multicast(self.group()), Key.of(key));
         } else {
             shared.count(Event.REFUSED);

@@ -77,7 +77,7 @@ final class Shared {
         return ++lastId;
     }
 
-    /** The key of the own group, if this host is its keeper. */
+    /** The key of the own group, if this host is its group key server. */
     Optional<Key> groupKey() {
         return Optional.ofNullable(groupKey);
     }

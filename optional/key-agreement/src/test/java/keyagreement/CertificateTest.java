@@ -37,7 +37,7 @@ class CertificateTest {
         Bytes bytes = Bytes.ofHex("4943ce" + "1234" + "01" + "529a" + "ab" + POINT);
         assertEquals(bytes, certificate.toBytes());
         assertEquals(certificate, Certificate.decode(bytes));
-        assertEquals("certificate 4660 of SUPO until 2027-11-24, keeper", certificate.toString());
+        assertEquals("certificate 4660 of SUPO until 2027-11-24, group key server", certificate.toString());
     }
 
     @ParameterizedTest
@@ -69,7 +69,7 @@ class CertificateTest {
             Entries answer = authority.issue(request, Town.TODAY, i % 2 == 0, Town.TODAY, RANDOM);
             Bytes encoded = answer.get("certificate").orElseThrow();
             Certificate certificate = Certificate.decode(encoded);
-            assertEquals(i % 2 == 0, certificate.keeper());
+            assertEquals(i % 2 == 0, certificate.groupKeyServer());
             MessageDigest sha = MessageDigest.getInstance("SHA-256");
             sha.update("javino-cert-1".getBytes());
             BigInteger e = new BigInteger(1, sha.digest(encoded.toArray())).mod(G.getCurve().getOrder());

@@ -43,7 +43,7 @@ class HostWordTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"CONTENT,a0", "SEQUENCES,a4", "NOTICE,a8", "GROUP_KEY,ac"})
+    @CsvSource({"CONTENT,a0", "SEQUENCES,a4", "REVOCATION_LIST,a8", "GROUP_KEY,ac"})
     void sealed_eachKind_hasItsNumber(HostWord.Kind kind, String first) {
         HostWord said = HostWord.sealed(kind, Bytes.copyOf(new byte[16]));
         assertEquals(first, said.sealed().bytes().slice(0, 1).hex());

@@ -118,14 +118,14 @@ class IdentityTest {
 
     @Test
     void device_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
-        Notice notice = town.revoke(roma);
+        RevocationList revocationList = town.revoke(roma);
         agree(supo, roma);
-        assertTrue(supo.take(notice.toBytes()));
-        assertTrue(refused(Reason.REVOKED, supo, roma).contains("notice 1"));
+        assertTrue(supo.take(revocationList.toBytes()));
+        assertTrue(refused(Reason.REVOKED, supo, roma).contains("revocation list 1"));
         refused(Reason.REVOKED, roma, supo);
-        assertFalse(supo.take(notice.toBytes()), "it is known");
+        assertFalse(supo.take(revocationList.toBytes()), "it is known");
         Identity again = Identity.read(folder, address(supo)).orElseThrow();
-        assertEquals(List.of(notice), again.notices());
+        assertEquals(List.of(revocationList), again.revocationLists());
         refused(Reason.REVOKED, again, roma);
         assertThrows(HandshakeException.class, () -> again.check(roma.certificate()));
         agree(supo, town.certified("ROMA"));
@@ -136,7 +136,7 @@ class IdentityTest {
         Identity busa = town.certified("BUSA", Town.TODAY);
         agree(supo, busa);
         supo.take(town.authority.revoke(List.of(), null, Town.TODAY.plusDays(1)).toBytes());
-        assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's notice"));
+        assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's revocation list"));
         refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);
         agree(supo, roma);
     }
@@ -148,17 +148,17 @@ class IdentityTest {
     }
 
     @Test
-    void notice_thatIsForgedOlderOrOfAnotherAuthority_isNotTaken() throws Exception {
-        Notice first = town.revoke();
-        Notice second = town.revoke(roma);
+    void revocationList_thatIsForgedOlderOrOfAnotherAuthority_isNotTaken() throws Exception {
+        RevocationList first = town.revoke();
+        RevocationList second = town.revoke(roma);
         assertTrue(supo.take(second.toBytes()));
         assertFalse(supo.take(first.toBytes()));
         byte[] forged = town.revoke().toBytes().toArray();
         forged[2]++;
         assertThrows(HandshakeException.class, () -> supo.take(Bytes.copyOf(forged)));
-        Notice foreign = new Town(elsewhere).revoke();
+        RevocationList foreign = new Town(elsewhere).revoke();
         assertThrows(HandshakeException.class, () -> supo.take(foreign.toBytes()));
-        assertEquals(List.of(second), supo.notices());
+        assertEquals(List.of(second), supo.revocationLists());
     }
 
     /** Another could have its certificate reported as expired by sending a copy of it. */

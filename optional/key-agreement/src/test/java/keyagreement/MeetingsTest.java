@@ -217,7 +217,7 @@ class MeetingsTest {
     }
 
     @Test
-    void notice_oneHostHasIt_isHandedOnAndTheRevokedIsRefused() throws Exception {
+    void revocationList_oneHostHasIt_isHandedOnAndTheRevokedIsRefused() throws Exception {
         Town town = new Town(elsewhere);
         Identity busa = town.certified("BUSA");
         Identity busb = town.certified("BUSB");
@@ -228,9 +228,9 @@ class MeetingsTest {
         assertEquals(Optional.of(Ending.DELIVERED), end(b, c));
         busa.take(town.revoke(lost).toBytes());
 
-        assertEquals(Optional.of(Ending.DELIVERED), end(b, a), "the notice is of who did not begin");
+        assertEquals(Optional.of(Ending.DELIVERED), end(b, a), "the revocation list is of who did not begin");
         world.run(MINUTE);
-        assertEquals(busa.notices(), busb.notices());
+        assertEquals(busa.revocationLists(), busb.revocationLists());
         assertFalse(b.board.keys.containsKey(c.address), "the key is deleted");
         assertEquals(Optional.of(Ending.REVOKED), end(b, c));
         assertEquals(Optional.of(Ending.REVOKED), end(a, c));
@@ -248,10 +248,10 @@ class MeetingsTest {
     }
 
     @Test
-    void groupKey_memberAsks_comesFromTheKeeperAndAnewWithEachNotice() throws Exception {
+    void groupKey_memberAsks_comesFromTheGroupKeyServerAndAnewWithEachRevocationList() throws Exception {
         Town town = new Town(elsewhere);
-        Identity keeper = town.keeper("BUKE");
-        World.Host buke = world.add(keeper);
+        Identity groupKeyServer = town.groupKeyServer("BUKE");
+        World.Host buke = world.add(groupKeyServer);
         World.Host busa = world.add(town.certified("BUSA"));
         World.Host roma = world.add(town.certified("ROMA"));
         busa.within(() -> busa.meetings.wantGroupKey(world.millis()));
@@ -273,11 +273,11 @@ class MeetingsTest {
 
         buke.kill();
         world.run(MINUTE);
-        assertEquals(buke.groupKey(), busa.groupKey(), "a keeper that starts again keeps the key");
+        assertEquals(buke.groupKey(), busa.groupKey(), "a group key server that starts again keeps the key");
     }
 
     @Test
-    void groupKey_fromWhoIsNoKeeper_isRefused() throws Exception {
+    void groupKey_fromWhoIsNoGroupKeyServer_isRefused() throws Exception {
         Town town = new Town(elsewhere);
         World.Host busa = world.add(town.certified("BUSA"));
         World.Host busb = world.add(town.certified("BUSB"));

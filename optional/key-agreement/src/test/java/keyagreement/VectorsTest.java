@@ -30,8 +30,8 @@ class VectorsTest {
         return vectors("certificates");
     }
 
-    static List<JsonObject> notices() throws IOException {
-        return vectors("notices");
+    static List<JsonObject> revocationLists() throws IOException {
+        return vectors("revocationLists");
     }
 
     static List<JsonObject> renewals() throws IOException {
@@ -74,7 +74,7 @@ class VectorsTest {
         AuthorityKeys keys = AuthorityKeys.decode(bytes(vector, "authority"));
         Certificate certificate = Certificate.decode(bytes(vector, "certificate"));
         assertEquals(new Certificate(address(vector, "address"), vector.get("serial").getAsInt(),
-                vector.get("keeper").getAsBoolean(), day(vector, "until"), keys.id(), certificate.point()),
+                vector.get("groupKeyServer").getAsBoolean(), day(vector, "until"), keys.id(), certificate.point()),
                 certificate);
         assertEquals(bytes(vector, "certificate"), certificate.toBytes());
         assertEquals(bytes(vector, "publicKey"), P256.compress(certificate.key(keys)));
@@ -95,16 +95,16 @@ class VectorsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("notices")
-    void notice_isReadWrittenAndSigned(JsonObject vector) throws HandshakeException {
+    @MethodSource("revocationLists")
+    void revocationList_isReadWrittenAndSigned(JsonObject vector) throws HandshakeException {
         AuthorityKeys keys = AuthorityKeys.decode(bytes(vector, "authority"));
-        Notice notice = Notice.decode(bytes(vector, "notice"));
-        assertEquals(bytes(vector, "notice"), notice.toBytes());
-        assertEquals(vector.get("sequence").getAsInt(), notice.sequence());
-        assertEquals(day(vector, "day"), notice.day());
-        assertEquals(day(vector, "leastUntil"), notice.leastUntil());
-        assertEquals(all(vector, "serials").stream().map(JsonElement::getAsInt).toList(), notice.serials());
-        assertTrue(notice.isOf(keys));
+        RevocationList revocationList = RevocationList.decode(bytes(vector, "revocationList"));
+        assertEquals(bytes(vector, "revocationList"), revocationList.toBytes());
+        assertEquals(vector.get("sequence").getAsInt(), revocationList.sequence());
+        assertEquals(day(vector, "day"), revocationList.day());
+        assertEquals(day(vector, "leastUntil"), revocationList.leastUntil());
+        assertEquals(all(vector, "serials").stream().map(JsonElement::getAsInt).toList(), revocationList.serials());
+        assertTrue(revocationList.isOf(keys));
     }
 
     @ParameterizedTest

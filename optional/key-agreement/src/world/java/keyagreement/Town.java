@@ -35,16 +35,16 @@ final class Town {
     }
 
     /** The device that gives out the key of its group. */
-    Identity keeper(String id) throws IOException, JavinoException {
+    Identity groupKeyServer(String id) throws IOException, JavinoException {
         return certified(id, TODAY.plusDays(100), true);
     }
 
-    private Identity certified(String id, LocalDate until, boolean keeper) throws IOException, JavinoException {
+    private Identity certified(String id, LocalDate until, boolean groupKeyServer) throws IOException, JavinoException {
         Path request = folder.resolve(id + ".request");
         enroll(id, "--request", request);
         Request asked = Request.decode(Entries.read(request).get(Request.NAME).orElseThrow());
         Path answer = folder.resolve(id + ".certificate");
-        Files.writeString(answer, authority.issue(asked, until, keeper, TODAY, RANDOM).format());
+        Files.writeString(answer, authority.issue(asked, until, groupKeyServer, TODAY, RANDOM).format());
         enroll(id, "--certificate", answer);
         return Identity.read(folder, Address.parse(id)).orElseThrow();
     }
@@ -58,7 +58,7 @@ final class Town {
         }
     }
 
-    Notice revoke(Identity... revoked) throws JavinoException {
+    RevocationList revoke(Identity... revoked) throws JavinoException {
         List<Integer> serials = List.of(revoked).stream().map(each -> each.certificate().serial()).toList();
         return authority.revoke(serials, null, TODAY);
     }

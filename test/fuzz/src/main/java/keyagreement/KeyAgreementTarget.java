@@ -15,7 +15,7 @@ import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Responder;
 
 /**
- * The same bytes as each thing that an attacker may send. A word, certificate or notice that can be read is written as it
+ * The same bytes as each thing that an attacker may send. A word, certificate or revocation list that can be read is written as it
  * was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is taken, since nobody here
  * has made one.
  */
@@ -75,9 +75,9 @@ public final class KeyAgreementTarget {
             certificate.credential(HOST.authority.keys());
         });
         reads(() -> {
-            Notice notice = Notice.decode(bytes);
-            holds(notice.toBytes().equals(bytes), "a notice");
-            holds(!notice.isOf(HOST.authority.keys()), "nobody has signed it");
+            RevocationList revocationList = RevocationList.decode(bytes);
+            holds(revocationList.toBytes().equals(bytes), "a revocation list");
+            holds(!revocationList.isOf(HOST.authority.keys()), "nobody has signed it");
         });
         reads(() -> holds(new Responder(HOST, bytes, RANDOM).message2().length() == MESSAGE_2_LENGTH, "message 2"));
         reads(() -> {

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
-class NoticeTest {
+class RevocationListTest {
 
     private static final SecureRandom RANDOM = new SecureRandom();
     private static final LocalDate DAY = LocalDate.of(2026, 11, 25);
@@ -28,23 +28,23 @@ class NoticeTest {
     private final Bytes point = P256.compress((ECPublicKey) pair.getPublic());
     private final AuthorityKeys keys = new AuthorityKeys(point, point);
 
-    private Notice sign(List<Integer> serials) {
-        return Notice.sign(keys, (ECPrivateKey) pair.getPrivate(), 258, DAY, DAY.plusDays(3), serials);
+    private RevocationList sign(List<Integer> serials) {
+        return RevocationList.sign(keys, (ECPrivateKey) pair.getPrivate(), 258, DAY, DAY.plusDays(3), serials);
     }
 
     @Test
-    void notice_isWrittenAsSpecified() throws HandshakeException {
-        Notice notice = sign(List.of(1, 0xfffe));
-        assertEquals(Bytes.ofNumber(keys.id(), 1) + "0102" + "512e" + "5131" + "0001" + "fffe" + notice.signature(),
-                notice.toBytes().hex());
-        assertEquals(64, notice.signature().length());
-        assertEquals(notice, Notice.decode(notice.toBytes()));
-        assertTrue(notice.isOf(keys));
-        assertEquals("notice 258 of 2026-11-25, 2 certificates revoked", notice.toString());
+    void revocationList_isWrittenAsSpecified() throws HandshakeException {
+        RevocationList revocationList = sign(List.of(1, 0xfffe));
+        assertEquals(Bytes.ofNumber(keys.id(), 1) + "0102" + "512e" + "5131" + "0001" + "fffe" + revocationList.signature(),
+                revocationList.toBytes().hex());
+        assertEquals(64, revocationList.signature().length());
+        assertEquals(revocationList, RevocationList.decode(revocationList.toBytes()));
+        assertTrue(revocationList.isOf(keys));
+        assertEquals("revocation list 258 of 2026-11-25, 2 certificates revoked", revocationList.toString());
     }
 
     @Test
-    void notice_withAnyBitChangedCutOffOrLonger_isNotOfTheAuthority() throws HandshakeException {
+    void revocationList_withAnyBitChangedCutOffOrLonger_isNotOfTheAuthority() throws HandshakeException {
         Bytes bytes = sign(List.of(1, 2, 3)).toBytes();
         for (int bit = 0; bit < 8 * bytes.length(); bit++) {
             byte[] changed = bytes.toArray();
@@ -56,27 +56,27 @@ class NoticeTest {
         }
         assertNotOf(Bytes.join(bytes, Bytes.of(0, 9)));
         assertNotOf(Bytes.join(bytes.slice(0, 13), Bytes.copyOf(new byte[64])));
-        assertFalse(Notice.decode(bytes).isOf(Authority.create(DAY, RANDOM).keys()));
+        assertFalse(RevocationList.decode(bytes).isOf(Authority.create(DAY, RANDOM).keys()));
     }
 
     private void assertNotOf(Bytes bytes) {
         try {
-            assertFalse(Notice.decode(bytes).isOf(keys));
+            assertFalse(RevocationList.decode(bytes).isOf(keys));
         } catch (HandshakeException e) {
-            assertTrue(e.getMessage().startsWith("no notice: "), e.getMessage());
+            assertTrue(e.getMessage().startsWith("no revocation list: "), e.getMessage());
         }
     }
 
     @Test
-    void notice_ofAsManyAsItMayName_fitsAContent() throws HandshakeException {
-        List<Integer> most = IntStream.range(0, Notice.MAX_SERIALS).boxed().toList();
+    void revocationList_ofAsManyAsItMayName_fitsAContent() throws HandshakeException {
+        List<Integer> most = IntStream.range(0, RevocationList.MAX_SERIALS).boxed().toList();
         Bytes bytes = sign(most).toBytes();
         assertEquals(471, bytes.length());
-        assertEquals(most, Notice.decode(bytes).serials());
-        Bytes more = sign(IntStream.rangeClosed(0, Notice.MAX_SERIALS).boxed().toList()).toBytes();
-        assertThrows(HandshakeException.class, () -> Notice.decode(more));
-        assertThrows(HandshakeException.class, () -> Notice.decode(sign(List.of(2, 1)).toBytes()));
-        assertThrows(HandshakeException.class, () -> Notice.decode(sign(List.of(2, 2)).toBytes()));
+        assertEquals(most, RevocationList.decode(bytes).serials());
+        Bytes more = sign(IntStream.rangeClosed(0, RevocationList.MAX_SERIALS).boxed().toList()).toBytes();
+        assertThrows(HandshakeException.class, () -> RevocationList.decode(more));
+        assertThrows(HandshakeException.class, () -> RevocationList.decode(sign(List.of(2, 1)).toBytes()));
+        assertThrows(HandshakeException.class, () -> RevocationList.decode(sign(List.of(2, 2)).toBytes()));
     }
 
     @Test
@@ -86,14 +86,14 @@ class NoticeTest {
         issue(authority, "ROMA", DAY.plusDays(9));
         issue(authority, "BUSA", DAY.plusDays(9));
         assertEquals(List.of(0), authority.revoke(List.of(0), null, DAY).serials());
-        Notice second = authority.revoke(List.of(1), null, DAY.plusDays(1));
+        RevocationList second = authority.revoke(List.of(1), null, DAY.plusDays(1));
         assertEquals(List.of(0, 1), second.serials());
         assertEquals(2, second.sequence());
-        Notice third = authority.revoke(List.of(), null, DAY.plusDays(2));
+        RevocationList third = authority.revoke(List.of(), null, DAY.plusDays(2));
         assertEquals(List.of(1), third.serials(), "the other is past");
         assertFalse(authority.valid(Address.parse("ROMA"), DAY.plusDays(2)).isPresent());
         assertTrue(authority.valid(Address.parse("BUSA"), DAY.plusDays(2)).isPresent());
-        Notice fourth = authority.revoke(List.of(), DAY.plusDays(10), DAY.plusDays(2));
+        RevocationList fourth = authority.revoke(List.of(), DAY.plusDays(10), DAY.plusDays(2));
         assertEquals(List.of(), fourth.serials());
         assertFalse(authority.valid(Address.parse("BUSA"), DAY.plusDays(2)).isPresent());
         assertEquals(DAY.plusDays(10), authority.revoke(List.of(), DAY, DAY.plusDays(3)).leastUntil(), "never less");

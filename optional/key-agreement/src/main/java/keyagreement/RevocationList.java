@@ -20,10 +20,10 @@ import keyagreement.edhoc.P256;
  * @param serials    the certificates that are valid no more, rising; up to {@value #MAX_SERIALS}.
  * @param signature  64 bytes.
  */
-public record Notice(int authority, int sequence, LocalDate day, LocalDate leastUntil, List<Integer> serials,
+public record RevocationList(int authority, int sequence, LocalDate day, LocalDate leastUntil, List<Integer> serials,
         Bytes signature) {
 
-    /** So that a notice fits one content (SPEC 3). */
+    /** So that a revocation list fits one content (SPEC 3). */
     public static final int MAX_SERIALS = 200;
 
     private static final Bytes DOMAIN = Bytes.ofText("javino-notice-1");
@@ -31,27 +31,27 @@ public record Notice(int authority, int sequence, LocalDate day, LocalDate least
     private static final int SIGNATURE_LENGTH = 64;
 
     /** Makes and signs one. @param serials rising. */
-    static Notice sign(AuthorityKeys keys, ECPrivateKey secret, int sequence, LocalDate day, LocalDate leastUntil,
+    static RevocationList sign(AuthorityKeys keys, ECPrivateKey secret, int sequence, LocalDate day, LocalDate leastUntil,
             List<Integer> serials) {
-        Notice unsigned = new Notice(keys.id(), sequence, day, leastUntil, serials, Bytes.EMPTY);
-        return new Notice(keys.id(), sequence, day, leastUntil, serials, P256.sign(secret, unsigned.signed()));
+        RevocationList unsigned = new RevocationList(keys.id(), sequence, day, leastUntil, serials, Bytes.EMPTY);
+        return new RevocationList(keys.id(), sequence, day, leastUntil, serials, P256.sign(secret, unsigned.signed()));
     }
 
-    /** @throws HandshakeException NOT_CERTIFIED if they are no notice. The signature is not checked by this. */
-    public static Notice decode(Bytes bytes) throws HandshakeException {
+    /** @throws HandshakeException NOT_CERTIFIED if they are no revocation list. The signature is not checked by this. */
+    public static RevocationList decode(Bytes bytes) throws HandshakeException {
         int serialsLength = bytes.length() - HEADER_LENGTH - SIGNATURE_LENGTH;
         if (serialsLength < 0 || serialsLength % 2 != 0 || serialsLength > 2 * MAX_SERIALS) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "no notice: it has " + bytes.length() + " bytes");
+            throw new HandshakeException(Reason.NOT_CERTIFIED, "no revocation list: it has " + bytes.length() + " bytes");
         }
         List<Integer> serials = new ArrayList<>();
         for (int at = HEADER_LENGTH; at < HEADER_LENGTH + serialsLength; at += 2) {
             int serial = (int) bytes.number(at, at + 2);
             if (at > HEADER_LENGTH && serial <= serials.get(serials.size() - 1)) {
-                throw new HandshakeException(Reason.NOT_CERTIFIED, "no notice: its serials do not rise");
+                throw new HandshakeException(Reason.NOT_CERTIFIED, "no revocation list: its serials do not rise");
             }
             serials.add(serial);
         }
-        return new Notice(bytes.at(0), (int) bytes.number(1, 3), Days.decode(bytes, 3), Days.decode(bytes, 5),
+        return new RevocationList(bytes.at(0), (int) bytes.number(1, 3), Days.decode(bytes, 3), Days.decode(bytes, 5),
                 List.copyOf(serials), bytes.from(HEADER_LENGTH + serialsLength));
     }
 
@@ -73,7 +73,7 @@ public record Notice(int authority, int sequence, LocalDate day, LocalDate least
 
     /** Whether the authority with these keys has signed it. */
     boolean isOf(AuthorityKeys keys) throws HandshakeException {
-        return authority == keys.id() && P256.verify(P256.decompress(keys.notices()), signed(), signature);
+        return authority == keys.id() && P256.verify(P256.decompress(keys.revocationLists()), signed(), signature);
     }
 
     /** Whether a certificate of the same authority is valid no more. */
@@ -81,10 +81,10 @@ public record Notice(int authority, int sequence, LocalDate day, LocalDate least
         return certificate.until().isBefore(leastUntil) || serials.contains(certificate.serial());
     }
 
-    /** Such as {@code notice 4 of 2026-11-25, 2 certificates revoked}. */
+    /** Such as {@code revocation list 4 of 2026-11-25, 2 certificates revoked}. */
     @Override
     public String toString() {
-        return "notice " + sequence + " of " + day + ", " + serials.size()
+        return "revocation list " + sequence + " of " + day + ", " + serials.size()
                 + (serials.size() == 1 ? " certificate" : " certificates") + " revoked";
     }
 }
