@@ -26,7 +26,7 @@ import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply.StoredKey;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * The board on one port, as one agent sees it. What happens at the board is put, on the session's thread, where the
@@ -243,8 +243,8 @@ final class Device implements BoardListener, KeyService.Host {
     // What key agreement wants of the board.
 
     @Override
-    public Transmission transmit(Address to, Word word) {
-        return session.join().transmit(to, word);
+    public Transmission transmit(Address to, HostMessage message) {
+        return session.join().transmit(to, message);
     }
 
     @Override
@@ -384,10 +384,10 @@ final class Device implements BoardListener, KeyService.Host {
     }
 
     @Override
-    public void word(Address from, Address to, Word word) {
+    public void hostMessage(Address from, Address to, HostMessage message) {
         if (!closed) {
             communicability.heard();
-            context.keyService().ifPresent(keyService -> keyService.word(from, to, word));
+            context.keyService().ifPresent(keyService -> keyService.hostMessage(from, to, message));
         }
     }
 

@@ -10,7 +10,7 @@ import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * What finds keys for devices with which the board has none (SPEC 11). Without one, a message to such a device fails
@@ -21,8 +21,8 @@ public interface KeyService extends BoardService {
     /** The board, and the agent behind it. For any thread; no method waits, and futures fail as a board's. */
     interface Host {
 
-        /** Has the board transmit a word to other hosts, or a content, as it is. */
-        Transmission transmit(Address to, Word word);
+        /** Has the board transmit a message to other hosts, or a content, as it is. */
+        Transmission transmit(Address to, HostMessage message);
 
         /** As the other. */
         Transmission transmitAsIs(Address to, Content content);
@@ -54,8 +54,8 @@ public interface KeyService extends BoardService {
      */
     void online(Host host, Address self, int bootEpoch, List<Reply.StoredKey> keys);
 
-    /** A word of another host has come; to this device if it came sealed, else to all. */
-    void word(Address from, Address to, Word word);
+    /** A host message has come; to this device if it came sealed, else to all. */
+    void hostMessage(Address from, Address to, HostMessage message);
 
     /** A sealed frame has come for which the board has no key. */
     void noKey(PollReply.NoKey frame);

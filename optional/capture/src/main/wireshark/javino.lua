@@ -53,7 +53,7 @@ local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachiev
 local MOVES = {O = "offer", W = "want", D = "data", R = "ready", G = "go", A = "awake", C = "cancelled", X = "refused"}
 local PROTOCOLS = {m = "mutualism", i = "inquilinism", c = "cloning", p = "predation"}
 local RESERVED_WORDS = {self = true, ["true"] = true, ["else"] = true, elif = true}
--- The words of hosts (SPEC 11.3) by their kinds.
+-- Host messages (SPEC 11.3) by their kinds.
 local KINDS = {[0] = "MESSAGE_1", "MESSAGE_2", "MESSAGE_3", "RENEWAL_1", "RENEWAL_2", "RENEWAL_3", "WANT", "GROUP", "CONTENT",
   "SEQUENCES", "REVOCATION_LIST", "GROUP_KEY"}
 local FIRST_SEALED = 8
@@ -120,14 +120,14 @@ field(air, "move.offset", "uint24", "Offset")
 field(air, "move.packed", "bytes", "Packed bytes")
 field(air, "move.reason", "string", "Error and reason")
 
-field(air, "word", "string", "Word")
-field(air, "word.kind", "uint8", "Kind", base.DEC, KINDS, 0x3C)
-field(air, "word.fragment", "uint8", "Fragment", base.DEC, nil, 0x03)
-field(air, "word.to", "string", "To")
-field(air, "word.body", "bytes", "Body")
-field(air, "word.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
-field(air, "word.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
-field(air, "word.id", "uint24", "Id of the content")
+field(air, "host_message", "string", "Host message")
+field(air, "host_message.kind", "uint8", "Kind", base.DEC, KINDS, 0x3C)
+field(air, "host_message.fragment", "uint8", "Fragment", base.DEC, nil, 0x03)
+field(air, "host_message.to", "string", "To")
+field(air, "host_message.body", "bytes", "Body")
+field(air, "host_message.wanted", "uint8", "Kind that is wanted", base.DEC, KINDS, 0x3C)
+field(air, "host_message.wanted.fragment", "uint8", "Fragment that is wanted", base.DEC, nil, 0x03)
+field(air, "host_message.id", "uint24", "Id of the content")
 field(air, "revocation_list.authority", "bytes", "Authority")
 field(air, "revocation_list.sequence", "uint16", "Sequence")
 field(air, "revocation_list.day", "uint16", "Day", base.UNIT_STRING, {" days after 1970-01-01"})
@@ -632,21 +632,21 @@ local function show_revocation_list(tree, range)
   return true
 end
 
--- Shows a word of a host (SPEC 11.3), and returns its name for the list.
-local function show_word(tree, range, is_plain)
+-- Shows a host message (SPEC 11.3), and returns its name for the list.
+local function show_host_message(tree, range, is_plain)
   local bytes = range:raw()
   local kind, fragment = bit.rshift(bit.band(bytes:byte(), 0x3C), 2), bit.band(bytes:byte(), 0x03)
   local name = KINDS[kind]
-  local item = tree:add(f["word"], range, name or "unknown")
-  item:add(f["word.kind"], range(0, 1))
-  item:add(f["word.fragment"], range(0, 1))
+  local item = tree:add(f["host_message"], range, name or "unknown")
+  item:add(f["host_message.kind"], range(0, 1))
+  item:add(f["host_message.fragment"], range(0, 1))
   local function bad(why)
-    complain(item, e_error, range, "BAD_WORD", why)
-    return "word: " .. (name or "unknown")
+    complain(item, e_error, range, "BAD_HOST_MESSAGE", why)
+    return "host message: " .. (name or "unknown")
   end
   if not name then return bad("kind " .. kind) end
   if is_plain ~= (kind < FIRST_SEALED) then return bad(name .. (is_plain and " in a broadcast" or " in a sealed message")) end
-  local line, head = "word: " .. name, 1
+  local line, head = "host message: " .. name, 1
   if is_plain then
     head = 4
     if #bytes < head then return bad("no address") end
@@ -655,7 +655,7 @@ local function show_word(tree, range, is_plain)
       local digit = math.floor(number(bytes, 2, 4) / 64 ^ power) % 64 + 1
       to = to .. BASE64:sub(digit, digit)
     end
-    item:add(f["word.to"], range(1, 3), to)
+    item:add(f["host_message.to"], range(1, 3), to)
     item:add(f["address"], range(1, 3), to):set_hidden()
     line = line .. " to " .. to
   end
@@ -664,13 +664,13 @@ local function show_word(tree, range, is_plain)
   if length ~= lengths[fragment + 1] then return bad(string.format("fragment %d of %d bytes", fragment, length)) end
   if #lengths > 1 then line = line .. ", fragment " .. fragment end
   if not body then return line end
-  local shown = item:add(f["word.body"], body)
+  local shown = item:add(f["host_message.body"], body)
   if name == "WANT" then
-    shown:add(f["word.wanted"], body)
-    shown:add(f["word.wanted.fragment"], body)
+    shown:add(f["host_message.wanted"], body)
+    shown:add(f["host_message.wanted.fragment"], body)
   elseif name == "CONTENT" then
     if length < 4 then return bad("no content") end
-    shown:add(f["word.id"], body(0, 3))
+    shown:add(f["host_message.id"], body(0, 3))
     return line .. ": " .. show_content(shown, body(3))
   elseif name == "SEQUENCES" then
     if length % 3 ~= 0 then return bad(length .. " bytes") end
@@ -684,11 +684,11 @@ local function show_word(tree, range, is_plain)
   return line
 end
 
--- Shows a content or a word. `is_plain` says whether it was broadcast.
+-- Shows a content or a host message. `is_plain` says whether it was broadcast.
 local function show_message(tree, range, is_plain)
   local first = range and range(0, 1):uint() or 0
-  local is_word = first >= 0x80 and first <= 0xBF and range:len() <= MAX_CONTENT_LENGTH
-  return is_word and show_word(tree, range, is_plain) or show_content(tree, range)
+  local is_host_message = first >= 0x80 and first <= 0xBF and range:len() <= MAX_CONTENT_LENGTH
+  return is_host_message and show_host_message(tree, range, is_plain) or show_content(tree, range)
 end
 
 local function show_nonce(tree, name, range)

@@ -12,15 +12,15 @@ import java.util.List;
 import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /** Reads the emulator's trace, one JSON line an event (emulator/README.md). */
 final class Trace {
 
-    /** In the payload of a packet: header, and then kind and addressee of a word (SPEC 2, 11.3). */
-    private static final int WORD = 10;
-    private static final int BODY = WORD + 4;
-    private static final List<String> WORDS = List.of("handshake 1", "handshake 2", "handshake 3", "renewal 1",
+    /** In the payload of a packet: header, and then kind and addressee of a host message (SPEC 2, 11.3). */
+    private static final int MESSAGE = 10;
+    private static final int BODY = MESSAGE + 4;
+    private static final List<String> KINDS = List.of("handshake 1", "handshake 2", "handshake 3", "renewal 1",
             "renewal 2", "renewal 3", "asks for a part", "asks for the key of the group");
 
     private double seconds;
@@ -44,7 +44,7 @@ final class Trace {
         return switch (text(event, "event")) {
             case "rf-tx" -> Optional.of(text(event, "kind").equals("acknowledgement")
                     ? new Acknowledged(seconds, text(event, "origin"), text(event, "answers"))
-                    : word(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(seconds, event)));
+                    : hostMessage(event).<Observation>map(hosts -> hosts).orElseGet(() -> aired(seconds, event)));
             case "rf-damaged" ->
                 device(event).map(device -> new Spoilt(seconds, device, "a packet: damaged on the air"));
             case "rf-collision" -> device(event).map(device -> new Spoilt(seconds, device, "packets: they collided"));
@@ -55,19 +55,19 @@ final class Trace {
     }
 
     /** What one host says to another in a broadcast. */
-    private Optional<Hosts> word(JsonObject event) {
+    private Optional<Hosts> hostMessage(JsonObject event) {
         Bytes frame = Bytes.ofHex(text(event, "payload"));
-        boolean isWord = text(event, "kind").equals("broadcast") && frame.length() >= BODY
-                && Word.isWord(frame.from(WORD));
-        if (!isWord) {
+        boolean isHostMessage = text(event, "kind").equals("broadcast") && frame.length() >= BODY
+                && HostMessage.isHostMessage(frame.from(MESSAGE));
+        if (!isHostMessage) {
             return Optional.empty();
         }
-        Bytes word = frame.from(WORD);
-        Address to = new Address((int) word.number(1, 4));
-        int kind = word.at(0) - 0x80 >> 2;
-        String part = kind == 1 ? ", part " + (1 + word.at(0) % 4) : "";
+        Bytes message = frame.from(MESSAGE);
+        Address to = new Address((int) message.number(1, 4));
+        int kind = message.at(0) - 0x80 >> 2;
+        String part = kind == 1 ? ", part " + (1 + message.at(0) % 4) : "";
         return Optional.of(new Hosts(seconds, text(event, "origin"), to.toString(),
-                (kind < WORDS.size() ? WORDS.get(kind) : "unknown") + part));
+                (kind < KINDS.size() ? KINDS.get(kind) : "unknown") + part));
     }
 
     private static Aired aired(double seconds, JsonObject event) {

@@ -32,7 +32,7 @@ import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -303,11 +303,11 @@ class BoardTest extends BoardFixture {
     void word_ofAnotherHost_isNoMessageAndCanBeAnswered() throws Exception {
         openAndAwaitOnline();
         board.setRfId(Address.parse("SUPO")).get();
-        fake.receive(new Word(Bytes.of(0x80, 0)));
-        fake.receive(new Word(Bytes.of(0xBF)));
-        assertEquals("word ROMA //// 8000", listener.next());
-        assertEquals("word ROMA //// bf", listener.next());
-        board.transmit(Address.BROADCAST, new Word(Bytes.of(0x81, 2, 3))).taken().get();
+        fake.receive(new HostMessage(Bytes.of(0x80, 0)));
+        fake.receive(new HostMessage(Bytes.of(0xBF)));
+        assertEquals("host message ROMA //// 8000", listener.next());
+        assertEquals("host message ROMA //// bf", listener.next());
+        board.transmit(Address.BROADCAST, new HostMessage(Bytes.of(0x81, 2, 3))).taken().get();
         String header = Bytes.ofText("////SUPOAY").hex();
         assertEquals(List.of("id SUPO", "transmit " + header), fake.performed());
     }
@@ -316,7 +316,7 @@ class BoardTest extends BoardFixture {
     void word_anotherFirstByteOrTooLong_isNone() {
         for (Bytes bytes : List.of(Bytes.EMPTY, Bytes.of(0x7F), Bytes.of(0xC0),
                 Bytes.join(Bytes.of(0x80), Bytes.copyOf(new byte[Content.MAX_LENGTH])))) {
-            assertThrows(IllegalArgumentException.class, () -> new Word(bytes), bytes::hex);
+            assertThrows(IllegalArgumentException.class, () -> new HostMessage(bytes), bytes::hex);
         }
     }
 

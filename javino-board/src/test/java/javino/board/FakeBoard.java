@@ -22,7 +22,7 @@ import javino.protocol.Packet;
 import javino.protocol.PacketDecoder;
 import javino.protocol.PollReply;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * A board as SPEC 4.2 and 4.3 want it, at the far end of an in-memory link, with faults to order.
@@ -530,9 +530,9 @@ public final class FakeBoard {
         mail.receive(destination, origin, id, Bytes.ofText(content));
     }
 
-    /** Queues a plain word of another host. */
-    synchronized void receive(Word word) {
-        mail.receive("////", "ROMA", 0, word.bytes());
+    /** Queues a plain host message. */
+    synchronized void receive(HostMessage message) {
+        mail.receive("////", "ROMA", 0, message.bytes());
     }
 
     /** Has a sealed frame come for which the board has no key. */

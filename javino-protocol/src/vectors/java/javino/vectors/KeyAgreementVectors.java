@@ -15,7 +15,7 @@ import java.util.Map;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
-/** SPEC 11: certificates, revocation lists, renewals and words. The curve is computed by its textbook formulas. */
+/** SPEC 11: certificates, revocation lists, renewals and host messages. The curve is computed by its textbook formulas. */
 final class KeyAgreementVectors {
 
     private static final BigInteger P = number("ffffffff00000001000000000000000000000000ffffffffffffffffffffffff");
@@ -40,15 +40,19 @@ final class KeyAgreementVectors {
                 revocationList(4, 0, "2026-11-24", "2026-11-24"),
                 revocationList(5, 0x0102, "2149-06-06", "1970-01-01", 0, 7, 0xffff)));
         lists.put("renewals", List.of(renewal(6, "SUPO", "ROMA"), renewal(7, "ROMA", "SUPO")));
-        lists.put("words", List.of(
-                word(0, 0, "SUPO", 37), word(1, 0, "SUPO", 63), word(1, 1, "SUPO", 25), word(2, 0, "ROMA", 63),
-                word(3, 0, "ROMA", 16), word(4, 0, "ROMA", 16), word(5, 0, "ROMA", 8), word(6, 0, "ROMA", 1),
-                word(7, 0, "//SU", 0), word(8, 0, null, 3 + 490), word(9, 0, null, 3), word(10, 0, null, 71),
-                word(11, 0, null, 16)));
+        lists.put("hostMessages", List.of(
+                hostMessage(0, 0, "SUPO", 37), hostMessage(1, 0, "SUPO", 63), hostMessage(1, 1, "SUPO", 25),
+                hostMessage(2, 0, "ROMA", 63),
+                hostMessage(3, 0, "ROMA", 16), hostMessage(4, 0, "ROMA", 16), hostMessage(5, 0, "ROMA", 8),
+                hostMessage(6, 0, "ROMA", 1),
+                hostMessage(7, 0, "//SU", 0), hostMessage(8, 0, null, 3 + 490), hostMessage(9, 0, null, 3),
+                hostMessage(10, 0, null, 71),
+                hostMessage(11, 0, null, 16)));
         return lists;
     }
 
-    private static Map<String, Object> certificate(int seed, String address, int serial, boolean groupKeyServer, String until) {
+    private static Map<String, Object> certificate(int seed, String address, int serial, boolean groupKeyServer,
+            String until) {
         BigInteger q = secret(seed, "certificates");
         BigInteger k = secret(seed, "request");
         BigInteger c = secret(seed, "contribution");
@@ -73,7 +77,8 @@ final class KeyAgreementVectors {
                 "cred", Wire.hex(Wire.join(Wire.unhex("a20264"), ascii(address), Wire.unhex("08a101"), coseKey)));
     }
 
-    private static Map<String, Object> revocationList(int seed, int sequence, String day, String leastUntil, int... serials) {
+    private static Map<String, Object> revocationList(int seed, int sequence, String day, String leastUntil,
+            int... serials) {
         byte[] authority = authority(seed);
         byte[] content = Wire.join(new byte[] {hash(authority)[0]}, two(sequence), day(day), day(leastUntil));
         for (int serial : serials) {
@@ -104,14 +109,14 @@ final class KeyAgreementVectors {
     }
 
     /** @param to null of a sealed one. */
-    private static Map<String, Object> word(int kind, int fragment, String to, int length) {
+    private static Map<String, Object> hostMessage(int kind, int fragment, String to, int length) {
         byte[] body = new byte[length];
         for (int i = 0; i < length; i++) {
             body[i] = (byte) (7 * i + kind);
         }
         byte[] first = {(byte) (0x80 + 4 * kind + fragment)};
         return vector("kind", KINDS[kind], "fragment", fragment, "to", to, "body", Wire.hex(body),
-                "word", Wire.hex(to == null ? Wire.join(first, body) : Wire.join(first, address(to), body)));
+                "hostMessage", Wire.hex(to == null ? Wire.join(first, body) : Wire.join(first, address(to), body)));
     }
 
     private static byte[] authority(int seed) {

@@ -8,7 +8,7 @@ import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * A packet on the air, as one board sent it or as it came to that board.
@@ -91,7 +91,8 @@ record AirPacket(long micros, String board, boolean sent, How how, Trailer trail
         Address.Kind kind = frame.destination().kind();
         return frame.origin() + " -> " + frame.destination() + "  " + kind.toString().toLowerCase(Locale.ROOT) + "  "
                 + switch (kind) {
-                    case BROADCAST -> Word.isWord(frame.message()) ? "word, " + frame.message().length() + " bytes"
+                    case BROADCAST -> HostMessage.isHostMessage(frame.message())
+                            ? "host message, " + frame.message().length() + " bytes"
                             : new String(frame.message().toArray(), StandardCharsets.UTF_8);
                     case FRAGMENT -> fragmentOf(frame);
                     case DEVICE, MULTICAST -> "sealed, " + (frame.message().length() - ENVELOPE_LENGTH) + " bytes";

@@ -86,7 +86,7 @@ class CaptureCommandTest {
         assertEquals(0, run("--trace", trace));
         assertEquals(List.of("    1.000000 s  a           intact   ROMA -> ////  broadcast  \\u001b[2j",
                 "    1.000000 s  a           intact   1 bytes that are no frame: TOO_SHORT",
-                "    1.000000 s  a           intact   ROMA -> ////  broadcast  word, 4 bytes"),
+                "    1.000000 s  a           intact   ROMA -> ////  broadcast  host message, 4 bytes"),
                 out.toString().lines().toList());
     }
 

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Test;
 class VectorsTest {
 
     private static final String NO_KEY = "NO_KEY";
-    private static final String BAD_WORD = "BAD_WORD";
+    private static final String BAD_HOST_MESSAGE = "BAD_HOST_MESSAGE";
     private static final int PARTS_PAYLOAD = 0;
     private static final int PARTS_PACKET = 3;
     private static final int PARTS_TRAILER = 7;
@@ -312,8 +312,8 @@ class VectorsTest {
         dissect();
     }
 
-    /** A plain word to SUPO. */
-    private int plainWord(int first, Bytes body) {
+    /** A plain host message to SUPO. */
+    private int plainMessage(int first, Bytes body) {
         return air(PARTS_PAYLOAD, frame("////", "ROMA",
                 Bytes.join(Bytes.of(first), Bytes.ofNumber(Address.parse("SUPO").value(), 3), body)));
     }
@@ -325,67 +325,68 @@ class VectorsTest {
 
     /** SPEC 11.3. With another length, a fragment that it does not have, or sealed, it is none. */
     @Test
-    void plainWord_ofEachKind_hasItsFields() throws Exception {
+    void plainMessage_ofEachKind_hasItsFields() throws Exception {
         for (String row : List.of("MESSAGE_1 80 37", "MESSAGE_2 84 63", "MESSAGE_2 85 25", "MESSAGE_3 88 63",
                 "RENEWAL_1 8c 16", "RENEWAL_2 90 16", "RENEWAL_3 94 8", "WANT 98 1", "GROUP 9c 0")) {
             String[] columns = row.split(" ");
-            plainWord(columns[0], Integer.parseInt(columns[1], 16), Integer.parseInt(columns[2]));
+            plainMessage(columns[0], Integer.parseInt(columns[1], 16), Integer.parseInt(columns[2]));
         }
         dissect();
     }
 
-    private void plainWord(String name, int first, int length) {
+    private void plainMessage(String name, int first, int length) {
         Bytes body = counting(length);
-        int right = plainWord(first, body);
-        List<Integer> wrong = List.of(plainWord(first, counting(length + 1)),
+        int right = plainMessage(first, body);
+        List<Integer> wrong = List.of(plainMessage(first, counting(length + 1)),
                 air(PARTS_PAYLOAD, frame("////", "ROMA", Bytes.join(Bytes.of(first, 0, 0), body))),
-                plainWord(first | 3, body),
+                plainMessage(first | 3, body),
                 serial(0, 0, "SUPO", "ROMA", Bytes.join(Bytes.of(first, 0, 0, 0), body)));
         check(name, () -> {
             isRight(right);
-            shows(right, "word", name);
-            shows(right, "word.kind", (first - 0x80) / 4);
-            shows(right, "word.fragment", first % 4);
-            shows(right, "word.to", "SUPO");
-            has(right, "word.body", length == 0 ? new String[0] : new String[] {body.hex()});
-            for (String wanted : List.of("word.wanted", "word.wanted.fragment")) {
+            shows(right, "host_message", name);
+            shows(right, "host_message.kind", (first - 0x80) / 4);
+            shows(right, "host_message.fragment", first % 4);
+            shows(right, "host_message.to", "SUPO");
+            has(right, "host_message.body", length == 0 ? new String[0] : new String[] {body.hex()});
+            for (String wanted : List.of("host_message.wanted", "host_message.wanted.fragment")) {
                 shows(right, wanted, name.equals("WANT") ? new Object[] {1} : new Object[0]);
             }
             shows(right, "content");
-            wrong.forEach(index -> fails(index, BAD_WORD));
+            wrong.forEach(index -> fails(index, BAD_HOST_MESSAGE));
         });
     }
 
-    /** A word as a board gives it to its host, opened. */
-    private int opened(String destination, Bytes word) {
+    /** A host message as a board gives it to its host, opened. */
+    private int opened(String destination, Bytes message) {
         request(requestOf("poll"), 7);
-        Bytes record = Bytes.join(Bytes.of(0), Bytes.ofText(destination + "ROMA"), Bytes.of(0, 0, 5), word);
+        Bytes record = Bytes.join(Bytes.of(0), Bytes.ofText(destination + "ROMA"), Bytes.of(0, 0, 5), message);
         return serial(1, 7, "++++", "++++",
                 Bytes.join(Bytes.of(0, 0, 'M'), Bytes.ofNumber(record.length(), 2), record));
     }
 
     @Test
-    void sealedWord_ofEachKind_hasItsFields() throws Exception {
+    void sealedHostMessage_ofEachKind_hasItsFields() throws Exception {
         int content = opened("SUPO", Bytes.join(Bytes.of(0xA0, 0, 1, 2), Bytes.ofText("tell;help")));
         int sequences = opened("SUPO", Bytes.of(0xA4, 9, 1, 0, 8, 0, 2));
-        int revocationList = opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
+        int revocationList =
+                opened("SUPO", Bytes.join(Bytes.of(0xA8, 9, 0, 3, 0x50, 1, 0x50, 2, 0, 7, 1, 0), counting(64)));
         int groupKey = opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(16)));
         check("fields", () -> {
             List.of(content, sequences, revocationList, groupKey).forEach(this::isRight);
-            shows(content, "word", "CONTENT");
-            shows(content, "word.id", 0x102);
+            shows(content, "host_message", "CONTENT");
+            shows(content, "host_message.id", 0x102);
             shows(content, "content", "tell;help");
-            shows(sequences, "word", "SEQUENCES");
+            shows(sequences, "host_message", "SEQUENCES");
             has(sequences, "revocation_list.authority", "09", "08");
             shows(sequences, "revocation_list.sequence", 0x100, 2);
-            shows(revocationList, "word", "REVOCATION_LIST");
+            shows(revocationList, "host_message", "REVOCATION_LIST");
             shows(revocationList, "revocation_list.sequence", 3);
             shows(revocationList, "revocation_list.day", 0x5001);
             shows(revocationList, "revocation_list.least_until", 0x5002);
             shows(revocationList, "revocation_list.serial", 7, 0x100);
             has(revocationList, "revocation_list.signature", counting(64).hex());
-            shows(groupKey, "word", "GROUP_KEY");
-            has(groupKey, "word.body", counting(16).hex());
+            shows(groupKey, "host_message", "GROUP_KEY");
+            has(groupKey, "host_message.body", counting(16).hex());
         });
         List<Integer> wrong = List.of(opened("SUPO", Bytes.of(0xA0, 0, 1, 2)), opened("SUPO", Bytes.of(0xA4, 9, 1)),
                 opened("SUPO", Bytes.join(Bytes.of(0xA8), counting(72))),
@@ -393,7 +394,7 @@ class VectorsTest {
                 opened("SUPO", Bytes.join(Bytes.of(0xAC), counting(15))),
                 opened("SUPO", Bytes.join(Bytes.of(0xAD), counting(16))), opened("SUPO", Bytes.of(0xB0)),
                 opened("////", Bytes.of(0xA0, 0, 1, 2, 3)), opened("////", Bytes.of(0x80, 0)));
-        check("wrong", () -> wrong.forEach(index -> fails(index, BAD_WORD)));
+        check("wrong", () -> wrong.forEach(index -> fails(index, BAD_HOST_MESSAGE)));
         dissect();
     }
 

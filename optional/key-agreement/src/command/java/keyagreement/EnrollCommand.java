@@ -61,7 +61,8 @@ public final class EnrollCommand implements FurtherCommand {
         @Option(names = "--certificate", paramLabel = "FILE", description = "Take in what javino ca issue has written.")
         private Path certificate;
 
-        @Option(names = "--revocation-list", paramLabel = "FILE", description = "Take in what javino ca revoke has written.")
+        @Option(names = "--revocation-list", paramLabel = "FILE",
+                description = "Take in what javino ca revoke has written.")
         private Path revocationList;
     }
 
@@ -180,8 +181,10 @@ public final class EnrollCommand implements FurtherCommand {
         Identity identity = Identity.read(folder, id).orElseThrow(() -> new HandshakeException(
                 HandshakeException.Reason.NOT_CERTIFIED, id + " has no certificate in " + folder));
         Bytes revocationList = Entries.read(what.revocationList).get(Identity.REVOCATION_LIST).orElseThrow(
-                () -> new JavinoException(what.revocationList + " has no revocation list; javino ca revoke writes one"));
+                () -> new JavinoException(
+                        what.revocationList + " has no revocation list; javino ca revoke writes one"));
         boolean isNew = identity.take(revocationList);
-        say(RevocationList.decode(revocationList) + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
+        say(RevocationList.decode(revocationList)
+                + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
     }
 }

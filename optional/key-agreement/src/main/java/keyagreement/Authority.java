@@ -129,7 +129,8 @@ final class Authority {
                 .add(P256.number(one(CERTIFICATES))).mod(P256.ORDER);
         entries.add(ISSUED, certificate.toBytes());
         return new Entries().add(Identity.AUTHORITY, keys.toBytes()).add(Identity.CERTIFICATE, certificate.toBytes())
-                .add(Identity.CONTRIBUTION, P256.bytes(contribution)).add(Identity.REVOCATION_LIST, one(REVOCATION_LIST));
+                .add(Identity.CONTRIBUTION, P256.bytes(contribution))
+                .add(Identity.REVOCATION_LIST, one(REVOCATION_LIST));
     }
 
     /**
@@ -142,8 +143,9 @@ final class Authority {
     RevocationList revoke(Collection<Integer> revoked, LocalDate leastUntil, LocalDate today) throws JavinoException {
         RevocationList last = revocationList();
         if (today.isBefore(last.day())) {
-            throw new JavinoException("the last revocation list is of " + last.day() + ", and this computer's clock says "
-                    + today + "; set the clock");
+            throw new JavinoException(
+                    "the last revocation list is of " + last.day() + ", and this computer's clock says "
+                            + today + "; set the clock");
         }
         LocalDate least = latest(today, last.leastUntil(), leastUntil);
         TreeSet<Integer> serials = new TreeSet<>(revoked);
@@ -151,8 +153,9 @@ final class Authority {
         issued().stream().filter(certificate -> certificate.until().isBefore(least))
                 .forEach(certificate -> serials.remove(certificate.serial()));
         if (serials.size() > RevocationList.MAX_SERIALS) {
-            throw new JavinoException("a revocation list names up to " + RevocationList.MAX_SERIALS + " certificates, not "
-                    + serials.size() + "; --least-until revokes all that end before a day");
+            throw new JavinoException(
+                    "a revocation list names up to " + RevocationList.MAX_SERIALS + " certificates, not "
+                            + serials.size() + "; --least-until revokes all that end before a day");
         }
         if (last.sequence() == 0xFFFF) {
             throw new JavinoException("all 65536 revocation lists are made; make another authority");

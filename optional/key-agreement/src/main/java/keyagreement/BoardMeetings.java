@@ -42,7 +42,7 @@ import javino.protocol.Outcome;
 import javino.protocol.PollReply;
 import javino.protocol.Reply;
 import javino.protocol.Status;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * Key agreement for one agent's board: what {@link Meetings} decides, this does with the board. Where there is no
@@ -291,7 +291,7 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     }
 
     @Override
-    public void word(Address from, Address to, Word word) {
+    public void hostMessage(Address from, Address to, HostMessage word) {
         execute(() -> {
             Provenance of = Provenance.of(from, Cast.of(to), stored.contains(from) ? diffuser.TrustLevel.PROVISIONED
                     : diffuser.TrustLevel.CERTIFIED);
@@ -346,15 +346,16 @@ public final class BoardMeetings implements KeyService, Meetings.Outside {
     // What the meetings want done
 
     @Override
-    public void broadcast(Word word) {
+    public void broadcast(HostMessage word) {
         host.transmit(Address.BROADCAST, word).end()
                 .whenComplete((outcome, thrown) -> execute(() -> inMeetings(all -> all.said(millis()))));
     }
 
     @Override
-    public void unicast(Address to, Word word) {
+    public void unicast(Address to, HostMessage word) {
         Transmission transmission = host.transmit(to, word);
-        boolean ofAgent = HostWord.opened(word).filter(read -> read.kind() == HostWord.Kind.CONTENT).isPresent();
+        boolean ofAgent = KeyAgreementMessage.opened(word)
+                .filter(read -> read.kind() == KeyAgreementMessage.Kind.CONTENT).isPresent();
         // Messages to one device go one after the other.
         Optional<Errand> errand = ofAgent
                 ? errands.values().stream().filter(each -> each.to().equals(to)).findFirst() : Optional.empty();

@@ -23,7 +23,8 @@ import keyagreement.edhoc.P256;
  * @param authority which authority gave it, 0…255: {@link AuthorityKeys#id}.
  * @param point     33 bytes, compressed (SEC 1 section 2.3.3).
  */
-public record Certificate(Address address, int serial, boolean groupKeyServer, LocalDate until, int authority, Bytes point) {
+public record Certificate(Address address, int serial, boolean groupKeyServer, LocalDate until, int authority,
+        Bytes point) {
 
     /** The number of bytes. */
     public static final int LENGTH = 42;
@@ -52,7 +53,8 @@ public record Certificate(Address address, int serial, boolean groupKeyServer, L
 
     /** The 42 bytes. */
     public Bytes toBytes() {
-        return Bytes.join(Bytes.ofNumber(address.value(), 3), Bytes.ofNumber(serial, 2), Bytes.of(groupKeyServer ? 1 : 0),
+        return Bytes.join(Bytes.ofNumber(address.value(), 3), Bytes.ofNumber(serial, 2),
+                Bytes.of(groupKeyServer ? 1 : 0),
                 Days.encode(until), Bytes.of(authority), point);
     }
 
@@ -84,6 +86,7 @@ public record Certificate(Address address, int serial, boolean groupKeyServer, L
     /** Such as {@code certificate 3 of SUPO until 2027-11-24}. */
     @Override
     public String toString() {
-        return "certificate " + serial + " of " + address + " until " + until + (groupKeyServer ? ", group key server" : "");
+        return "certificate " + serial + " of " + address + " until " + until
+                + (groupKeyServer ? ", group key server" : "");
     }
 }

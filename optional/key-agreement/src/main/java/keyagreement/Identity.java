@@ -138,7 +138,8 @@ public final class Identity {
         authority(other.authority());
         if (other.until().isBefore(today())) {
             throw new HandshakeException(Reason.EXPIRED, "the " + other + " is past: it is " + today() + " by "
-                    + (today().equals(latestListedDay()) ? "the authority's revocation list" : "this computer's clock"));
+                    + (today().equals(latestListedDay()) ? "the authority's revocation list"
+                            : "this computer's clock"));
         }
         for (RevocationList revocationList : revocationLists) {
             if (revocationList.authority() == other.authority() && revocationList.revokes(other)) {

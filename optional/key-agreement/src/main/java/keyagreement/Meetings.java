@@ -12,7 +12,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import keyagreement.edhoc.HandshakeException;
 
 /**
@@ -51,13 +51,13 @@ public final class Meetings {
          * Sends {@code board.transmit(Address.BROADCAST, word)}; when that has ended, however it has,
          * {@link Meetings#said} is called. There is one at a time.
          */
-        void broadcast(Word word);
+        void broadcast(HostMessage word);
 
         /**
          * Sends {@code board.transmit(to, word)}; then {@link Meetings#sent} is called. There is one at a time for each
          * address.
          */
-        void unicast(Address to, Word word);
+        void unicast(Address to, HostMessage word);
 
         /** Calls {@code board.setSessionKey(device, key)}, and then {@link Meetings#keySet}. */
         void setSessionKey(Address device, Key key);
@@ -143,7 +143,8 @@ public final class Meetings {
      * {@link Outside#setGroupKey}. To be asked again, some ten seconds later, while the key is wanted.
      */
     public void wantGroupKey(long now) {
-        shared.speech().say(new HostWord(HostWord.Kind.GROUP, 0, Bytes.EMPTY), Address.multicast(self.group()), now,
+        shared.speech().say(new KeyAgreementMessage(KeyAgreementMessage.Kind.GROUP, 0, Bytes.EMPTY),
+                Address.multicast(self.group()), now,
                 (then, took) -> {
                 });
     }
@@ -156,12 +157,12 @@ public final class Meetings {
     // What the board tells.
 
     /** A plain word came. */
-    public void heard(Address from, Word word, long now) {
-        Optional<HostWord> read = HostWord.plain(word);
-        Optional<Address> to = HostWord.addressee(word);
+    public void heard(Address from, HostMessage word, long now) {
+        Optional<KeyAgreementMessage> read = KeyAgreementMessage.plain(word);
+        Optional<Address> to = KeyAgreementMessage.addressee(word);
         if (from.equals(self) || read.isEmpty()) {
             shared.count(Event.MALFORMED);
-        } else if (read.get().kind() == HostWord.Kind.GROUP) {
+        } else if (read.get().kind() == KeyAgreementMessage.Kind.GROUP) {
             groupWanted(from, to.orElseThrow(), now);
         } else if (!to.get().equals(self)) {
             shared.count(Event.OVERHEARD);
@@ -171,7 +172,7 @@ public final class Meetings {
         }
     }
 
-    private void heard(Address from, HostWord word, long now) {
+    private void heard(Address from, KeyAgreementMessage word, long now) {
         switch (word.kind()) {
             case MESSAGE_1 -> first(from, word, Talk.Round.FULL, now);
             case RENEWAL_1 -> first(from, word, Talk.Round.RENEWAL, now);
@@ -183,7 +184,7 @@ public final class Meetings {
         }
     }
 
-    private void first(Address from, HostWord word, Talk.Round round, long now) {
+    private void first(Address from, KeyAgreementMessage word, Talk.Round round, long now) {
         if (!open) {
             shared.count(Event.LIMITED);
             return;
@@ -240,8 +241,8 @@ public final class Meetings {
     }
 
     /** A word came sealed, in a unicast. */
-    public void received(Address from, Word word, long now) {
-        Optional<HostWord> read = HostWord.opened(word);
+    public void received(Address from, HostMessage word, long now) {
+        Optional<KeyAgreementMessage> read = KeyAgreementMessage.opened(word);
         if (read.isEmpty()) {
             shared.count(Event.MALFORMED);
             return;

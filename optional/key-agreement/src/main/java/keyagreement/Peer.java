@@ -75,12 +75,12 @@ final class Peer {
         private static final long NO_TICKET = -1;
 
         private final long ticket;
-        private final HostWord word;
+        private final KeyAgreementMessage word;
         private final long end;
         private int agreements;
         private boolean over;
 
-        Mail(long ticket, HostWord word, long now) {
+        Mail(long ticket, KeyAgreementMessage word, long now) {
             this.ticket = ticket;
             this.word = word;
             end = now + MOST_MILLIS;
@@ -173,7 +173,7 @@ final class Peer {
         }
         Bytes id = Bytes.ofNumber(shared.nextId(), ID_LENGTH);
         waiting.add(new Mail(ticket,
-                HostWord.sealed(HostWord.Kind.CONTENT, Bytes.join(id, content.encode())), now));
+                KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.CONTENT, Bytes.join(id, content.encode())), now));
         advance(now);
         return true;
     }
@@ -227,7 +227,7 @@ final class Peer {
     }
 
     /** A message 1. */
-    void first(HostWord word, Talk.Round round, long now) {
+    void first(KeyAgreementMessage word, Talk.Round round, long now) {
         Optional<Answered> same = answered().filter(run -> run.answers(word)).findAny();
         if (same.isPresent()) {
             same.get().answer(now);
@@ -254,9 +254,11 @@ final class Peer {
         } catch (HandshakeException e) {
             shared.count(Event.REFUSED);
             if (round == Talk.Round.RENEWAL && shared.hints().take(now)) {
-                shared.speech().say(new HostWord(HostWord.Kind.WANT, 0, Bytes.of(HostWord.Kind.MESSAGE_1.first(0))),
-                        address, now, (then, took) -> {
-                        });
+                shared.speech()
+                        .say(new KeyAgreementMessage(KeyAgreementMessage.Kind.WANT, 0,
+                                Bytes.of(KeyAgreementMessage.Kind.MESSAGE_1.first(0))),
+                                address, now, (then, took) -> {
+                                });
             }
         }
     }
@@ -266,16 +268,16 @@ final class Peer {
     }
 
     /** A part of a message 2. */
-    void second(HostWord word, long now) {
+    void second(KeyAgreementMessage word, long now) {
         pass(Stream.ofNullable(begun), word, now);
     }
 
     /** A message 3. */
-    void third(HostWord word, long now) {
+    void third(KeyAgreementMessage word, long now) {
         pass(answered(), word, now);
     }
 
-    private void pass(Stream<? extends Talk> runs, HostWord word, long now) {
+    private void pass(Stream<? extends Talk> runs, KeyAgreementMessage word, long now) {
         List<? extends Talk> fitting = runs.filter(talk -> setting == null
                 && (word.kind() == talk.round().second || word.kind() == talk.round().third)).toList();
         if (fitting.isEmpty()) {
@@ -287,7 +289,7 @@ final class Peer {
 
     /** The other side lacks a fragment; or it lacks what it would need for a renewal. */
     void wanted(int first, long now) {
-        if (first == HostWord.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
+        if (first == KeyAgreementMessage.Kind.MESSAGE_1.first(0) && begun != null && begun.isOpen()
                 && begun.round() == Talk.Round.RENEWAL) {
             beginFull(now);
         } else if (talks().stream().filter(talk -> talk.wanted(first, now)).toList().isEmpty()) {
@@ -460,7 +462,7 @@ final class Peer {
     }
 
     /** A sealed word of the peer. */
-    void opened(HostWord word, long now) {
+    void opened(KeyAgreementMessage word, long now) {
         if (session != Session.NONE) {
             prove();
         }
@@ -505,7 +507,7 @@ final class Peer {
         }
     }
 
-    private void hand(HostWord word, long now) {
+    private void hand(KeyAgreementMessage word, long now) {
         if (waiting.size() < 2 * MOST_WAITING) {
             waiting.add(new Mail(Mail.NO_TICKET, word, now));
             advance(now);
@@ -521,7 +523,7 @@ final class Peer {
         if (own.groupKeyServer() && key.isPresent() && !key.get().equals(groupKeyGiven)
                 && address.group().equals(own.address().group()) && session != Session.NONE) {
             groupKeyGiven = key.get();
-            hand(HostWord.sealed(HostWord.Kind.GROUP_KEY, key.get().bytes()), now);
+            hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.GROUP_KEY, key.get().bytes()), now);
         }
     }
 
@@ -538,7 +540,8 @@ final class Peer {
 
     private Map<Integer, Integer> ownSequences() {
         Map<Integer, Integer> own = new LinkedHashMap<>();
-        shared.identity().revocationLists().forEach(revocationList -> own.put(revocationList.authority(), revocationList.sequence()));
+        shared.identity().revocationLists()
+                .forEach(revocationList -> own.put(revocationList.authority(), revocationList.sequence()));
         return own;
     }
 
@@ -550,7 +553,7 @@ final class Peer {
                     .map(entry -> Bytes.join(Bytes.of(entry.getKey()),
                             Bytes.ofNumber(entry.getValue(), SEQUENCE_LENGTH)))
                     .reduce(Bytes.EMPTY, Bytes::join);
-            hand(HostWord.sealed(HostWord.Kind.SEQUENCES, body), now);
+            hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.SEQUENCES, body), now);
         }
     }
 
@@ -569,7 +572,8 @@ final class Peer {
         for (RevocationList revocationList : shared.identity().revocationLists()) {
             if (revocationList.sequence() > sequences.getOrDefault(revocationList.authority(), 0)) {
                 sequences.put(revocationList.authority(), revocationList.sequence());
-                hand(HostWord.sealed(HostWord.Kind.REVOCATION_LIST, revocationList.toBytes()), now);
+                hand(KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.REVOCATION_LIST, revocationList.toBytes()),
+                        now);
             }
         }
         if (sequences.entrySet().stream()

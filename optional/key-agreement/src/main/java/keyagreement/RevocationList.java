@@ -31,7 +31,8 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
     private static final int SIGNATURE_LENGTH = 64;
 
     /** Makes and signs one. @param serials rising. */
-    static RevocationList sign(AuthorityKeys keys, ECPrivateKey secret, int sequence, LocalDate day, LocalDate leastUntil,
+    static RevocationList sign(AuthorityKeys keys, ECPrivateKey secret, int sequence, LocalDate day,
+            LocalDate leastUntil,
             List<Integer> serials) {
         RevocationList unsigned = new RevocationList(keys.id(), sequence, day, leastUntil, serials, Bytes.EMPTY);
         return new RevocationList(keys.id(), sequence, day, leastUntil, serials, P256.sign(secret, unsigned.signed()));
@@ -41,7 +42,8 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
     public static RevocationList decode(Bytes bytes) throws HandshakeException {
         int serialsLength = bytes.length() - HEADER_LENGTH - SIGNATURE_LENGTH;
         if (serialsLength < 0 || serialsLength % 2 != 0 || serialsLength > 2 * MAX_SERIALS) {
-            throw new HandshakeException(Reason.NOT_CERTIFIED, "no revocation list: it has " + bytes.length() + " bytes");
+            throw new HandshakeException(Reason.NOT_CERTIFIED,
+                    "no revocation list: it has " + bytes.length() + " bytes");
         }
         List<Integer> serials = new ArrayList<>();
         for (int at = HEADER_LENGTH; at < HEADER_LENGTH + serialsLength; at += 2) {

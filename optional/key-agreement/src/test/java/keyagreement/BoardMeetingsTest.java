@@ -22,7 +22,7 @@ import javino.protocol.Performative;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,7 +93,7 @@ class BoardMeetingsTest {
         }
 
         @Override
-        public Transmission transmit(Address to, Word word) {
+        public Transmission transmit(Address to, HostMessage word) {
             return transmission(to);
         }
 

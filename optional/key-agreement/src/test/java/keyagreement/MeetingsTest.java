@@ -19,7 +19,7 @@ import javino.protocol.Address;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -122,7 +122,7 @@ class MeetingsTest {
                 world.run(MINUTE / 600);
             }
             roma.on = false;
-            Word message1 = new Word(packets.get(0).message);
+            HostMessage message1 = new HostMessage(packets.get(0).message);
             world.run(MINUTE / 40);
             long answers = packets.stream().filter(packet -> packet.from.equals(supo.address)).count();
             supo.meetings.heard(roma.address, message1, world.millis());
@@ -283,7 +283,7 @@ class MeetingsTest {
         World.Host busb = world.add(town.certified("BUSB"));
         assertEquals(Optional.of(Ending.DELIVERED), end(busa, busb));
         busa.meetings.received(busb.address,
-                HostWord.sealed(HostWord.Kind.GROUP_KEY, World.anyKey(world.random).bytes())
+                KeyAgreementMessage.sealed(KeyAgreementMessage.Kind.GROUP_KEY, World.anyKey(world.random).bytes())
                         .sealed(),
                 world.millis());
         assertEquals(Optional.empty(), busa.groupKey());

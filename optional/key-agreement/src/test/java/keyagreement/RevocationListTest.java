@@ -35,7 +35,8 @@ class RevocationListTest {
     @Test
     void revocationList_isWrittenAsSpecified() throws HandshakeException {
         RevocationList revocationList = sign(List.of(1, 0xfffe));
-        assertEquals(Bytes.ofNumber(keys.id(), 1) + "0102" + "512e" + "5131" + "0001" + "fffe" + revocationList.signature(),
+        assertEquals(
+                Bytes.ofNumber(keys.id(), 1) + "0102" + "512e" + "5131" + "0001" + "fffe" + revocationList.signature(),
                 revocationList.toBytes().hex());
         assertEquals(64, revocationList.signature().length());
         assertEquals(revocationList, RevocationList.decode(revocationList.toBytes()));

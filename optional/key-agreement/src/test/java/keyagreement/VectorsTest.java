@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import keyagreement.edhoc.HandshakeException;
@@ -38,8 +38,8 @@ class VectorsTest {
         return vectors("renewals");
     }
 
-    static List<JsonObject> words() throws IOException {
-        return vectors("words");
+    static List<JsonObject> hostMessages() throws IOException {
+        return vectors("hostMessages");
     }
 
     private static List<JsonObject> vectors(String list) throws IOException {
@@ -129,16 +129,18 @@ class VectorsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("words")
+    @MethodSource("hostMessages")
     void word_isReadAndWritten(JsonObject vector) {
-        Word word = new Word(bytes(vector, "word"));
+        HostMessage word = new HostMessage(bytes(vector, "hostMessage"));
         boolean isPlain = !vector.get("to").isJsonNull();
-        HostWord read = (isPlain ? HostWord.plain(word) : HostWord.opened(word)).orElseThrow();
-        assertEquals(new HostWord(HostWord.Kind.valueOf(text(vector, "kind")), vector.get("fragment").getAsInt(),
+        KeyAgreementMessage read =
+                (isPlain ? KeyAgreementMessage.plain(word) : KeyAgreementMessage.opened(word)).orElseThrow();
+        assertEquals(new KeyAgreementMessage(KeyAgreementMessage.Kind.valueOf(text(vector, "kind")),
+                vector.get("fragment").getAsInt(),
                 bytes(vector, "body")), read);
         assertEquals(word, isPlain ? read.to(address(vector, "to")) : read.sealed());
-        assertTrue((isPlain ? HostWord.opened(word) : HostWord.plain(word)).isEmpty());
+        assertTrue((isPlain ? KeyAgreementMessage.opened(word) : KeyAgreementMessage.plain(word)).isEmpty());
         Bytes cut = word.bytes().slice(0, word.bytes().length() - 1);
-        assertTrue(!isPlain || cut.length() == 0 || HostWord.plain(new Word(cut)).isEmpty());
+        assertTrue(!isPlain || cut.length() == 0 || KeyAgreementMessage.plain(new HostMessage(cut)).isEmpty());
     }
 }

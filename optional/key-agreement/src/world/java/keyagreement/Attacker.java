@@ -124,13 +124,16 @@ public final class Attacker {
     }
 
     private void forge(Address name, Address victim) {
-        HostWord.Kind[] plain = {HostWord.Kind.MESSAGE_1, HostWord.Kind.MESSAGE_2, HostWord.Kind.MESSAGE_3,
-                HostWord.Kind.RENEWAL_1, HostWord.Kind.RENEWAL_2, HostWord.Kind.RENEWAL_3, HostWord.Kind.WANT};
-        HostWord.Kind kind = plain[random.nextInt(plain.length)];
+        KeyAgreementMessage.Kind[] plain = {KeyAgreementMessage.Kind.MESSAGE_1, KeyAgreementMessage.Kind.MESSAGE_2,
+                KeyAgreementMessage.Kind.MESSAGE_3,
+                KeyAgreementMessage.Kind.RENEWAL_1, KeyAgreementMessage.Kind.RENEWAL_2,
+                KeyAgreementMessage.Kind.RENEWAL_3, KeyAgreementMessage.Kind.WANT};
+        KeyAgreementMessage.Kind kind = plain[random.nextInt(plain.length)];
         int fragment = random.nextInt(kind.fragments());
-        Bytes body = kind == HostWord.Kind.WANT ? Bytes.of(plain[random.nextInt(plain.length)].first(random.nextInt(2)))
-                : HostWord.of(kind, fragment, noise(100)).body();
-        voice.broadcast(name, new HostWord(kind, fragment, body).to(victim).bytes());
+        Bytes body = kind == KeyAgreementMessage.Kind.WANT
+                ? Bytes.of(plain[random.nextInt(plain.length)].first(random.nextInt(2)))
+                : KeyAgreementMessage.of(kind, fragment, noise(100)).body();
+        voice.broadcast(name, new KeyAgreementMessage(kind, fragment, body).to(victim).bytes());
     }
 
     private void replay(Said said) {

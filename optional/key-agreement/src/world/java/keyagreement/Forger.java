@@ -62,16 +62,18 @@ final class Forger {
         if (kind.equals("SEALED")) {
             return List.of(new Air.Packet(name, to, Bytes.copyOf(noise).slice(0, 16), World.anyKey(world.random), 0));
         }
-        HostWord.Kind forged = others ? HostWord.Kind.WANT : HostWord.Kind.valueOf(kind);
-        if (forged == HostWord.Kind.WANT) {
+        KeyAgreementMessage.Kind forged =
+                others ? KeyAgreementMessage.Kind.WANT : KeyAgreementMessage.Kind.valueOf(kind);
+        if (forged == KeyAgreementMessage.Kind.WANT) {
             // Only messages 1 to 3 are wanted, each of two fragments at most.
-            noise[0] = (byte) HostWord.Kind.values()[world.random.nextInt(HostWord.Kind.RENEWAL_3.ordinal() + 1)]
+            noise[0] = (byte) KeyAgreementMessage.Kind.values()[world.random
+                    .nextInt(KeyAgreementMessage.Kind.RENEWAL_3.ordinal() + 1)]
                     .first(world.random.nextInt(2));
         }
         // A message 1 proves nothing, so a forged one is like any other.
-        Bytes message = forged == HostWord.Kind.MESSAGE_1
+        Bytes message = forged == KeyAgreementMessage.Kind.MESSAGE_1
                 ? new Initiator(any.with(to), new SecureRandom()).message1() : Bytes.copyOf(noise);
         return IntStream.range(0, forged.fragments()).mapToObj(i -> new Air.Packet(name, Address.BROADCAST,
-                HostWord.of(forged, i, message).to(to).bytes(), null, 0)).toList();
+                KeyAgreementMessage.of(forged, i, message).to(to).bytes(), null, 0)).toList();
     }
 }

@@ -23,7 +23,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Performative;
 import javino.protocol.Key;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * Hosts with boards and certificates, and the air between them, in memory and in a time of its own. Packets are
@@ -248,7 +248,7 @@ final class World {
                 for (int i = random.nextDouble() < twice ? 2 : 1; i > 0; i--) {
                     long wait = random.nextDouble() < late ? random.nextLong(LATE_MILLIS) : 0;
                     after(wait, () -> host.told(
-                            () -> host.meetings.heard(packet.from, new Word(packet.message), now)));
+                            () -> host.meetings.heard(packet.from, new HostMessage(packet.message), now)));
                 }
                 return false;
             }
@@ -265,7 +265,7 @@ final class World {
             }
             if (packet.nonce > newest.getOrDefault(packet.from, -1L)) {
                 newest.put(packet.from, packet.nonce);
-                host.told(() -> host.meetings.received(packet.from, new Word(packet.message), now));
+                host.told(() -> host.meetings.received(packet.from, new HostMessage(packet.message), now));
                 return true;
             }
             return packet.nonce == newest.get(packet.from);
@@ -462,7 +462,7 @@ final class World {
         }
 
         @Override
-        public void broadcast(Word word) {
+        public void broadcast(HostMessage word) {
             maybeFault("broadcast");
             if (broadcasts) {
                 wrong.add("a second broadcast at once");
@@ -472,7 +472,7 @@ final class World {
         }
 
         @Override
-        public void unicast(Address to, Word word) {
+        public void unicast(Address to, HostMessage word) {
             maybeFault("unicast");
             if (!unicasts.add(to)) {
                 wrong.add("a second unicast at once to " + to);

@@ -22,7 +22,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Content;
 import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import keyagreement.Attacker;
 
 /** Two hosts that have certificates and no common key. */
@@ -99,7 +99,7 @@ final class CertifiedPair implements AutoCloseable {
                 send(random.nextBoolean() ? sealed.get(random.nextInt(sealed.size())) : new Frame(to, from, noise));
             }
         });
-        heard.stream().filter(frame -> Word.isWord(frame.message()))
+        heard.stream().filter(frame -> HostMessage.isHostMessage(frame.message()))
                 .forEach(frame -> attacker.hear(frame.origin(), frame.message()));
         for (int i = 0; i < messages; i++) {
             attacker.act();

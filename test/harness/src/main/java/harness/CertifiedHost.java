@@ -22,7 +22,7 @@ import javino.protocol.Content;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
 import javino.protocol.PollReply;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import keyagreement.BoardMeetings;
 
 /** A host that agrees on keys as an agent's does, without an agent. */
@@ -93,8 +93,8 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     }
 
     @Override
-    public void word(Address from, Address to, Word word) {
-        meetings.word(from, to, word);
+    public void hostMessage(Address from, Address to, HostMessage message) {
+        meetings.hostMessage(from, to, message);
     }
 
     @Override
@@ -103,8 +103,8 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     }
 
     @Override
-    public Transmission transmit(Address to, Word word) {
-        Transmission begun = board.join().transmit(to, word);
+    public Transmission transmit(Address to, HostMessage message) {
+        Transmission begun = board.join().transmit(to, message);
         latest.add(begun.end());
         return begun;
     }

@@ -151,7 +151,8 @@ class CertificateCommandsTest {
         assertEquals(revocationList + ", written to " + file("revoked"),
                 says("ca", "revoke", "--ca", file("ca"), "--out", file("revoked"), "--id", "ROMA"));
         assertEquals(revocationList + ", is taken in", enroll("SUPO", "--revocation-list", "revoked"));
-        assertEquals(revocationList + ", is no newer than what SUPO has", enroll("SUPO", "--revocation-list", "revoked"));
+        assertEquals(revocationList + ", is no newer than what SUPO has",
+                enroll("SUPO", "--revocation-list", "revoked"));
         assertEquals("javino: ROMA has no certificate that is valid; javino ca list shows all",
                 fails(1, "ca", "revoke", "--ca", file("ca"), "--out", file("2"), "--id", "ROMA"));
         assertEquals("revocation list 2 of " + TODAY + ", 1 certificate revoked, written to " + file("2"),
@@ -196,7 +197,8 @@ class CertificateCommandsTest {
         says("enroll", "--id", "SUPO", "--folder", file("home"), "--certificate", file("SUPO.certificate"),
                 "--authority", fingerprint);
         says("ca", "revoke", "--ca", file("old"), "--out", file("revoked"));
-        assertTrue(enroll("SUPO", "--revocation-list", "revoked").endsWith("is taken in"), "the old one is still trusted");
+        assertTrue(enroll("SUPO", "--revocation-list", "revoked").endsWith("is taken in"),
+                "the old one is still trusted");
     }
 
     @Test

@@ -14,13 +14,13 @@ import java.util.stream.LongStream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Content;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-class HostWordTest {
+class KeyAgreementMessageTest {
 
     private static final Address SUPO = Address.parse("SUPO");
     private static final int PLAIN_LENGTH = 67;
@@ -29,14 +29,14 @@ class HostWordTest {
     @ParameterizedTest
     @CsvSource({"MESSAGE_1,80,37", "MESSAGE_2,84,63 25", "MESSAGE_3,88,63", "RENEWAL_1,8c,16", "RENEWAL_2,90,16",
             "RENEWAL_3,94,8", "WANT,98,1", "GROUP,9c,0"})
-    void plain_eachKind_hasItsNumberAndLengths(HostWord.Kind kind, String first, String lengths) {
+    void plain_eachKind_hasItsNumberAndLengths(KeyAgreementMessage.Kind kind, String first, String lengths) {
         Bytes message = Bytes.copyOf(new byte[100]);
         List<String> found = new ArrayList<>();
         for (int i = 0; i < kind.fragments(); i++) {
-            HostWord said = HostWord.of(kind, i, message);
+            KeyAgreementMessage said = KeyAgreementMessage.of(kind, i, message);
             assertEquals(Integer.parseInt(first, 16) + i, said.to(SUPO).bytes().at(0));
-            assertEquals(Optional.of(said), HostWord.plain(said.to(SUPO)));
-            assertEquals(Optional.of(SUPO), HostWord.addressee(said.to(SUPO)));
+            assertEquals(Optional.of(said), KeyAgreementMessage.plain(said.to(SUPO)));
+            assertEquals(Optional.of(SUPO), KeyAgreementMessage.addressee(said.to(SUPO)));
             found.add(String.valueOf(said.body().length()));
         }
         assertEquals(lengths, String.join(" ", found));
@@ -44,21 +44,21 @@ class HostWordTest {
 
     @ParameterizedTest
     @CsvSource({"CONTENT,a0", "SEQUENCES,a4", "REVOCATION_LIST,a8", "GROUP_KEY,ac"})
-    void sealed_eachKind_hasItsNumber(HostWord.Kind kind, String first) {
-        HostWord said = HostWord.sealed(kind, Bytes.copyOf(new byte[16]));
+    void sealed_eachKind_hasItsNumber(KeyAgreementMessage.Kind kind, String first) {
+        KeyAgreementMessage said = KeyAgreementMessage.sealed(kind, Bytes.copyOf(new byte[16]));
         assertEquals(first, said.sealed().bytes().slice(0, 1).hex());
-        assertEquals(Optional.of(said), HostWord.opened(said.sealed()));
+        assertEquals(Optional.of(said), KeyAgreementMessage.opened(said.sealed()));
     }
 
     @ParameterizedTest
-    @EnumSource(HostWord.Kind.class)
-    void read_anyOtherLength_isNone(HostWord.Kind kind) {
+    @EnumSource(KeyAgreementMessage.Kind.class)
+    void read_anyOtherLength_isNone(KeyAgreementMessage.Kind kind) {
         int taken = 0;
         for (int length = 0; length <= PLAIN_LENGTH; length++) {
-            Word word = new Word(Bytes.join(Bytes.of(kind.first(0)), Bytes.copyOf(new byte[length])));
-            taken += HostWord.plain(word).isPresent() ? 1 : 0;
+            HostMessage word = new HostMessage(Bytes.join(Bytes.of(kind.first(0)), Bytes.copyOf(new byte[length])));
+            taken += KeyAgreementMessage.plain(word).isPresent() ? 1 : 0;
         }
-        assertEquals(kind.compareTo(HostWord.Kind.GROUP) <= 0 ? 1 : 0, taken);
+        assertEquals(kind.compareTo(KeyAgreementMessage.Kind.GROUP) <= 0 ? 1 : 0, taken);
     }
 
     @Test
@@ -68,8 +68,8 @@ class HostWordTest {
             byte[] bytes = new byte[1 + random.nextInt(i % 2 == 0 ? 80 : Content.MAX_LENGTH)];
             random.nextBytes(bytes);
             bytes[0] = (byte) (0x80 | bytes[0] & 0x3F);
-            Word word = new Word(Bytes.copyOf(bytes));
-            assertTrue(HostWord.plain(word).isEmpty() || HostWord.opened(word).isEmpty());
+            HostMessage word = new HostMessage(Bytes.copyOf(bytes));
+            assertTrue(KeyAgreementMessage.plain(word).isEmpty() || KeyAgreementMessage.opened(word).isEmpty());
         }
     }
 

@@ -4,7 +4,7 @@ import java.util.Optional;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Word;
+import javino.protocol.HostMessage;
 
 /**
  * What one host says to another (SPEC 11.3).
@@ -13,7 +13,7 @@ import javino.protocol.Word;
  * @param fragment which part of a message, from 0; else 0.
  * @param body     the rest.
  */
-record HostWord(Kind kind, int fragment, Bytes body) {
+record KeyAgreementMessage(Kind kind, int fragment, Bytes body) {
 
     /** The most bytes of a fragment: with the head, one packet of a broadcast. */
     static final int FRAGMENT_LENGTH = 63;
@@ -79,24 +79,24 @@ record HostWord(Kind kind, int fragment, Bytes body) {
     }
 
     /** A fragment of a message. */
-    static HostWord of(Kind kind, int fragment, Bytes message) {
+    static KeyAgreementMessage of(Kind kind, int fragment, Bytes message) {
         int from = FRAGMENT_LENGTH * fragment;
-        return new HostWord(kind, fragment, message.slice(from, from + kind.length(fragment)));
+        return new KeyAgreementMessage(kind, fragment, message.slice(from, from + kind.length(fragment)));
     }
 
     /** A sealed word. */
-    static HostWord sealed(Kind kind, Bytes body) {
-        return new HostWord(kind, 0, body);
+    static KeyAgreementMessage sealed(Kind kind, Bytes body) {
+        return new KeyAgreementMessage(kind, 0, body);
     }
 
     /** For a broadcast. */
-    Word to(Address address) {
-        return new Word(Bytes.join(Bytes.of(first()), Bytes.ofNumber(address.value(), TO_LENGTH), body));
+    HostMessage to(Address address) {
+        return new HostMessage(Bytes.join(Bytes.of(first()), Bytes.ofNumber(address.value(), TO_LENGTH), body));
     }
 
     /** For a sealed unicast. */
-    Word sealed() {
-        return new Word(Bytes.join(Bytes.of(first()), body));
+    HostMessage sealed() {
+        return new HostMessage(Bytes.join(Bytes.of(first()), body));
     }
 
     /** What it takes of the air at 2000 bit/s, in ms: 84 + 12 n bits (SPEC 6). */
@@ -109,28 +109,29 @@ record HostWord(Kind kind, int fragment, Bytes body) {
     }
 
     /** Whom a broadcast is for; nobody if it is too short. */
-    static Optional<Address> addressee(Word word) {
+    static Optional<Address> addressee(HostMessage word) {
         return word.bytes().length() <= TO_LENGTH ? Optional.empty()
                 : Optional.of(new Address((int) word.bytes().number(1, 1 + TO_LENGTH)));
     }
 
     /** Reads a broadcast; nothing if it is none of SPEC 11.3, or has another length. */
-    static Optional<HostWord> plain(Word word) {
+    static Optional<KeyAgreementMessage> plain(HostMessage word) {
         return addressee(word).flatMap(to -> read(word, 1 + TO_LENGTH)).filter(known -> known.kind.isPlain()
                 && known.fragment < known.kind.fragments()
                 && known.body.length() == known.kind.length(known.fragment));
     }
 
     /** Reads a sealed word; nothing if it is none of SPEC 11.3, or has another length. */
-    static Optional<HostWord> opened(Word word) {
+    static Optional<KeyAgreementMessage> opened(HostMessage word) {
         return read(word, 1).filter(known -> !known.kind.isPlain() && known.fragment == 0
                 && (known.kind.length < 0 || known.body.length() == known.kind.length));
     }
 
-    private static Optional<HostWord> read(Word word, int head) {
+    private static Optional<KeyAgreementMessage> read(HostMessage word, int head) {
         int number = word.bytes().at(0) - FIRST >> FRAGMENT_BITS;
         return number >= Kind.values().length ? Optional.empty()
-                : Optional.of(new HostWord(Kind.values()[number], word.bytes().at(0) & (1 << FRAGMENT_BITS) - 1,
-                        word.bytes().from(head)));
+                : Optional.of(
+                        new KeyAgreementMessage(Kind.values()[number], word.bytes().at(0) & (1 << FRAGMENT_BITS) - 1,
+                                word.bytes().from(head)));
     }
 }
