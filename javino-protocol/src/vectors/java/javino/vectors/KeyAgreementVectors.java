@@ -15,7 +15,7 @@ import java.util.Map;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
-/** SPEC 11: certificates, revocation lists, renewals and host messages. The curve is computed by its textbook formulas. */
+/** SPEC 11: certificates, revocation lists, renewals and host messages, by textbook formulas of the curve. */
 final class KeyAgreementVectors {
 
     private static final BigInteger P = number("ffffffff00000001000000000000000000000000ffffffffffffffffffffffff");

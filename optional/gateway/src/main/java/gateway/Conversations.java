@@ -7,7 +7,7 @@ import javino.protocol.Frame;
 import javino.protocol.ProtocolException;
 
 /**
- * What belongs together: fragments and the header of their message, acknowledgements and what they answer (SPEC 7.1, 7.3).
+ * What belongs together: fragments and their message's header, acknowledgements and what they answer (SPEC 7.1, 7.3).
  */
 final class Conversations {
 

@@ -18,8 +18,8 @@ import keyagreement.edhoc.HandshakeException;
 import keyagreement.edhoc.P256;
 
 /**
- * An authority with its secrets: it gives certificates and makes revocation lists. It has one key for each of the two. What it
- * has given is in its file, and nowhere else.
+ * An authority with its secrets: it gives certificates and makes revocation lists. It has one key for each of the two.
+ * What it has given is in its file, and nowhere else.
  */
 final class Authority {
 

@@ -131,8 +131,8 @@ public final class Identity {
     }
 
     /**
-     * Whether a certificate may be believed now: its authority is trusted, its day not past, and no revocation list names it. To
-     * be asked again before a renewal.
+     * Whether a certificate may be believed now: its authority is trusted, its day not past, and no revocation list
+     * names it. To be asked again before a renewal.
      */
     public synchronized void check(Certificate other) throws HandshakeException {
         authority(other.authority());
@@ -149,8 +149,8 @@ public final class Identity {
     }
 
     /**
-     * The latest day ever seen in a revocation list, or that of the clock if that is later. The clock's is not kept: one that
-     * was years ahead once would end all certificates for ever.
+     * The latest day ever seen in a revocation list, or that of the clock if that is later. The clock's is not kept:
+     * one that was years ahead once would end all certificates for ever.
      */
     private LocalDate today() {
         LocalDate clock = LocalDate.now();

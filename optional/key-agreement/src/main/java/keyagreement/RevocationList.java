@@ -38,7 +38,7 @@ public record RevocationList(int authority, int sequence, LocalDate day, LocalDa
         return new RevocationList(keys.id(), sequence, day, leastUntil, serials, P256.sign(secret, unsigned.signed()));
     }
 
-    /** @throws HandshakeException NOT_CERTIFIED if they are no revocation list. The signature is not checked by this. */
+    /** @throws HandshakeException NOT_CERTIFIED if they are no revocation list. The signature is not checked. */
     public static RevocationList decode(Bytes bytes) throws HandshakeException {
         int serialsLength = bytes.length() - HEADER_LENGTH - SIGNATURE_LENGTH;
         if (serialsLength < 0 || serialsLength % 2 != 0 || serialsLength > 2 * MAX_SERIALS) {

@@ -27,7 +27,7 @@ import javino.protocol.HostMessage;
 
 /**
  * Hosts with boards and certificates, and the air between them, in memory and in a time of its own. Packets are
- * damaged, come twice or late; hosts are killed and boards reset between any two steps; an attacker sends what he likes.
+ * damaged, come twice or late; hosts are killed and boards reset between any two steps; an attacker sends anything.
  */
 final class World {
 

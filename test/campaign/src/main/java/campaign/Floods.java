@@ -74,9 +74,9 @@ final class Floods {
         report.text("""
             **Floods**, on emulated boards: a third board in range of a pair sends forged packets, whatever is on the
             air, for %.0f s, at random times that come to a share of it: frames from the sender that the receiver has to
-            check, first fragments from the sender that ask for an answer, last fragments of one byte in the next message of
-            the sender, and broadcasts that no host can read. The pair goes on with unicasts, two of them always
-            waiting; *bytes* are those of each content. *Share of the air* is the attacker's, as
+            check, first fragments from the sender that ask for an answer, last fragments of one byte in the next
+            message of the sender, and broadcasts that no host can read. The pair goes on with unicasts, two of them
+            always waiting; *bytes* are those of each content. *Share of the air* is the attacker's, as
             measured.""".formatted(seconds));
         for (int i = 0; i < cases.size(); i += AT_ONCE) {
             run(cases.subList(i, Math.min(i + AT_ONCE, cases.size())), seconds, settings, report);

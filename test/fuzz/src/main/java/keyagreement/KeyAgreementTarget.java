@@ -15,9 +15,9 @@ import keyagreement.edhoc.Party;
 import keyagreement.edhoc.Responder;
 
 /**
- * The same bytes as each thing that an attacker may send. A host message, certificate or revocation list that can be read is written as it
- * was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is taken, since nobody here
- * has made one.
+ * The same bytes as each thing that an attacker may send. A host message, certificate or revocation list that can be
+ * read is written as it was; what is no message of a handshake is refused, and says why; and no message 2 or 3 is
+ * taken, since nobody here has made one.
  */
 public final class KeyAgreementTarget {
 

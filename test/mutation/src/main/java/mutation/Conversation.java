@@ -27,10 +27,11 @@ import javino.protocol.Content;
 import javino.protocol.Outcome;
 
 /**
- * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in fragments, partners that
- * are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who repeats
- * what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their hosts
- * never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are jammed.
+ * Three boards that go all ways of the delivery: unicasts, multicasts and broadcasts, contents in fragments, partners
+ * that are there and one that is not, bits that are wrong on the air, a reset, a loss of power, and an attacker who
+ * repeats what was on the air, as it was or with a wrong bit, and later what was there before the power was lost. Their
+ * hosts never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are
+ * jammed.
  */
 final class Conversation {
 
@@ -63,7 +64,7 @@ final class Conversation {
     private static final String ABSENT = "SUDD";
     private static final List<String> IDS = List.of("SUAA", "SUBB", "SUCC");
     private static final int SHORT = 16;
-    /** Bytes of contents in three fragments, of which the last has one byte, and in four full ones; the most of SPEC. */
+    /** Bytes of contents in three fragments, the last of one byte, and in four full ones; the most of SPEC. */
     private static final int FRAGMENTS = 111;
     private static final int MORE_FRAGMENTS = 244;
     private static final int MOST = 494;

@@ -174,12 +174,12 @@ final class Firmware implements Part {
             less by one or twice as large, a negated condition, a removed statement, true for false), %d were drawn.
             Lines that only count are left out. Each was planted alone into `Station`, which three emulated boards then
             ran eight times, for 100 s of theirs at most, four times with a bit error rate of 0.001, twice with short
-            jams: unicasts, multicasts, broadcasts and contents in fragments, to partners that are there, away for a while
-            or never there, with a reset, a loss of power, and an attacker who repeats what was on the air, as it was or
-            changed. *Refused*: the replay of a trace says that no board does this. *Only hosts*: the trace is accepted,
-            but a message has no end, or has not come although it was reported so. *Not reached*: no board comes to the
-            line, or to the part of it in which the mistake is. No board is a relay here. Hosts run in wall time: on a
-            machine that has much else to do they say less, and fewer mistakes show.
+            jams: unicasts, multicasts, broadcasts and contents in fragments, to partners that are there, away for a
+            while or never there, with a reset, a loss of power, and an attacker who repeats what was on the air, as it
+            was or changed. *Refused*: the replay of a trace says that no board does this. *Only hosts*: the trace is
+            accepted, but a message has no end, or has not come although it was reported so. *Not reached*: no board
+            comes to the line, or to the part of it in which the mistake is. No board is a relay here. Hosts run in wall
+            time: on a machine that has much else to do they say less, and fewer mistakes show.
             """.formatted(possible, judged.size()));
         Table table = new Table("folder", "drawn", "not built", "not reached", "refused", "only hosts", "neither",
                 "harmless", "refused of the others");
