@@ -135,7 +135,7 @@ class BoardMeetingsTest {
 
     @BeforeEach
     void start() throws Exception {
-        new Town(folder).certified("BUSB");
+        new TestAuthority(folder).certified("BUSB");
         meetings = new BoardMeetings(folder, time, failures::add);
         meetings.online(board, Address.parse("BUSB"), 1, List.of());
         time.run(1);

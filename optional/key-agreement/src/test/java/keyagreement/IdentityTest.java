@@ -35,15 +35,15 @@ class IdentityTest {
     @TempDir
     private Path elsewhere;
 
-    private Town town;
+    private TestAuthority authority;
     private Identity supo;
     private Identity roma;
 
     @BeforeEach
     void certify() throws IOException, JavinoException {
-        town = new Town(folder);
-        supo = town.certified("SUPO");
-        roma = town.certified("ROMA");
+        authority = new TestAuthority(folder);
+        supo = authority.certified("SUPO");
+        roma = authority.certified("ROMA");
     }
 
     private static Address address(Identity identity) {
@@ -80,7 +80,7 @@ class IdentityTest {
 
     @Test
     void device_ofAnotherAuthority_isRefused() throws IOException, JavinoException {
-        Identity other = new Town(elsewhere).certified("BUSA");
+        Identity other = new TestAuthority(elsewhere).certified("BUSA");
         assertTrue(refused(Reason.NOT_CERTIFIED, supo, other).contains("is not trusted here"));
         assertTrue(refused(Reason.NOT_CERTIFIED, other, supo).contains("is not trusted here"));
     }
@@ -88,7 +88,7 @@ class IdentityTest {
     /** Who claims the right authority's number has a certificate of it, or none that anybody has the secret of. */
     @Test
     void device_withAForgedCertificate_isRefused() throws IOException, JavinoException {
-        Identity busa = town.certified("BUSA");
+        Identity busa = authority.certified("BUSA");
         Path file = Identity.file(folder, address(busa));
         Entries forged = Entries.parse(Files.readString(file), file);
         byte[] bytes = busa.certificate().toBytes().toArray();
@@ -99,7 +99,7 @@ class IdentityTest {
 
     @Test
     void device_withAnotherAddress_isRefused() throws IOException, JavinoException {
-        Identity busa = town.certified("BUSA");
+        Identity busa = authority.certified("BUSA");
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
         Responder impostor = new Responder(busa.with(address(supo)), initiator.message1(), RANDOM);
         assertThrows(HandshakeException.class, () -> initiator.message3(impostor.message2()));
@@ -118,7 +118,7 @@ class IdentityTest {
 
     @Test
     void device_thatIsRevoked_isRefusedByWhoKnows() throws Exception {
-        RevocationList revocationList = town.revoke(roma);
+        RevocationList revocationList = authority.revoke(roma);
         agree(supo, roma);
         assertTrue(supo.take(revocationList.toBytes()));
         assertTrue(refused(Reason.REVOKED, supo, roma).contains("revocation list 1"));
@@ -128,14 +128,14 @@ class IdentityTest {
         assertEquals(List.of(revocationList), again.revocationLists());
         refused(Reason.REVOKED, again, roma);
         assertThrows(HandshakeException.class, () -> again.check(roma.certificate()));
-        agree(supo, town.certified("ROMA"));
+        agree(supo, authority.certified("ROMA"));
     }
 
     @Test
     void device_whoseDayIsPast_isRefusedByTheLatestDayEverSeen() throws Exception {
-        Identity busa = town.certified("BUSA", Town.TODAY);
+        Identity busa = authority.certified("BUSA", TestAuthority.TODAY);
         agree(supo, busa);
-        supo.take(town.authority.revoke(List.of(), null, Town.TODAY.plusDays(1)).toBytes());
+        supo.take(authority.authority.revoke(List.of(), null, TestAuthority.TODAY.plusDays(1)).toBytes());
         assertTrue(refused(Reason.EXPIRED, supo, busa).endsWith("by the authority's revocation list"));
         refused(Reason.EXPIRED, Identity.read(folder, address(supo)).orElseThrow(), busa);
         agree(supo, roma);
@@ -143,20 +143,21 @@ class IdentityTest {
 
     @Test
     void device_whoseDayIsBeforeTheLeast_isRefused() throws Exception {
-        supo.take(town.authority.revoke(List.of(), Town.TODAY.plusDays(101), Town.TODAY).toBytes());
+        supo.take(authority.authority.revoke(List.of(), TestAuthority.TODAY.plusDays(101), TestAuthority.TODAY)
+                .toBytes());
         refused(Reason.REVOKED, supo, roma);
     }
 
     @Test
     void revocationList_thatIsForgedOlderOrOfAnotherAuthority_isNotTaken() throws Exception {
-        RevocationList first = town.revoke();
-        RevocationList second = town.revoke(roma);
+        RevocationList first = authority.revoke();
+        RevocationList second = authority.revoke(roma);
         assertTrue(supo.take(second.toBytes()));
         assertFalse(supo.take(first.toBytes()));
-        byte[] forged = town.revoke().toBytes().toArray();
+        byte[] forged = authority.revoke().toBytes().toArray();
         forged[2]++;
         assertThrows(HandshakeException.class, () -> supo.take(Bytes.copyOf(forged)));
-        RevocationList foreign = new Town(elsewhere).revoke();
+        RevocationList foreign = new TestAuthority(elsewhere).revoke();
         assertThrows(HandshakeException.class, () -> supo.take(foreign.toBytes()));
         assertEquals(List.of(second), supo.revocationLists());
     }
@@ -164,7 +165,7 @@ class IdentityTest {
     /** Another could have its certificate reported as expired by sending a copy of it. */
     @Test
     void device_isOnlyCalledRevokedOnceItHasProvedWhoItIs() throws Exception {
-        supo.take(town.revoke(roma).toBytes());
+        supo.take(authority.revoke(roma).toBytes());
         Initiator initiator = new Initiator(supo.with(address(roma)), RANDOM);
         Bytes message2 = new Responder(roma.with(address(supo)), initiator.message1(), RANDOM).message2();
         byte[] changed = message2.toArray();

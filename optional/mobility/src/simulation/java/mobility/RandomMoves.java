@@ -11,7 +11,7 @@ import java.util.Set;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 
-/** Moves of some agents to and fro in a {@link World}, with whatever goes wrong, and what came of them. */
+/** Moves of some agents to and fro in a {@link Simulation}, with whatever goes wrong, and what came of them. */
 public final class RandomMoves {
 
     /** So many times agents are told to move in one run. */
@@ -49,59 +49,60 @@ public final class RandomMoves {
 
     /** @param folder for the records of both; empty. */
     public static Tally run(long seed, Path folder) throws IOException {
-        World world = new World(seed, folder);
+        Simulation simulation = new Simulation(seed, folder);
         List<String> agents = AGENTS.subList(0, 1 + (int) (seed % AGENTS.size()));
         Set<List<Bytes>> known = new HashSet<>();
-        world.lived = old -> {
+        simulation.lived = old -> {
             // Its state is another at each move, so that something of it travels each time.
-            byte[] state = new byte[100 + world.random.nextInt(1500)];
-            world.random.nextBytes(state);
+            byte[] state = new byte[100 + simulation.random.nextInt(1500)];
+            simulation.random.nextBytes(state);
             List<Bytes> now = List.of(old.get(0), Bytes.ofText(Bytes.copyOf(state).hex()));
             known.add(now);
             return now;
         };
-        List<World.Side> sides = List.of(world.side(World.STATION), world.side(World.BUS));
+        List<Simulation.Side> sides = List.of(simulation.side(Simulation.STATION), simulation.side(Simulation.BUS));
         for (String agent : agents) {
             List<Bytes> texts = List.of(Bytes.ofText(("+!" + agent + "(" + seed + ") <- a(X); b(X).\n").repeat(5)),
-                    Bytes.ofText("x".repeat(world.random.nextInt(2000)) + seed));
+                    Bytes.ofText("x".repeat(simulation.random.nextInt(2000)) + seed));
             known.add(texts);
-            sides.get(world.random.nextInt(2)).program.put(agent, texts);
+            sides.get(simulation.random.nextInt(2)).program.put(agent, texts);
         }
-        world.watched.addAll(agents);
-        sides.forEach(World.Side::start);
+        simulation.watched.addAll(agents);
+        sides.forEach(Simulation.Side::start);
         long begun = 0;
         long refusing = 0;
         for (int i = 0; i < MOVES; i++) {
-            disturb(world);
-            sides.forEach(side -> side.admits = world.random.nextInt(8) > 0);
+            disturb(simulation);
+            sides.forEach(side -> side.admits = simulation.random.nextInt(8) > 0);
             sides.stream().filter(side -> side.on).forEach(
-                    side -> side.program.keySet().forEach(agent -> forge(world, side, agent)));
-            for (World.Side side : sides) {
-                World.Side other = sides.get(1 - sides.indexOf(side));
+                    side -> side.program.keySet().forEach(agent -> forge(simulation, side, agent)));
+            for (Simulation.Side side : sides) {
+                Simulation.Side other = sides.get(1 - sides.indexOf(side));
                 for (String agent : agents) {
                     if (side.on && side.awake.containsKey(agent)) {
                         begun++;
                         refusing += other.admits ? 0 : 1;
-                        side.depart(agent, world.random.nextBoolean() ? Protocol.MUTUALISM : Protocol.INQUILINISM,
+                        side.depart(agent, simulation.random.nextBoolean() ? Protocol.MUTUALISM : Protocol.INQUILINISM,
                                 other.address);
                     }
                 }
             }
-            world.runUntil(world.millis() + world.random.nextInt(20_000));
-            world.contact = world.random.nextInt(4) > 0;
-            world.runUntil(world.millis() + world.random.nextInt(100_000));
+            simulation.runUntil(simulation.millis() + simulation.random.nextInt(20_000));
+            simulation.contact = simulation.random.nextInt(4) > 0;
+            simulation.runUntil(simulation.millis() + simulation.random.nextInt(100_000));
         }
-        calm(world);
-        world.runUntil(world.millis() + agents.size() * 600_000L);
+        calm(simulation);
+        simulation.runUntil(simulation.millis() + agents.size() * 600_000L);
         List<String> told = new ArrayList<>();
         sides.forEach(side -> told.addAll(side.told));
-        return new Tally(begun, world.arrivals, refusing, world.messages, world.lostMessages, world.kills, world.both,
-                agents.size(), agents.stream().filter(agent -> world.awake(agent) == 0).count(),
-                agents.stream().filter(agent -> world.awake(agent) > 1).count(),
+        return new Tally(begun, simulation.arrivals, refusing, simulation.messages, simulation.lostMessages,
+                simulation.kills, simulation.both,
+                agents.size(), agents.stream().filter(agent -> simulation.awake(agent) == 0).count(),
+                agents.stream().filter(agent -> simulation.awake(agent) > 1).count(),
                 sides.stream().flatMap(side -> side.awake.entrySet().stream())
                         .filter(agent -> !known.contains(agent.getValue()) || !isOf(agent.getKey(), agent.getValue()))
                         .count(),
-                world.unasked, sides.stream().mapToInt(side -> side.open().size()).sum(), told);
+                simulation.unasked, sides.stream().mapToInt(side -> side.open().size()).sum(), told);
     }
 
     /** An agent that finds its name taken has digits behind it. */
@@ -110,28 +111,29 @@ public final class RandomMoves {
     }
 
     /** Somebody knows all of an agent that is at home there or away but its token; he knows those of earlier trips. */
-    private static void forge(World world, World.Side home, String agent) {
+    private static void forge(Simulation simulation, Simulation.Side home, String agent) {
         List<Bytes> drawn = home.drawn.getOrDefault(agent, List.of());
         byte[] token = new byte[Move.Identity.TOKEN_LENGTH];
-        world.random.nextBytes(token);
-        Bytes wrong = drawn.size() < 2 ? Bytes.copyOf(token) : drawn.get(world.random.nextInt(drawn.size() - 1));
-        Address from = List.of(World.STATION, World.BUS, World.HOSPITAL).get(world.random.nextInt(3));
-        world.forge(home, from, Protocol.values()[world.random.nextInt(Protocol.values().length)],
+        simulation.random.nextBytes(token);
+        Bytes wrong = drawn.size() < 2 ? Bytes.copyOf(token) : drawn.get(simulation.random.nextInt(drawn.size() - 1));
+        Address from =
+                List.of(Simulation.STATION, Simulation.BUS, Simulation.HOSPITAL).get(simulation.random.nextInt(3));
+        simulation.forge(home, from, Protocol.values()[simulation.random.nextInt(Protocol.values().length)],
                 new Move.Identity(home.address, agent, wrong));
     }
 
-    private static void disturb(World world) {
-        world.lost = world.random.nextDouble() * 0.3;
-        world.untold = world.random.nextDouble() * 0.2;
-        world.twice = world.random.nextDouble() * 0.2;
-        world.victim = world.random.nextBoolean() ? World.STATION : World.BUS;
-        world.killAfter = world.random.nextInt(30) - 5;
+    private static void disturb(Simulation simulation) {
+        simulation.lost = simulation.random.nextDouble() * 0.3;
+        simulation.untold = simulation.random.nextDouble() * 0.2;
+        simulation.twice = simulation.random.nextDouble() * 0.2;
+        simulation.victim = simulation.random.nextBoolean() ? Simulation.STATION : Simulation.BUS;
+        simulation.killAfter = simulation.random.nextInt(30) - 5;
     }
 
-    private static void calm(World world) {
-        world.lost = 0;
-        world.untold = 0;
-        world.contact = true;
-        world.killAfter = -1;
+    private static void calm(Simulation simulation) {
+        simulation.lost = 0;
+        simulation.untold = 0;
+        simulation.contact = true;
+        simulation.killAfter = -1;
     }
 }

@@ -54,30 +54,30 @@ public final class Attacker {
 
     /** Lays siege to two hosts that have agreed on a key by certificates, and once more by a renewal. */
     public static Siege siege(long seed, int messages, Path folder) throws IOException, JavinoException {
-        Town town = new Town(folder);
-        World world = new World(seed);
-        World.Host roma = world.add(town.certified("ROMA"));
-        World.Host supo = world.add(town.certified("SUPO"));
-        Attacker attacker = new Attacker(world.random, List.of(roma.address, supo.address), world.voice());
-        world.listener = packet -> attacker.hear(packet.from, packet.message);
-        world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
-        world.run(PATIENCE_MILLIS);
+        TestAuthority authority = new TestAuthority(folder);
+        Simulation simulation = new Simulation(seed);
+        Simulation.Host roma = simulation.add(authority.certified("ROMA"));
+        Simulation.Host supo = simulation.add(authority.certified("SUPO"));
+        Attacker attacker = new Attacker(simulation.random, List.of(roma.address, supo.address), simulation.voice());
+        simulation.listener = packet -> attacker.hear(packet.from, packet.message);
+        simulation.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        simulation.run(PATIENCE_MILLIS);
         roma.board.reset();
-        world.run(PATIENCE_MILLIS);
-        world.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
-        world.run(PATIENCE_MILLIS);
-        List<World.Host> hosts = List.of(roma, supo);
+        simulation.run(PATIENCE_MILLIS);
+        simulation.runUntilEnd(roma.send(supo.address), PATIENCE_MILLIS);
+        simulation.run(PATIENCE_MILLIS);
+        List<Simulation.Host> hosts = List.of(roma, supo);
         List<Map<Address, Key>> keys = hosts.stream().map(host -> Map.copyOf(host.board.keys)).toList();
         int before = roma.keysSet() + supo.keysSet();
         for (int i = 0; i < messages; i++) {
             attacker.act();
-            world.run(EVERY_MILLIS);
+            simulation.run(EVERY_MILLIS);
         }
         long lost = IntStream.range(0, hosts.size())
                 .filter(i -> keys.get(i).isEmpty() || !keys.get(i).equals(hosts.get(i).board.keys)).count();
-        World.Letter after = roma.send(supo.address);
-        world.runUntilEnd(after, PATIENCE_MILLIS);
-        return new Siege(messages, world.wrong, lost, roma.keysSet() + supo.keysSet() - before,
+        Simulation.Letter after = roma.send(supo.address);
+        simulation.runUntilEnd(after, PATIENCE_MILLIS);
+        return new Siege(messages, simulation.wrong, lost, roma.keysSet() + supo.keysSet() - before,
                 roma.board.eepromWrites + supo.board.eepromWrites, after.isDelivered());
     }
 

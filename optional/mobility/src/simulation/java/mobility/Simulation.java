@@ -31,7 +31,7 @@ import javino.protocol.Outcome;
  * Some MAS and the air between them, in memory and in a time of its own: messages are lost or told undelivered although
  * they came, programs are killed between any two steps, and contact is lost for a while.
  */
-final class World {
+final class Simulation {
 
     static final Address STATION = Address.parse("SUSS");
     static final Address BUS = Address.parse("SUBB");
@@ -84,7 +84,7 @@ final class World {
     long messages;
     long lostMessages;
 
-    World(long seed, Path folder) throws IOException {
+    Simulation(long seed, Path folder) throws IOException {
         random = new Random(seed);
         for (Address address : List.of(STATION, BUS, HOSPITAL)) {
             sides.put(address, new Side(address, folder.resolve(address.toString())));
@@ -288,13 +288,13 @@ final class World {
                 step.run();
             } catch (Killed e) {
                 kill();
-                World.this.after(random.nextInt(20_000), this::start);
+                Simulation.this.after(random.nextInt(20_000), this::start);
             } catch (UncheckedIOException | IllegalStateException e) {
                 told.add(e.getMessage());
             }
         }
 
-        /** Where the program may be killed: before and after each thing that it does to the world. */
+        /** Where the program may be killed: before and after each thing that it does to the simulation. */
         private void maybeKilled(String where) {
             if (killAfter >= 0 && victim.equals(address) && killAfter-- == 0) {
                 kills.merge(where, 1, Integer::sum);
@@ -310,7 +310,7 @@ final class World {
         @Override
         public void after(long millis, Runnable step) {
             int mine = life;
-            World.this.after(millis, () -> {
+            Simulation.this.after(millis, () -> {
                 if (on && mine == life) {
                     within(step);
                 }
@@ -342,7 +342,7 @@ final class World {
             long takes = begins - now + (long) (1000 * size / BITS) + (tells ? 0 : UNTOLD_MILLIS);
             free = now + takes;
             if (arrives) {
-                World.this.after(takes, () -> {
+                Simulation.this.after(takes, () -> {
                     Side other = side(to);
                     if (other.on) {
                         other.last = () -> other.moves.received(address, bytes);
@@ -350,7 +350,7 @@ final class World {
                     }
                 });
             }
-            World.this.after(takes + 100, () -> {
+            Simulation.this.after(takes + 100, () -> {
                 if (on && mine == life) {
                     end.complete(tells ? Outcome.DELIVERED : Outcome.UNDELIVERED);
                 }

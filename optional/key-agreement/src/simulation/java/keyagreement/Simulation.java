@@ -29,7 +29,7 @@ import javino.protocol.HostMessage;
  * Hosts with boards and certificates, and the air between them, in memory and in a time of its own. Packets are
  * damaged, come twice or late; hosts are killed and boards reset between any two steps; an attacker sends anything.
  */
-final class World {
+final class Simulation {
 
     private static final int ATTEMPTS = 8;
     /** What a host needs for what comes, and a board for a request, in ms. */
@@ -61,12 +61,12 @@ final class World {
     }
 
     final Random random;
-    final Air air;
+    final SimulatedChannel air;
     /** Of what hosts are told by broadcast, this comes twice or late. */
     double twice;
     double late;
     /** Told of each broadcast. */
-    Consumer<Air.Packet> listener = packet -> {
+    Consumer<SimulatedChannel.Packet> listener = packet -> {
     };
     /** What is not as it must be. */
     final List<String> wrong = new ArrayList<>();
@@ -111,9 +111,9 @@ final class World {
         }
     }
 
-    World(long seed) {
+    Simulation(long seed) {
         random = new Random(seed);
-        air = new Air(this);
+        air = new SimulatedChannel(this);
     }
 
     Host add(Identity identity) {
@@ -163,15 +163,15 @@ final class World {
         return new Attacker.Voice() {
             @Override
             public void broadcast(Address from, Bytes word) {
-                hear(new Air.Packet(from, Address.BROADCAST, word, null, 0));
+                hear(new SimulatedChannel.Packet(from, Address.BROADCAST, word, null, 0));
             }
 
             @Override
             public void unicast(Address from, Address to, Bytes noise) {
-                hear(new Air.Packet(from, to, noise, anyKey(random), Long.MAX_VALUE / 2));
+                hear(new SimulatedChannel.Packet(from, to, noise, anyKey(random), Long.MAX_VALUE / 2));
             }
 
-            private void hear(Air.Packet packet) {
+            private void hear(SimulatedChannel.Packet packet) {
                 hosts.values().forEach(host -> host.board.hear(packet));
             }
         };
@@ -202,8 +202,8 @@ final class World {
         final Map<Address, Key> keys = new LinkedHashMap<>();
         private final Set<Key> had = new HashSet<>();
         private final Map<Address, Long> newest = new HashMap<>();
-        private final Deque<Air.Packet> packets = new ArrayDeque<>();
-        private Air.Packet underWay;
+        private final Deque<SimulatedChannel.Packet> packets = new ArrayDeque<>();
+        private SimulatedChannel.Packet underWay;
         private boolean deaf;
         private boolean lost;
         int eepromWrites;
@@ -212,7 +212,7 @@ final class World {
             this.host = host;
         }
 
-        void send(Air.Packet packet) {
+        void send(SimulatedChannel.Packet packet) {
             packets.add(packet);
             next();
         }
@@ -225,7 +225,7 @@ final class World {
         }
 
         /** The packet has been on the air. */
-        void sent(Air.Packet packet, boolean known) {
+        void sent(SimulatedChannel.Packet packet, boolean known) {
             if (packet != underWay) {
                 return;
             }
@@ -239,7 +239,7 @@ final class World {
         }
 
         /** A packet comes undamaged. Tells whether it is acknowledged. */
-        boolean hear(Air.Packet packet) {
+        boolean hear(SimulatedChannel.Packet packet) {
             if (deaf) {
                 return false;
             }
@@ -285,7 +285,7 @@ final class World {
 
         /** What is sealed with a key that was replaced is undelivered. */
         private void undeliver(Address device) {
-            List<Air.Packet> old = new ArrayList<>(packets);
+            List<SimulatedChannel.Packet> old = new ArrayList<>(packets);
             if (underWay != null) {
                 old.add(underWay);
             }
@@ -311,7 +311,7 @@ final class World {
 
         /** Boots. */
         void reset() {
-            List<Air.Packet> lost = new ArrayList<>(packets);
+            List<SimulatedChannel.Packet> lost = new ArrayList<>(packets);
             if (underWay != null) {
                 lost.add(0, underWay);
                 air.forget(underWay);
@@ -415,7 +415,7 @@ final class World {
 
         private void afterwards(long millis, Runnable what) {
             int mine = life;
-            World.this.after(millis, () -> {
+            Simulation.this.after(millis, () -> {
                 if (on && mine == life) {
                     within(what);
                 }
@@ -451,7 +451,7 @@ final class World {
             }
         }
 
-        private void ended(Air.Packet packet, boolean known) {
+        private void ended(SimulatedChannel.Packet packet, boolean known) {
             if (packet.key == null) {
                 broadcasts = false;
                 meetings.said(now);
@@ -468,7 +468,7 @@ final class World {
                 wrong.add("a second broadcast at once");
             }
             broadcasts = true;
-            later(() -> board.send(new Air.Packet(address, Address.BROADCAST, word.bytes(), null, 0)));
+            later(() -> board.send(new SimulatedChannel.Packet(address, Address.BROADCAST, word.bytes(), null, 0)));
         }
 
         @Override
@@ -483,7 +483,7 @@ final class World {
                     unicasts.remove(to);
                     meetings.sent(to, Meetings.Sent.NO_KEY, now);
                 } else {
-                    board.send(new Air.Packet(address, to, word.bytes(), key, nonces++));
+                    board.send(new SimulatedChannel.Packet(address, to, word.bytes(), key, nonces++));
                 }
             });
         }

@@ -8,7 +8,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Key;
 
 /** The air that boards share, as far as SPEC 6 and 7 make it slow: airtime, waits, collisions, damage. */
-final class Air {
+final class SimulatedChannel {
 
     /** At 2000 bit/s. */
     static final double BITS_A_MILLI = 2;
@@ -20,7 +20,7 @@ final class Air {
     private static final long ACKNOWLEDGED_MILLIS = 160;
     private static final long UNACKNOWLEDGED_MILLIS = 150;
 
-    private final World world;
+    private final Simulation simulation;
     private final Random random;
     private final List<Packet> waiting = new ArrayList<>();
     private final List<Packet> onAir = new ArrayList<>();
@@ -58,9 +58,9 @@ final class Air {
         }
     }
 
-    Air(World world) {
-        this.world = world;
-        random = world.random;
+    SimulatedChannel(Simulation simulation) {
+        this.simulation = simulation;
+        random = simulation.random;
     }
 
     void send(Packet packet) {
@@ -73,7 +73,7 @@ final class Air {
     }
 
     private void draw(Packet packet) {
-        long now = world.millis();
+        long now = simulation.millis();
         if (now < busyUntil) {
             return;
         }
@@ -86,11 +86,11 @@ final class Air {
         }
         packet.start = free ? now : Math.max(now, freeSince + SLOT_MILLIS * (QUIET_SLOTS + packet.slots));
         long start = packet.start;
-        world.after(start - now, () -> begin(packet, start));
+        simulation.after(start - now, () -> begin(packet, start));
     }
 
     private void begin(Packet packet, long start) {
-        long now = world.millis();
+        long now = simulation.millis();
         if (!waiting.contains(packet) || packet.start != start || now < busyUntil && now - began >= SLOT_MILLIS) {
             return;
         }
@@ -104,13 +104,13 @@ final class Air {
         packets++;
         long takes = (long) (packet.bits() / BITS_A_MILLI);
         busyUntil = Math.max(busyUntil, now + takes + 1);
-        world.after(takes, () -> end(packet));
+        simulation.after(takes, () -> end(packet));
     }
 
     private void end(Packet packet) {
         onAir.remove(packet);
         boolean taken = false;
-        for (World.Host host : world.hosts()) {
+        for (Simulation.Host host : simulation.hosts()) {
             boolean heard = !packet.damaged && !host.address.equals(packet.from) && !isSpoilt(packet.bits(),
                     packet.key == null ? 0 : packet.attempt);
             taken |= heard && host.board.hear(packet);
@@ -119,14 +119,14 @@ final class Air {
         boolean known = taken && !isSpoilt(300, 2);
         long rest = packet.key == null ? 0 : taken ? ACKNOWLEDGED_MILLIS : UNACKNOWLEDGED_MILLIS;
         if (taken) {
-            busyUntil = Math.max(busyUntil, world.millis() + rest);
+            busyUntil = Math.max(busyUntil, simulation.millis() + rest);
         }
-        world.after(rest, () -> world.host(packet.from).board.sent(packet, known));
-        world.after(Math.max(0, busyUntil - world.millis()), this::freed);
+        simulation.after(rest, () -> simulation.host(packet.from).board.sent(packet, known));
+        simulation.after(Math.max(0, busyUntil - simulation.millis()), this::freed);
     }
 
     private void freed() {
-        if (world.millis() >= busyUntil && onAir.isEmpty()) {
+        if (simulation.millis() >= busyUntil && onAir.isEmpty()) {
             freeSince = Math.max(freeSince, busyUntil);
             new ArrayList<>(waiting).forEach(this::draw);
         }

@@ -13,7 +13,7 @@ import javino.protocol.Address;
 import picocli.CommandLine;
 
 /** An authority, and devices that it certifies: by {@code javino enroll}, as users do. */
-final class Town {
+final class TestAuthority {
 
     static final LocalDate TODAY = LocalDate.now();
 
@@ -22,7 +22,7 @@ final class Town {
     final Authority authority = Authority.create(TODAY, RANDOM);
     private final Path folder;
 
-    Town(Path folder) {
+    TestAuthority(Path folder) {
         this.folder = folder;
     }
 

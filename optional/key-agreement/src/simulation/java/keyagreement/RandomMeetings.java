@@ -39,8 +39,9 @@ public final class RandomMeetings {
 
     /** Runs with the seeds from the first on. @param folder where an authority certifies the hosts. */
     public static List<Tally> run(long first, int runs, Path folder) throws IOException, JavinoException {
-        Town town = new Town(folder);
-        List<Identity> identities = List.of(town.certified("ROMA"), town.certified("SUPO"), town.certified("SUBB"));
+        TestAuthority authority = new TestAuthority(folder);
+        List<Identity> identities =
+                List.of(authority.certified("ROMA"), authority.certified("SUPO"), authority.certified("SUBB"));
         List<Tally> all = new ArrayList<>();
         for (long seed = first; seed < first + runs; seed++) {
             all.add(run(seed, identities));
@@ -49,63 +50,64 @@ public final class RandomMeetings {
     }
 
     private static Tally run(long seed, List<Identity> identities) {
-        World world = new World(seed);
-        Random random = world.random;
-        List<World.Host> hosts = new ArrayList<>();
+        Simulation simulation = new Simulation(seed);
+        Random random = simulation.random;
+        List<Simulation.Host> hosts = new ArrayList<>();
         for (int i = 0, count = 2 + random.nextInt(2); i < count; i++) {
-            hosts.add(world.add(identities.get(i)));
+            hosts.add(simulation.add(identities.get(i)));
         }
-        world.air.errors = ERRORS[random.nextInt(ERRORS.length)];
-        world.twice = random.nextInt(3) * 0.2;
-        world.late = random.nextInt(3) * 0.1;
-        List<World.Letter> letters = new ArrayList<>();
+        simulation.air.errors = ERRORS[random.nextInt(ERRORS.length)];
+        simulation.twice = random.nextInt(3) * 0.2;
+        simulation.late = random.nextInt(3) * 0.1;
+        List<Simulation.Letter> letters = new ArrayList<>();
         for (int i = 0; i < 6; i++) {
-            World.Host from = hosts.get(random.nextInt(hosts.size()));
-            World.Host to = hosts.get(random.nextInt(hosts.size()));
+            Simulation.Host from = hosts.get(random.nextInt(hosts.size()));
+            Simulation.Host to = hosts.get(random.nextInt(hosts.size()));
             if (from != to) {
                 // Often both begin at once.
                 long when = random.nextInt(4) * 10_000 + random.nextInt(3) * 200;
-                world.after(when, () -> letters.add(from.send(to.address)));
+                simulation.after(when, () -> letters.add(from.send(to.address)));
             }
         }
         for (int i = random.nextInt(4); i > 0; i--) {
-            world.after(random.nextInt(40_000), () -> {
-                world.victim = hosts.get(random.nextInt(hosts.size())).address;
-                world.fault = World.Fault.values()[random.nextInt(World.Fault.values().length)];
-                world.faultAfter = random.nextInt(12);
+            simulation.after(random.nextInt(40_000), () -> {
+                simulation.victim = hosts.get(random.nextInt(hosts.size())).address;
+                simulation.fault = Simulation.Fault.values()[random.nextInt(Simulation.Fault.values().length)];
+                simulation.faultAfter = random.nextInt(12);
             });
         }
-        world.run(STORM_MILLIS);
-        world.faultAfter = -1;
-        world.air.errors = 0;
-        world.twice = 0;
-        world.late = 0;
-        world.run(CALM_MILLIS);
+        simulation.run(STORM_MILLIS);
+        simulation.faultAfter = -1;
+        simulation.air.errors = 0;
+        simulation.twice = 0;
+        simulation.late = 0;
+        simulation.run(CALM_MILLIS);
 
-        List<Integer> keys = hosts.stream().map(World.Host::keysSet).toList();
-        List<World.Letter> last = new ArrayList<>();
-        for (World.Host from : hosts) {
-            for (World.Host to : hosts) {
+        List<Integer> keys = hosts.stream().map(Simulation.Host::keysSet).toList();
+        List<Simulation.Letter> last = new ArrayList<>();
+        for (Simulation.Host from : hosts) {
+            for (Simulation.Host to : hosts) {
                 if (from != to) {
                     last.add(from.send(to.address));
                 }
             }
         }
-        last.forEach(letter -> world.runUntilEnd(letter, PATIENCE_MILLIS));
+        last.forEach(letter -> simulation.runUntilEnd(letter, PATIENCE_MILLIS));
         // One may be undelivered: by that its host learns that the other side has the key no more.
-        last.replaceAll(letter -> letter.isDelivered() ? letter : world.host(letter.from).send(letter.to));
-        last.forEach(letter -> world.runUntilEnd(letter, PATIENCE_MILLIS));
+        last.replaceAll(letter -> letter.isDelivered() ? letter : simulation.host(letter.from).send(letter.to));
+        last.forEach(letter -> simulation.runUntilEnd(letter, PATIENCE_MILLIS));
         int agreements = 0;
         for (int i = 0; i < hosts.size(); i++) {
             agreements = Math.max(agreements, (hosts.get(i).keysSet() - keys.get(i)) / (hosts.size() - 1));
         }
         letters.addAll(last);
-        boolean killed = world.faults.keySet().stream().anyMatch(fault -> fault.startsWith("KILL"));
-        List<World.Letter> whole = killed ? List.of() : letters;
-        return new Tally(seed, world.wrong, whole.stream().filter(l -> l.isDelivered() && !l.isReceived()).count(),
+        boolean killed = simulation.faults.keySet().stream().anyMatch(fault -> fault.startsWith("KILL"));
+        List<Simulation.Letter> whole = killed ? List.of() : letters;
+        return new Tally(seed, simulation.wrong, whole.stream().filter(l -> l.isDelivered() && !l.isReceived()).count(),
                 whole.stream().filter(l -> l.end.isEmpty()).count(),
                 agreements, last.stream().filter(l -> !l.isDelivered()).count(),
                 last.stream().mapToLong(l -> l.endedAt - l.at).max().orElse(0),
-                letters.stream().filter(World.Letter::isDelivered).count() / (double) letters.size(), world.faults);
+                letters.stream().filter(Simulation.Letter::isDelivered).count() / (double) letters.size(),
+                simulation.faults);
     }
 }
