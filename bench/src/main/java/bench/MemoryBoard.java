@@ -12,7 +12,7 @@ import javino.link.LinkOpener;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Status;
 
@@ -82,7 +82,7 @@ final class MemoryBoard implements LinkOpener {
         private int light;
         private boolean greeted;
         private boolean told;
-        private Packet held;
+        private SerialPacket held;
         private Future<?> end;
 
         Line(InMemoryLink.Pair pair) {
@@ -103,7 +103,7 @@ final class MemoryBoard implements LinkOpener {
             }
         }
 
-        private void answer(Packet request) {
+        private void answer(SerialPacket request) {
             Bytes message = request.frame().message();
             boolean isCommand = request.frame().destination().equals(Address.SERIAL) && message.length() > 0;
             int command = isCommand ? message.at(0) : 0;
@@ -130,7 +130,7 @@ final class MemoryBoard implements LinkOpener {
             };
         }
 
-        private void poll(Packet request, Bytes message) {
+        private void poll(SerialPacket request, Bytes message) {
             int flags = message.at(1);
             told = told && (flags & (WANTED | LOST)) == WANTED;
             boolean now = !told || (flags & AT_ONCE) != 0;
@@ -140,7 +140,7 @@ final class MemoryBoard implements LinkOpener {
             end = PLAYER.schedule(() -> endHold(request, news), time.toNanos(), TimeUnit.NANOSECONDS);
         }
 
-        private synchronized void endHold(Packet request, boolean news) {
+        private synchronized void endHold(SerialPacket request, boolean news) {
             if (held == request) {
                 held = null;
                 reply(request, news ? reading() : NOTHING_NEW);
@@ -154,9 +154,9 @@ final class MemoryBoard implements LinkOpener {
             return Bytes.join(Bytes.of(0, 4, 'P'), Bytes.ofNumber(literal.length(), 2), literal);
         }
 
-        private void reply(Packet request, Bytes message) {
+        private void reply(SerialPacket request, Bytes message) {
             byte[] reply =
-                    new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode()
+                    new SerialPacket(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode()
                             .toArray();
             if (delay.isZero()) {
                 write(pair.board(), reply);

@@ -23,7 +23,7 @@ import javino.protocol.Bytes;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Outcome;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
@@ -69,7 +69,7 @@ final class FakeBoard implements LinkOpener {
     private volatile Link link;
     private volatile Bytes lastRequest;
     private volatile Bytes lastReply;
-    private volatile Packet heldPoll;
+    private volatile SerialPacket heldPoll;
     private long heldSince;
     /** What it told last that it perceives; null if nothing since it was greeted. */
     private List<String> reading;
@@ -344,7 +344,7 @@ final class FakeBoard implements LinkOpener {
     }
 
     /** The answer; null where it is held. */
-    private Bytes answer(Packet request) {
+    private Bytes answer(SerialPacket request) {
         Bytes encoded = request.encode();
         if (encoded.equals(lastRequest)) {
             return lastReply;
@@ -359,10 +359,10 @@ final class FakeBoard implements LinkOpener {
         return remember(request, reply(frame));
     }
 
-    private Bytes remember(Packet request, Bytes message) {
+    private Bytes remember(SerialPacket request, Bytes message) {
         heldPoll = null;
         lastRequest = request.encode();
-        lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
+        lastReply = new SerialPacket(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
         return lastReply;
     }
 
@@ -462,7 +462,7 @@ final class FakeBoard implements LinkOpener {
     }
 
     /** How long nothing is to be done about a poll unless something happens. */
-    private Duration untilTold(Packet poll) {
+    private Duration untilTold(SerialPacket poll) {
         Bytes body = poll.frame().message().from(1);
         long end = heldSince + millis(body.number(1, 3));
         long mayTell = readAt + millis(body.number(3, 6));
@@ -484,7 +484,7 @@ final class FakeBoard implements LinkOpener {
     }
 
     /** The reply to a poll, or null while there is nothing to tell and it may be held. */
-    private Bytes pollReply(Packet poll, boolean byteCame) {
+    private Bytes pollReply(SerialPacket poll, boolean byteCame) {
         Bytes body = poll.frame().message().from(1);
         List<Bytes> parts = new ArrayList<>();
         for (int i = 0; i < MOST_OUTCOMES && !outcomes.isEmpty(); i++) {

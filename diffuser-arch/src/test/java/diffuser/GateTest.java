@@ -318,7 +318,8 @@ class GateTest {
         String before = plansOf(agent);
         board.receive(ME, "ROMB", content);
         agent.warns(
-                "it came from a certified device, or under a key that certified devices can get; if the agent is to take it,"
+                "it came from a certified device, or under a key that certified devices can get;"
+                        + " if the agent is to take it,"
                         + " write a plan that asks for it: +!kqml_received(S," + performative
                         + ",X,_)[peer(certified,S)] <- ...");
         nothingSoFar(agent, board);

@@ -28,7 +28,7 @@ import javino.protocol.Content;
 import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.Reply;
 import javino.protocol.Status;
@@ -165,7 +165,7 @@ class BoardTest extends BoardFixture {
             PacketDecoder.Result toHello = new PacketDecoder().feed(reply.toArray(), reply.length()).get(0);
             int sequence = ((PacketDecoder.Found) toHello).packet().sequence();
             Frame polled = new Frame(Address.SERIAL, Address.SERIAL, Bytes.of(0, 0));
-            return new Packet(sequence, polled).encode();
+            return new SerialPacket(sequence, polled).encode();
         });
         open();
         assertEquals("online 1", listener.next());

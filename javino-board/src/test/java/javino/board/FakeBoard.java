@@ -18,7 +18,7 @@ import javino.protocol.Counter;
 import javino.protocol.Frame;
 import javino.protocol.Key;
 import javino.protocol.Outcome;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.PacketDecoder;
 import javino.protocol.PollReply;
 import javino.protocol.Status;
@@ -79,7 +79,7 @@ public final class FakeBoard {
     private Predicate<Bytes> loses = message -> false;
     private Bytes lastRequest = Bytes.EMPTY;
     private Bytes lastReply = Bytes.EMPTY;
-    private Packet held;
+    private SerialPacket held;
     private long heldSince;
     private int deaf;
     private boolean haltsReadings;
@@ -170,7 +170,7 @@ public final class FakeBoard {
         return wasLoading;
     }
 
-    private synchronized void answer(Packet request, InMemoryLink link) throws LinkException {
+    private synchronized void answer(SerialPacket request, InMemoryLink link) throws LinkException {
         if (silent || loses.test(request.frame().message())) {
             return;
         }
@@ -190,8 +190,8 @@ public final class FakeBoard {
         link.write(fault.apply(lastReply).toArray());
     }
 
-    private void reply(Packet request, Bytes message, InMemoryLink link) throws LinkException {
-        lastReply = new Packet(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
+    private void reply(SerialPacket request, Bytes message, InMemoryLink link) throws LinkException {
+        lastReply = new SerialPacket(request.sequence(), new Frame(Address.SERIAL, Address.SERIAL, message)).encode();
         lastRequest = request.encode();
         Bytes bytes = fault.apply(lastReply);
         boolean halts = haltsReadings && isHolding(request.frame().message())

@@ -65,7 +65,7 @@ public final class BoardVectors {
     }
 
     private Reply ask(Frame request) throws LinkException, ProtocolException {
-        Packet packet = new Packet(sequence++ & 0xFF, request);
+        SerialPacket packet = new SerialPacket(sequence++ & 0xFF, request);
         link.write(packet.encode().toArray());
         byte[] buffer = new byte[1024];
         for (int i = 0; i < MOST_WAITS; i++) {

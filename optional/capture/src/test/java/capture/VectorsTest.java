@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 import javino.protocol.Address;
 import javino.protocol.Bytes;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import javino.protocol.Status;
 import javino.vectors.Crypto;
 import javino.vectors.RadioVectors;
@@ -90,7 +90,8 @@ class VectorsTest {
 
     private int serial(int from, int sequence, String destination, String origin, Bytes message) {
         return serial(from,
-                new Packet(sequence, new Frame(Address.parse(destination), Address.parse(origin), message)).encode());
+                new SerialPacket(sequence, new Frame(Address.parse(destination), Address.parse(origin), message))
+                        .encode());
     }
 
     private int add(int linkType, Bytes record) {

@@ -16,7 +16,7 @@ final class DeviceLocations {
     private static final int MOST_HERE = 256;
 
     private final String here;
-    private final Bounded<Address, Place> places = new Bounded<>(MOST);
+    private final BoundedMap<Address, Place> places = new BoundedMap<>(MOST);
 
     /**
      * @param heard when, in ms.

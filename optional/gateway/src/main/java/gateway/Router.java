@@ -33,7 +33,7 @@ final class Router {
     private final Effects effects;
     private final GatewayCounters counters;
     private final FrameHistory frameHistory = new FrameHistory();
-    private final Conversations conversations = new Conversations();
+    private final Exchanges exchanges = new Exchanges();
     private final DeviceLocations locations;
     private final Budget all;
     private final Budget searches;
@@ -80,7 +80,7 @@ final class Router {
             counters.count(GatewayCounter.ECHOES);
             return false;
         }
-        conversations.learn(frame, true, now);
+        exchanges.learn(frame, true, now);
         settle(frame.origin(), now);
         return true;
     }
@@ -101,13 +101,13 @@ final class Router {
         Frame frame = read.get();
         if (from.equals(cell)) {
             // Of another gateway of this cell, which may hear what this one does not.
-            conversations.learn(frame, true, now);
+            exchanges.learn(frame, true, now);
             settle(frame.origin(), now);
             return;
         }
         FrameHistory.Sighting sighting = frameHistory.of(packet);
         int nth = sighting.arrived(gateway, now);
-        conversations.learn(frame, false, now);
+        exchanges.learn(frame, false, now);
         if (sighting.isNew()) {
             locations.heard(frame.origin(), from, now);
         }
@@ -151,14 +151,14 @@ final class Router {
         }
         long airtime = (BITS_BEFORE + BITS_A_BYTE * (Frame.HEADER_LENGTH + frame.message().length())) / BITS_A_MILLI;
         if (frame.destination().kind() == Address.Kind.ACKNOWLEDGEMENT) {
-            return !conversations.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
+            return !exchanges.isAwaited(frame) ? Optional.of(GatewayCounter.ELSEWHERE)
                     : within(all.take(airtime, now));
         }
-        if (conversations.isAnswered(frame, now)) {
+        if (exchanges.isAnswered(frame, now)) {
             return Optional.of(GatewayCounter.ANSWERED);
         }
         Optional<Address> destination = frame.destination().kind() == Address.Kind.FRAGMENT
-                ? conversations.destination(frame) : Optional.of(frame.destination());
+                ? exchanges.destination(frame) : Optional.of(frame.destination());
         if (destination.isEmpty()) {
             return Optional.of(GatewayCounter.ORPHANS);
         }

@@ -12,7 +12,7 @@ import javino.protocol.BoardInfo;
 import javino.protocol.Content;
 import javino.protocol.Conversation;
 import javino.protocol.Frame;
-import javino.protocol.Packet;
+import javino.protocol.SerialPacket;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -52,7 +52,7 @@ class NumbersTest {
                 says("SPEC.md", "`PROOF_LENGTH` | %d bytes", firmware("PROOF_LENGTH")),
                 says("SPEC.md", "Up to **%d bytes** of a broadcast and **%d bytes** of a sealed content", PART, SEALED),
                 says("SPEC.md", "(mod %d) from question to question", Conversation.COUNT),
-                says("SPEC.md", "At most %d bytes before COBS", Packet.MAX_LENGTH),
+                says("SPEC.md", "At most %d bytes before COBS", SerialPacket.MAX_LENGTH),
                 says("SPEC.md", "(%d ms by default, and %d ms more for commands that write to EEPROM)",
                         SESSION.replyTimeout().toMillis(), constant("javino-board/src/main", "EEPROM_TIME")),
                 says("SPEC.md", "epoch 0x%X is never used", BoardInfo.LAST_EPOCH + 1),

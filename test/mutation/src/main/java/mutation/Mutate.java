@@ -19,7 +19,7 @@ import picocli.CommandLine.Option;
         description = "Shows what the models' properties and the replay notice.")
 public final class Mutate implements Callable<Integer> {
 
-    private static final List<Part> ALL = List.of(new Models(), new Traces(), new Firmware());
+    private static final List<Part> ALL = List.of(new Models(), new Traces(), new FirmwareMutants());
 
     @Option(names = "--only", split = ",", paramLabel = "NAME", description = "models, traces, firmware")
     private List<String> only = ALL.stream().map(Part::name).toList();

@@ -74,9 +74,9 @@ final class Traces implements Part {
         Path folder = options.root().resolve("test/mutation/build/today");
         FirmwareBuild.delete(folder);
         List<String> today = Collections.synchronizedList(new ArrayList<>());
-        Conversation.Result result = Conversation.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
+        DeliveryRun.Result result = DeliveryRun.run(Emulator.firmware("Station"), options.seed(), folder, today::add);
         Files.write(folder.resolve("trace.jsonl"), today);
-        if (result.end() == Conversation.End.FAILED) {
+        if (result.end() == DeliveryRun.End.FAILED) {
             throw new IllegalStateException("without a mistake: " + result.why());
         }
         traces.add(new Genuine("today's firmware", today, Emulator.keys(folder)));

@@ -6,7 +6,7 @@ import { repeat } from '/lib/lit-html/directives/repeat.js';
 import { hueClass } from './colours.js';
 import { broadcast, fieldsOf, hexOf } from './packet.js';
 import { plain, rounded, seconds } from './text.js';
-import { fate, titleOf } from './words.js';
+import { fate, titleOf } from './phrases.js';
 
 const ROWS = 100;
 const CHOICES = 40;

@@ -3,7 +3,7 @@
 import { html, nothing } from '/lib/lit-html/lit-html.js';
 import { percepts, stateOf } from './cards.js';
 import { plain, seconds } from './text.js';
-import { REFUSALS } from './words.js';
+import { REFUSALS } from './phrases.js';
 
 const MESSAGES = 50;
 /** A rate is taken over so many seconds. */

@@ -1,7 +1,7 @@
 // The road from above, on a canvas: one moment of the run.
 
 import { dash, hue, ink, letter } from './colours.js';
-import { REFUSALS } from './words.js';
+import { REFUSALS } from './phrases.js';
 import { plain } from './text.js';
 
 /** Pixels around all that stands on the road: above are locks and words, below names. */

@@ -5,7 +5,7 @@ import { html, nothing, render, svg } from '/lib/lit-html/lit-html.js';
 import { hueClass } from './colours.js';
 import { isFor } from './packet.js';
 import { plain, seconds } from './text.js';
-import { sentence } from './words.js';
+import { sentence } from './phrases.js';
 
 const ROW = 24;
 const HEAD = 30;

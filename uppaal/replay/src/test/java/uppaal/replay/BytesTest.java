@@ -174,7 +174,8 @@ class BytesTest {
         assertRefused(asked("SUPP", LONG).unheard("police", changed(BEGIN, -1)),
                 "that opens under none of the 1 keys for it");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", changed(END, 20)),
-                "police sends other bytes as fragment 1 of SUPO to SUPP, nonce 000001000000; expected those of the whole");
+                "police sends other bytes as fragment 1 of SUPO to SUPP, nonce 000001000000;"
+                        + " expected those of the whole");
         assertRefused(asked("SUPP", LONG).sends("police", BEGIN).unheard("police", withZeros(END, SharedKey.TAG)),
                 "sends other bytes as fragment 1");
         byte[] shorter = SharedKey.join(Payload.header("+FAJ", "SUPO", 2), new byte[2]);
@@ -339,7 +340,8 @@ class BytesTest {
                 .sends("police", fragment("AA", next, 0)).unheard("police", fragment("AJ", next, 1))
                 .sends("police", fragment("AI", next, 0));
         assertRefused(talk.unheard("support", acknowledgement(nonce, "03")),
-                "support answers that it has the fragments 03 of SUPO to SUPP, nonce 000002000000; expected 01 or fewer");
+                "support answers that it has the fragments 03 of SUPO to SUPP, nonce 000002000000;"
+                        + " expected 01 or fewer");
     }
 
     @Test

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /** What was measured, as lines for a screen, lines of docs/results.md, and a full report. */
-final class Report {
+final class BenchReport {
 
     private static final Row HEAD = new Row("what", "ours", "reference", "ratio", "goal", false);
 

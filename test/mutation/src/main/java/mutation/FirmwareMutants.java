@@ -23,7 +23,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** How many mistakes in the firmware's delivery the replay of what its boards then do notices. */
-final class Firmware implements Part {
+final class FirmwareMutants implements Part {
 
     private static final double GOAL = 0.85;
     private static final int USUAL = 60;
@@ -93,18 +93,18 @@ final class Firmware implements Part {
     private static void check(FirmwareBuild build) throws IOException, InterruptedException {
         Path program = build.build().orElseThrow(() -> new IOException("the firmware does not build"));
         for (long seed : SEEDS) {
-            Conversation.Result result = converse(program, seed, line -> {});
-            if (result.end() != Conversation.End.FINE) {
+            DeliveryRun.Result result = converse(program, seed, line -> {});
+            if (result.end() != DeliveryRun.End.FINE) {
                 throw new IllegalStateException("without a mistake, with seed " + seed + ": " + result.why());
             }
         }
     }
 
-    private static Conversation.Result converse(Path program, long seed, Consumer<String> trace)
+    private static DeliveryRun.Result converse(Path program, long seed, Consumer<String> trace)
             throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("javino-mutate");
         try {
-            return Conversation.run(program, seed, folder, trace);
+            return DeliveryRun.run(program, seed, folder, trace);
         } finally {
             FirmwareBuild.delete(folder);
         }
@@ -121,12 +121,12 @@ final class Firmware implements Part {
             }
             Judged failed = null;
             for (long seed : SEEDS) {
-                Conversation.Result result = converse(program.get(), seed, line -> {});
+                DeliveryRun.Result result = converse(program.get(), seed, line -> {});
                 if (result.kept().isPresent()) {
                     Files.delete(result.kept().get());
                     return new Judged(mutant, Fate.REFUSED, result.why());
                 }
-                if (result.end() == Conversation.End.FAILED) {
+                if (result.end() == DeliveryRun.End.FAILED) {
                     failed = new Judged(mutant, Fate.FAILED, result.why());
                 }
             }
@@ -147,7 +147,7 @@ final class Firmware implements Part {
         }
         for (long seed : SEEDS) {
             AtomicBoolean crashed = new AtomicBoolean();
-            Conversation.Result result = converse(program.get(), seed, line -> {
+            DeliveryRun.Result result = converse(program.get(), seed, line -> {
                 if (line.contains(CRASH)) {
                     crashed.set(true);
                 }

@@ -8,19 +8,19 @@ import java.util.Properties;
 import javino.protocol.Bytes;
 
 /** The values of RFC 9529 section 3, by their names there. */
-final class Trace {
+final class Rfc9529 {
 
     private static final Properties VALUES = new Properties();
 
     static {
-        try (InputStream in = Trace.class.getResourceAsStream("rfc9529.properties")) {
+        try (InputStream in = Rfc9529.class.getResourceAsStream("rfc9529.properties")) {
             VALUES.load(in);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    private Trace() {
+    private Rfc9529() {
     }
 
     static Bytes of(String name) {

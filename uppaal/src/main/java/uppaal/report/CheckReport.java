@@ -5,10 +5,10 @@ import java.util.List;
 import uppaal.check.Query;
 
 /** Prints the tables. */
-final class Report {
+final class CheckReport {
     private final PrintStream out;
 
-    Report(PrintStream out) {
+    CheckReport(PrintStream out) {
         this.out = out;
     }
 

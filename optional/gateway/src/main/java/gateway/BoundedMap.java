@@ -4,13 +4,13 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** A map that forgets what was put into it first, so that nobody can fill the memory. */
-final class Bounded<K, V> extends LinkedHashMap<K, V> {
+final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
 
     private static final long serialVersionUID = 1L;
 
     private final int most;
 
-    Bounded(int most) {
+    BoundedMap(int most) {
         this.most = most;
     }
 

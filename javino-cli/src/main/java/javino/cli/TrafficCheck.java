@@ -9,7 +9,7 @@ import javino.board.SessionCounter;
 import javino.protocol.Counter;
 
 /** Examines how well packets come through, on the serial line and on the radio. */
-final class Traffic {
+final class TrafficCheck {
 
     private static final int ASK_INTERVAL_MILLIS = 200;
     /** A line is bad from so many damaged packets on, if they are more than one in so many. */
@@ -22,7 +22,7 @@ final class Traffic {
     private final Map<SessionCounter, Long> before;
 
     /** @param board greeted just now. */
-    Traffic(Board board, Findings findings) {
+    TrafficCheck(Board board, Findings findings) {
         this.board = board;
         this.findings = findings;
         before = board.counters();

@@ -9,7 +9,7 @@ import javino.protocol.ProtocolException;
 /**
  * What belongs together: fragments and their message's header, acknowledgements and what they answer (SPEC 7.1, 7.3).
  */
-final class Conversations {
+final class Exchanges {
 
     private static final int MOST = 1024;
     private static final int NONCE_LENGTH = 6;
@@ -21,9 +21,9 @@ final class Conversations {
     /** So long an acknowledgement is on its way to its cell and through it. */
     private static final long UNDER_WAY_MILLIS = 1000;
 
-    private final Bounded<String, Address> headers = new Bounded<>(MOST);
-    private final Bounded<String, Boolean> awaited = new Bounded<>(MOST);
-    private final Bounded<String, Long> given = new Bounded<>(MOST);
+    private final BoundedMap<String, Address> headers = new BoundedMap<>(MOST);
+    private final BoundedMap<String, Boolean> awaited = new BoundedMap<>(MOST);
+    private final BoundedMap<String, Long> given = new BoundedMap<>(MOST);
 
     /** A frame was heard, here or elsewhere. */
     void learn(Frame frame, boolean here, long now) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-class PacketTest {
+class SerialPacketTest {
 
     private static final VectorFile FILE = new VectorFile("packets.json");
     private static final Frame FRAME = new Frame(Address.BROADCAST, Address.parse("CAFE"), Bytes.ofText("Hello!"));
@@ -28,8 +28,8 @@ class PacketTest {
         return FILE.list("invalid");
     }
 
-    private static Packet packetOf(JsonObject vector) throws ProtocolException {
-        return new Packet(vector.get("sequence").getAsInt(), Frame.decode(VectorFile.bytes(vector, "frame")));
+    private static SerialPacket packetOf(JsonObject vector) throws ProtocolException {
+        return new SerialPacket(vector.get("sequence").getAsInt(), Frame.decode(VectorFile.bytes(vector, "frame")));
     }
 
     /** Feeds the bytes in chunks of a size; frames found, and names of errors. */
@@ -64,7 +64,7 @@ class PacketTest {
     @ParameterizedTest
     @MethodSource("invalid")
     void feed_invalidVector_isRefusedAndTheNextFound(JsonObject vector) {
-        Packet next = new Packet(9, FRAME);
+        SerialPacket next = new SerialPacket(9, FRAME);
         byte[] bytes = Bytes.join(VectorFile.bytes(vector, "packet"), next.encode()).toArray();
         List<Object> expected = List.of(VectorFile.text(vector, "error"), next);
         assertEquals(expected, decode(bytes, 1));
@@ -83,10 +83,10 @@ class PacketTest {
         Bytes packet = null;
         int sequence = 0;
         while (packet == null || packet.length() != 256 || packet.at(0) != 0xFF) {
-            packet = new Packet(++sequence, frame).encode();
+            packet = new SerialPacket(++sequence, frame).encode();
         }
         byte[] longer = Bytes.join(packet.slice(0, packet.length() - 1), Bytes.of(1, 0)).toArray();
-        assertEquals(List.of(new Packet(sequence, frame)), decode(longer, 3));
+        assertEquals(List.of(new SerialPacket(sequence, frame)), decode(longer, 3));
     }
 
     @Test
@@ -97,20 +97,20 @@ class PacketTest {
         for (int i = 0; i < 100; i++) {
             assertEquals(List.of(), decoder.feed(garbage, garbage.length));
         }
-        byte[] rest = Bytes.join(Bytes.of(0), new Packet(1, FRAME).encode()).toArray();
+        byte[] rest = Bytes.join(Bytes.of(0), new SerialPacket(1, FRAME).encode()).toArray();
         List<PacketDecoder.Result> results = decoder.feed(rest, rest.length);
         assertEquals(2, results.size());
-        assertEquals(new PacketDecoder.Found(new Packet(1, FRAME)), results.get(1));
+        assertEquals(new PacketDecoder.Found(new SerialPacket(1, FRAME)), results.get(1));
     }
 
     @Test
     void abandon_midPacket_forgetsIt() {
         PacketDecoder decoder = new PacketDecoder();
-        byte[] packet = new Packet(1, FRAME).encode().toArray();
+        byte[] packet = new SerialPacket(1, FRAME).encode().toArray();
         assertFalse(decoder.abandon());
         decoder.feed(packet, 5);
         assertTrue(decoder.abandon());
-        assertEquals(List.of(new PacketDecoder.Found(new Packet(1, FRAME))), decoder.feed(packet, packet.length));
+        assertEquals(List.of(new PacketDecoder.Found(new SerialPacket(1, FRAME))), decoder.feed(packet, packet.length));
     }
 
     @Test
@@ -123,7 +123,7 @@ class PacketTest {
             for (int i = 0; i < 4; i++) {
                 byte[] message = new byte[random.nextInt(40)];
                 random.nextBytes(message);
-                Packet packet = new Packet(random.nextInt(256),
+                SerialPacket packet = new SerialPacket(random.nextInt(256),
                         new Frame(Address.SERIAL, Address.SERIAL, Bytes.copyOf(message)));
                 sent.add(packet);
                 line.writeBytes(packet.encode().toArray());

@@ -15,16 +15,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 @Tag("soak")
-class ConversationTest {
+class DeliveryRunTest {
 
     private static final Path ROOT = Path.of(System.getProperty("javino.root"));
 
     @TempDir
     private Path folder;
 
-    private Conversation.Result run(FirmwareMutant mutant, List<String> trace) throws Exception {
+    private DeliveryRun.Result run(FirmwareMutant mutant, List<String> trace) throws Exception {
         FirmwareBuild build = new FirmwareBuild(ROOT, folder.resolve("build"), FirmwareBuild.command());
-        return Conversation.run(build.with(mutant.file(), mutant.in(mutant.source(ROOT))).orElseThrow(), 1,
+        return DeliveryRun.run(build.with(mutant.file(), mutant.in(mutant.source(ROOT))).orElseThrow(), 1,
                 folder.resolve("run"), trace::add);
     }
 
@@ -39,7 +39,7 @@ class ConversationTest {
                 .filter(mutant -> mutant.file().equals("delivery/Courier.cpp")).findFirst().orElseThrow().source(ROOT)
                 .split("\n")[0]);
         List<String> trace = new ArrayList<>();
-        assertEquals(new Conversation.Result(Conversation.End.FINE, "", Optional.empty()), run(none, trace));
+        assertEquals(new DeliveryRun.Result(DeliveryRun.End.FINE, "", Optional.empty()), run(none, trace));
         Set<String> ways = new TreeSet<>();
         for (String line : trace) {
             Pattern.compile("\"(kind|answers|trailer|outcome|why)\":\"([a-z ]+)\"").matcher(line).results()
@@ -54,8 +54,8 @@ class ConversationTest {
     @Test
     void run_mistakeThatTheModelKnows_isRefused() throws Exception {
         FirmwareMutant wrongOrder = mutant("radio/RadioEncoder.cpp", "packet[length + 1] =", "1 + 1");
-        Conversation.Result result = run(wrongOrder, new ArrayList<>());
-        assertEquals(Conversation.End.REFUSED, result.end());
+        DeliveryRun.Result result = run(wrongOrder, new ArrayList<>());
+        assertEquals(DeliveryRun.End.REFUSED, result.end());
         Files.delete(result.kept().orElseThrow());
     }
 }

@@ -33,7 +33,7 @@ import javino.protocol.Outcome;
  * hosts never wait. Where the seed is odd, no bits are wrong, and one board is away for long; some of these runs are
  * jammed.
  */
-final class Conversation {
+final class DeliveryRun {
 
     /** Emulated seconds in which messages are offered, and until which all must have ended; from when all are ready. */
     private static final double SECONDS = 35;
@@ -96,7 +96,7 @@ final class Conversation {
     private double seconds;
     private double begun = Double.POSITIVE_INFINITY;
 
-    private Conversation(long seed) {
+    private DeliveryRun(long seed) {
         random = new Random(seed);
     }
 
@@ -109,7 +109,7 @@ final class Conversation {
      */
     static Result run(Path program, long seed, Path folder, Consumer<String> trace)
             throws IOException, InterruptedException {
-        return new Conversation(seed).result(program, seed, folder, trace);
+        return new DeliveryRun(seed).result(program, seed, folder, trace);
     }
 
     private Result result(Path program, long seed, Path folder, Consumer<String> trace)

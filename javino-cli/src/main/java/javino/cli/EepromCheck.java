@@ -11,13 +11,13 @@ import javino.protocol.Reply.Role;
 import javino.protocol.Reply.StoredKey;
 
 /** Examines what a board has in its EEPROM: RF id, keys, epoch. */
-final class Identity {
+final class EepromCheck {
 
     private final String port;
     private final Findings findings;
 
     /** @param port for the remedies. */
-    Identity(String port, Findings findings) {
+    EepromCheck(String port, Findings findings) {
         this.port = port;
         this.findings = findings;
     }

@@ -6,7 +6,7 @@ package javino.protocol;
  * @param sequence 0…255; a reply has that of its request.
  * @param frame    a request or a reply.
  */
-public record Packet(int sequence, Frame frame) {
+public record SerialPacket(int sequence, Frame frame) {
 
     /** The most bytes before COBS. */
     public static final int MAX_LENGTH = 1 + Frame.MAX_LENGTH + 2;
@@ -14,7 +14,7 @@ public record Packet(int sequence, Frame frame) {
     public static final int MIN_LENGTH = 1 + Frame.HEADER_LENGTH + 2;
 
     /** @throws IllegalArgumentException if the sequence is no byte. */
-    public Packet {
+    public SerialPacket {
         if (sequence < 0 || sequence > 0xFF) {
             throw new IllegalArgumentException("a sequence is 0…255, not " + sequence);
         }
@@ -34,7 +34,7 @@ public record Packet(int sequence, Frame frame) {
      *
      * @throws ProtocolException TOO_LONG, TOO_SHORT, BAD_CRC or the frame's error, checked in this order.
      */
-    static Packet decode(Bytes decoded) throws ProtocolException {
+    static SerialPacket decode(Bytes decoded) throws ProtocolException {
         if (decoded.length() > MAX_LENGTH) {
             throw new ProtocolException(ProtocolError.TOO_LONG, "a packet has at most " + MAX_LENGTH + " bytes");
         }
@@ -43,6 +43,6 @@ public record Packet(int sequence, Frame frame) {
                     "a packet has at least " + MIN_LENGTH + " bytes, not " + decoded.length() + ": " + decoded.hex());
         }
         Bytes body = Crc16.strip(decoded);
-        return new Packet(body.at(0), Frame.decode(body.from(1)));
+        return new SerialPacket(body.at(0), Frame.decode(body.from(1)));
     }
 }

@@ -8,18 +8,18 @@ import javino.link.LinkException;
 import javino.link.SerialLink;
 
 /** A serial monitor, as the Arduino IDE has one: lines of text to and from a board. */
-public final class Monitor implements AutoCloseable {
+public final class SerialMonitor implements AutoCloseable {
 
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     private final Link link;
 
-    private Monitor(Link link) {
+    private SerialMonitor(Link link) {
         this.link = link;
     }
 
-    public static Monitor of(Emulator emulator, String board) throws LinkException {
-        return new Monitor(SerialLink.opener(emulator.port(board)).open());
+    public static SerialMonitor of(Emulator emulator, String board) throws LinkException {
+        return new SerialMonitor(SerialLink.opener(emulator.port(board)).open());
     }
 
     public void type(String text) throws LinkException {

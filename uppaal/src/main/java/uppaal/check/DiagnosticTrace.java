@@ -12,9 +12,9 @@ import uppaal.network.Slot;
  *
  * @param moves the steps
  * @param last the state that they lead to
- * @param again where it goes on there as before: the index of the step that comes next
+ * @param loopStart where it goes on there as before: the index of the step that comes next
  */
-public record Trace(Network network, List<JointMove> moves, int[] last, Ending ending, int again) {
+public record DiagnosticTrace(Network network, List<JointMove> moves, int[] last, Ending ending, int loopStart) {
     /** What comes after the last state. */
     public enum Ending {
         /** It is what was looked for. */
@@ -22,7 +22,7 @@ public record Trace(Network network, List<JointMove> moves, int[] last, Ending e
         /** Nothing more need happen. */
         STAYS,
         /** A step of before, and all after it, for ever. */
-        AGAIN
+        LOOPS
     }
 
     /**
@@ -42,7 +42,7 @@ public record Trace(Network network, List<JointMove> moves, int[] last, Ending e
         lines.add("  => " + String.join(", ", changed()));
         switch (ending) {
             case STAYS -> lines.add("  and so it may stay for ever");
-            case AGAIN -> lines.add("  and so again for ever, from step " + number(again) + " on");
+            case LOOPS -> lines.add("  and so again for ever, from step " + number(loopStart) + " on");
             default -> {}
         }
         return lines;
