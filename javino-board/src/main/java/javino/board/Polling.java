@@ -108,7 +108,7 @@ final class Polling {
      * @param lastReply what became of the replies to the polls before.
      */
     Request nextPoll(Duration hold, Request.LastReply lastReply) {
-        perception.followWish();
+        perception.update();
         Duration due = perception.dueIn();
         // For longer than a poll can say, they are not asked for; the board then tells them anew.
         if (!perception.isWanted() || due.compareTo(LONGEST_LEAST) > 0) {

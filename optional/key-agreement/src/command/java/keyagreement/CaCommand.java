@@ -41,7 +41,7 @@ public final class CaCommand implements FurtherCommand {
         return new ParameterException(spec.commandLine(), what);
     }
 
-    private void say(Object line) {
+    private void print(Object line) {
         spec.commandLine().getOut().println(line);
     }
 
@@ -51,7 +51,7 @@ public final class CaCommand implements FurtherCommand {
             throws IOException, JavinoException {
         Authority authority = Authority.create(LocalDate.now(), new SecureRandom());
         PrivateFile.create(file, authority.format());
-        say("authority " + authority.keys().fingerprint() + " written to " + file);
+        print("authority " + authority.keys().fingerprint() + " written to " + file);
         return 0;
     }
 
@@ -87,7 +87,7 @@ public final class CaCommand implements FurtherCommand {
             return authority.format();
         });
         Files.writeString(out, answer.get(0).format());
-        say(Authority.parse(PrivateFile.read(file), file).issued().stream().reduce((one, next) -> next).get()
+        print(Authority.parse(PrivateFile.read(file), file).issued().stream().reduce((one, next) -> next).get()
                 + " written to " + out + ", for the request " + asked.fingerprint());
         return 0;
     }
@@ -125,7 +125,7 @@ public final class CaCommand implements FurtherCommand {
         });
         RevocationList revocationList = Authority.parse(text, file).revocationList();
         Files.writeString(out, new Entries().add(Identity.REVOCATION_LIST, revocationList.toBytes()).format());
-        say(revocationList + ", written to " + out);
+        print(revocationList + ", written to " + out);
         return 0;
     }
 
@@ -134,11 +134,11 @@ public final class CaCommand implements FurtherCommand {
             throws IOException {
         Authority authority = Authority.parse(PrivateFile.read(file), file);
         RevocationList revocationList = authority.revocationList();
-        say("authority " + authority.keys().fingerprint());
-        say(revocationList);
+        print("authority " + authority.keys().fingerprint());
+        print(revocationList);
         for (Certificate certificate : authority.issued()) {
             long days = ChronoUnit.DAYS.between(LocalDate.now(), certificate.until());
-            say(certificate + ": " + (days < 0 ? "expired" : revocationList.revokes(certificate) ? "revoked"
+            print(certificate + ": " + (days < 0 ? "expired" : revocationList.revokes(certificate) ? "revoked"
                     : "valid, " + days + " days left"));
         }
         return 0;

@@ -82,7 +82,7 @@ public final class EnrollCommand implements FurtherCommand {
         return Identity.file(folder, id);
     }
 
-    private void say(String line) {
+    private void print(String line) {
         spec.commandLine().getOut().println(line);
     }
 
@@ -99,7 +99,7 @@ public final class EnrollCommand implements FurtherCommand {
         Entries entries = Entries.parse(PrivateFile.change(file(), this::withRequest), file());
         Request request = Request.decode(entries.get(Request.NAME).orElseThrow());
         Files.writeString(out, new Entries().add(Request.NAME, request.toBytes()).format());
-        say("request " + request.fingerprint() + " of " + id + " written to " + out
+        print("request " + request.fingerprint() + " of " + id + " written to " + out
                 + "; javino ca issue on it, which must name the same number");
     }
 
@@ -123,7 +123,7 @@ public final class EnrollCommand implements FurtherCommand {
         String text = PrivateFile.change(file(), before -> certified(Entries.parse(before, file()), answer).format());
         Identity identity = Identity.of(file(), Entries.parse(text, file()));
         AuthorityKeys keys = AuthorityKeys.decode(answer.get(Identity.AUTHORITY).orElseThrow());
-        say(identity.certificate() + " is in " + file() + "; its authority is " + keys.fingerprint());
+        print(identity.certificate() + " is in " + file() + "; its authority is " + keys.fingerprint());
     }
 
     /**
@@ -184,7 +184,7 @@ public final class EnrollCommand implements FurtherCommand {
                 () -> new JavinoException(
                         what.revocationList + " has no revocation list; javino ca revoke writes one"));
         boolean isNew = identity.take(revocationList);
-        say(RevocationList.decode(revocationList)
+        print(RevocationList.decode(revocationList)
                 + (isNew ? ", is taken in" : ", is no newer than what " + id + " has"));
     }
 }

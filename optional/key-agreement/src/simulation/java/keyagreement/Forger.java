@@ -33,7 +33,7 @@ final class Forger {
      * @param share of the air that is taken for it.
      * @param until so long, in ms.
      */
-    void say(String[] kinds, double share, long until) {
+    void send(String[] kinds, double share, long until) {
         double once = names.size() * Arrays.stream(kinds).flatMap(kind -> packets(kind, names.get(0)).stream())
                 .mapToDouble(packet -> packet.bits() / SimulatedChannel.BITS_A_MILLI).sum();
         long period = (long) (once / share);

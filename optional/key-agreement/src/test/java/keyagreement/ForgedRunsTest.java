@@ -81,7 +81,7 @@ class ForgedRunsTest {
         List<String> late = new ArrayList<>();
         for (int seed = from; seed < to; seed++) {
             start(seed);
-            forger().say(kinds.split(" "), share, 4 * MINUTE);
+            forger().send(kinds.split(" "), share, 4 * MINUTE);
             simulation.run(simulation.random.nextInt((int) MINUTE / 2));
             late.addAll(late("seed " + seed, roma, supo));
         }
@@ -135,8 +135,10 @@ class ForgedRunsTest {
         simulation.late = simulation.random.nextInt(3) * 0.1;
         List<String> kinds = new ArrayList<>(FORGED);
         Collections.shuffle(kinds, simulation.random);
-        forger().say(kinds.subList(0, 1 + simulation.random.nextInt(3)).toArray(String[]::new), SHARES[simulation.random
-                .nextInt(SHARES.length)], STORM_MILLIS);
+        forger().send(kinds.subList(0, 1 + simulation.random.nextInt(3)).toArray(String[]::new),
+                SHARES[simulation.random
+                        .nextInt(SHARES.length)],
+                STORM_MILLIS);
         List<Simulation.Letter> letters = new ArrayList<>();
         int period = 500 + simulation.random.nextInt(8000);
         for (long at = 0; at < STORM_MILLIS; at += simulation.random.nextInt(2 * period)) {

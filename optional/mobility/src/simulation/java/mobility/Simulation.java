@@ -132,7 +132,7 @@ final class Simulation {
 
     /** All messages that a device could say of a move of its own, whatever is answered. */
     void forge(Side at, Address from, Protocol protocol, Move.Identity who) {
-        say(at, from, forgeOffer(at, from, protocol, who), new Mail.Go());
+        deliver(at, from, forgeOffer(at, from, protocol, who), new Mail.Go());
     }
 
     /** All of them but the last. @return the number of the move. */
@@ -141,13 +141,13 @@ final class Simulation {
         List<Part> parts = List.of(0, 1).stream().map(i -> new Part(Part.hash(FORGED.get(i)), packed.get(i).length(),
                 FORGED.get(i).length())).toList();
         int number = ++forgeries;
-        say(at, from, number, new Mail.Offer(protocol, parts, who));
-        say(at, from, number, new Mail.Data(0, 0, packed.get(0)));
-        say(at, from, number, new Mail.Data(1, 0, packed.get(1)));
+        deliver(at, from, number, new Mail.Offer(protocol, parts, who));
+        deliver(at, from, number, new Mail.Data(0, 0, packed.get(0)));
+        deliver(at, from, number, new Mail.Data(1, 0, packed.get(1)));
         return number;
     }
 
-    void say(Side at, Address from, int number, Mail.Said said) {
+    void deliver(Side at, Address from, int number, Mail.Said said) {
         at.moves.received(from, new Mail(number, said).encode());
         runUntil(now);
     }

@@ -397,8 +397,8 @@ class MovesTest {
         simulation.contact = false;
         bus.kill();
         bus.start();
-        say(number, new Mail.Go());
-        say(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
+        deliver(number, new Mail.Go());
+        deliver(number, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 1, 0)),
                 identity()));
         assertEquals(0, simulation.awake(AGENT));
     }
@@ -422,11 +422,11 @@ class MovesTest {
             byte[] hash = new byte[Part.HASH_LENGTH];
             random.nextBytes(hash);
             Part part = new Part(Bytes.copyOf(hash), 900, 900);
-            say(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), identity()));
+            deliver(i, new Mail.Offer(Protocol.MUTUALISM, List.of(part), identity()));
             // Each second one is whole, and wrong, also when it is asked for again.
             for (int wrong = 0; wrong < 2; wrong++) {
-                say(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
-                say(i, new Mail.Data(0, 480, Bytes.copyOf(new byte[420])));
+                deliver(i, new Mail.Data(0, 0, Bytes.copyOf(new byte[i % 2 == 0 ? 480 : 1])));
+                deliver(i, new Mail.Data(0, 480, Bytes.copyOf(new byte[420])));
             }
             simulation.runUntil(simulation.millis() + 20_000);
         }
@@ -442,7 +442,7 @@ class MovesTest {
         assertOnlyAt(bus, station);
     }
 
-    private void say(int number, Mail.Said said) {
+    private void deliver(int number, Mail.Said said) {
         bus.moves.received(Simulation.STATION, new Mail(number, said).encode());
         simulation.runUntil(simulation.millis());
     }
@@ -460,7 +460,7 @@ class MovesTest {
 
     @Test
     void offer_packedLongerThanAnyPacker_isRefused() {
-        say(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
+        deliver(1, new Mail.Offer(Protocol.MUTUALISM, List.of(new Part(Part.hash(Bytes.EMPTY), 16_000_000, 10)),
                 identity()));
         assertTrue(bus.told.get(0).contains("become longer"), () -> "" + bus.told);
     }

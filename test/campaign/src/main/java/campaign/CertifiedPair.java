@@ -167,11 +167,11 @@ final class CertifiedPair implements AutoCloseable {
         fault.join();
     }
 
-    /** Says something, until it has come; nothing if it does not. How long it took, in emulated seconds. */
-    OptionalDouble speak() throws InterruptedException {
+    /** Sends messages until one has come; nothing if none does. How long it took, in emulated seconds. */
+    OptionalDouble deliver() throws InterruptedException {
         double begun = time.now();
         while (time.now() < begun + PATIENCE) {
-            OptionalDouble took = speakOnce(begun + PATIENCE);
+            OptionalDouble took = deliverOnce(begun + PATIENCE);
             if (took.isPresent()) {
                 return OptionalDouble.of(took.getAsDouble() - begun);
             }
@@ -179,12 +179,12 @@ final class CertifiedPair implements AutoCloseable {
         return OptionalDouble.empty();
     }
 
-    private OptionalDouble speakOnce(double end) throws InterruptedException {
+    private OptionalDouble deliverOnce(double end) throws InterruptedException {
         Content content = Content.parse("tell;hello(" + said.size() + ")");
         said.add(content.toString());
         Address to = other.address();
         try {
-            first.say(to, content).end().get();
+            first.send(to, content).end().get();
         } catch (ExecutionException failed) {
             return OptionalDouble.empty();
         }

@@ -48,7 +48,7 @@ final class Faults implements Campaign {
         Account account = field.account();
         report.table(new Table("messages", "sent", "reported delivered", "again to a host's next run").row("all hosts",
                 account.offered(),
-                account.delivered(), account.again()));
+                account.delivered(), account.redelivered()));
         report.aim("the link works again within 2 s of the end of each cause",
                 all.stream().allMatch(each -> each.answered() <= AIM_SECONDS));
         report.never("reported delivered, but missing in the receiver's log", account.lost());

@@ -132,10 +132,10 @@ final class MeetingsOnBoards {
                 for (int round = 0; round < rounds; round++) {
                     pair.rest();
                     pair.forget();
-                    double took = came(pair.speak());
+                    double took = came(pair.deliver());
                     pair.rest();
                     pair.reset();
-                    double tookAgain = came(pair.speak());
+                    double tookAgain = came(pair.deliver());
                     synchronized (this) {
                         first.add(took);
                         again.add(tookAgain);
@@ -158,7 +158,7 @@ final class MeetingsOnBoards {
         Table table = new Table("pairs in one range", "seed", "first of them", "median", "last of them");
         for (int seed = 0; seed < settings.choose(3, 1); seed++) {
             List<Double> all = pairs(1, pairs, 0, settings.seed() + seed,
-                    (pair, random) -> List.of(came(pair.speak()))).stream().flatMap(List::stream).toList();
+                    (pair, random) -> List.of(came(pair.deliver()))).stream().flatMap(List::stream).toList();
             table.row(pairs, settings.seed() + seed, seconds(share(all, 0)), seconds(share(all, 0.5)),
                     seconds(share(all, 1)));
             report.progress("%d pairs at once: %s", pairs, spread(all));
@@ -181,9 +181,9 @@ final class MeetingsOnBoards {
                     pair.forget();
                     long before = pair.keysSet();
                     pair.later(random.nextDouble() * FAULT_WITHIN, fault, random.nextBoolean());
-                    double each = came(pair.speak());
+                    double each = came(pair.deliver());
                     pair.awaitFault();
-                    double calm = came(pair.speak());
+                    double calm = came(pair.deliver());
                     synchronized (this) {
                         took.add(each + calm);
                         agreements.add((pair.keysSet() - before) / 2);
@@ -208,17 +208,17 @@ final class MeetingsOnBoards {
         int messages = settings.choose(300, 10);
         List<Double> found = pairs(1, 1, 0, settings.seed() + 20, (pair, random) -> {
             pair.rest();
-            came(pair.speak());
+            came(pair.deliver());
             pair.rest();
             pair.reset();
-            came(pair.speak());
+            came(pair.deliver());
             pair.rest();
             long before = pair.keysSet();
             List<Bytes> eeproms = pair.eeproms();
             pair.besiege(random, messages);
             pair.rest();
             boolean written = !eeproms.equals(pair.eeproms());
-            came(pair.speak());
+            came(pair.deliver());
             return List.of(written ? 1.0 : 0, (double) (pair.keysSet() - before), (double) pair.strange());
         }).get(0);
         report.text("""

@@ -52,7 +52,7 @@ final class Soak implements Campaign {
         try (Closing closing = new Closing()) {
             // A replay would be in the heap that is measured.
             Emulator.Scenario scenario =
-                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).forgetful()
+                    new Emulator.Scenario().speed(SPEED).seed(settings.seed()).listener(this::traced).discardEvents()
                             .unmodelled();
             Field field = closing.add(Field.start(scenario, List.of(new Field.Cell("Station", 2))));
             Field.Post one = field.cell(0).get(0);

@@ -57,7 +57,7 @@ public final class CertifiedHost implements KeyService.Host, BoardListener, Auto
     }
 
     /** Sends a message to a device. */
-    public Transmission say(Address to, Content content) {
+    public Transmission send(Address to, Content content) {
         return meetings.transmit(this, to, content);
     }
 

@@ -123,7 +123,7 @@ final class DeliveryRun {
         }
         Emulator.Scenario scenario =
                 new Emulator.Scenario().seed(seed).speed("max").radio("bitErrorRate", damaged ? BIT_ERRORS : 0)
-                        .forgetful().listener(event -> {
+                        .discardEvents().listener(event -> {
                             trace.accept(event.line());
                             hear(event);
                         });

@@ -244,19 +244,19 @@ class FalseGatewayTest extends JoinedCells {
         List<TraceEvent> recorded = emulator.sentBy("police");
         int said = 0;
         for (TraceEvent sent : recorded) {
-            say(EAST, HEX.parseHex(sent.text("payload")));
-            say(WEST, changed(HEX.parseHex(sent.text("payload"))));
+            inject(EAST, HEX.parseHex(sent.text("payload")));
+            inject(WEST, changed(HEX.parseHex(sent.text("payload"))));
             said += 2;
             // Only so many may wait to be sent, and on a busy machine the boards' time goes by slowly.
             emulator.await("what the injector says", said, event -> event.is("rf-tx", "injector"));
         }
         exchange(2, 3);
-        onUnicast(intruder, packet -> say(WEST, forgedAcknowledgement(frame(packet))));
+        onUnicast(intruder, packet -> inject(WEST, forgedAcknowledgement(frame(packet))));
         assertEquals(Outcome.UNDELIVERED, deliver(police, ABSENT, "tell;nobody"));
         exchange(3, 4);
     }
 
-    private void say(List<Double> where, byte[] packet) {
+    private void inject(List<Double> where, byte[] packet) {
         emulator.command(Map.of("do", "send", "position", where, "payload", HEX.formatHex(packet)));
     }
 }

@@ -14,7 +14,7 @@ import { Road } from './road.js';
 import * as source from './source.js';
 import { plain, seconds } from './text.js';
 import { Timeline, behaviours } from './timeline.js';
-import { story } from './words.js';
+import { story } from './phrases.js';
 
 /** The text of the page is made anew so often, in ms; the road with each frame. */
 const TEXT_EVERY = 100;
@@ -34,10 +34,10 @@ let road;
 let timeline;
 let errorTimer;
 
-function say(error) {
+function showError(error) {
   $('error').textContent = plain(error, 300);
   clearTimeout(errorTimer);
-  if (error) errorTimer = setTimeout(() => say(''), ERROR_STAYS);
+  if (error) errorTimer = setTimeout(() => showError(''), ERROR_STAYS);
 }
 
 /** What hands can do. The parts of the page call these. */
@@ -53,7 +53,7 @@ const app = {
   },
 
   async send(body) {
-    say(await source.command(body));
+    showError(await source.command(body));
   },
   /** For what is dragged: at most ten commands a second, and always the last one. */
   often(body) {
@@ -107,7 +107,7 @@ const app = {
     try {
       app.send({ do: 'send', position: app.standing(shown.model.head), payload: payload() });
     } catch (error) {
-      say(error.message);
+      showError(error.message);
     }
   },
   replay(packet, flip) {
@@ -169,11 +169,11 @@ async function openFile(file) {
   const model = new Model();
   for (const event of events) model.add(event);
   if (model.length === 0) {
-    say(`${file.name} is no trace: none of its lines is an event. Open the trace.jsonl of a run`);
+    showError(`${file.name} is no trace: none of its lines is an event. Open the trace.jsonl of a run`);
     return;
   }
   const odd = bad.length + model.refused;
-  say(odd ? `${odd} lines of ${file.name} are no events and were left out` + (bad.length ? `; the first is line ${bad[0]}` : '') : '');
+  showError(odd ? `${odd} lines of ${file.name} are no events and were left out` + (bad.length ? `; the first is line ${bad[0]}` : '') : '');
   shown = { model, clock: new Clock(false), about: { source: 'trace', live: false, controls: [] }, ended: true };
   drawText();
 }
@@ -292,5 +292,5 @@ try {
     run.ended = lost;
   });
 } catch (error) {
-  say(error.message);
+  showError(error.message);
 }
