@@ -22,7 +22,7 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** How many mistakes in the firmware's delivery the replay of what its boards then do notices. */
+/** How many mutants of the firmware's delivery the replay of their traces kills. */
 final class FirmwareMutants implements Part {
 
     private static final double GOAL = 0.85;
@@ -31,7 +31,7 @@ final class FirmwareMutants implements Part {
     private static final String UNSEEN = "unseen: ";
     /** So the trace says that a program has left its flash. */
     private static final String CRASH = "\"event\":\"crash\"";
-    /** Of the air. A mistake that the first does not show has other chances. */
+    /** Of the air. A mutant that the first does not kill has other chances. */
     private static final List<Long> SEEDS = List.of(1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L);
     /**
      * The others decide how well a board hears, which no trace tells, or how its EEPROM keeps what it holds. Carrier
@@ -40,7 +40,7 @@ final class FirmwareMutants implements Part {
     private static final Pattern SOURCES = Pattern.compile(
             "(delivery|secure)/.*|radio/(AskRadio|RadioEncoder|RadioQueue)\\.cpp|storage/BootEpoch\\.cpp");
 
-    /** What became of a mistake. */
+    /** What became of a mutant. */
     private enum Fate {
         UNBUILT, UNREACHED, REFUSED, FAILED, SURVIVED
     }
@@ -89,13 +89,13 @@ final class FirmwareMutants implements Part {
         describe(judged, possible.size(), options, report);
     }
 
-    /** Without a mistake all must be fine, or nothing can be said of those with one. */
+    /** Unchanged firmware must pass, or nothing can be said of mutants. */
     private static void check(FirmwareBuild build) throws IOException, InterruptedException {
         Path program = build.build().orElseThrow(() -> new IOException("the firmware does not build"));
         for (long seed : SEEDS) {
             DeliveryRun.Result result = converse(program, seed, line -> {});
             if (result.end() != DeliveryRun.End.FINE) {
-                throw new IllegalStateException("without a mistake, with seed " + seed + ": " + result.why());
+                throw new IllegalStateException("the unchanged firmware, with seed " + seed + ": " + result.why());
             }
         }
     }
@@ -137,7 +137,7 @@ final class FirmwareMutants implements Part {
         }
     }
 
-    /** Whether boards come to the line with the mistake; taken for granted where a trap cannot stand before it. */
+    /** Whether boards come to the changed line; taken for granted where a trap cannot stand before it. */
     private boolean isReached(FirmwareMutant mutant, String source, FirmwareBuild build)
             throws IOException, InterruptedException {
         Optional<Path> program =
@@ -170,7 +170,7 @@ final class FirmwareMutants implements Part {
 
     private void describe(List<Judged> judged, int possible, Options options, Report report) {
         report.text("""
-            Of %d possible mistakes in what decides when and what a board sends (another operator, a number greater or
+            Of %d possible mutants of what decides when and what a board sends (another operator, a number greater or
             less by one or twice as large, a negated condition, a removed statement, true for false), %d were drawn.
             Lines that only count are left out. Each was planted alone into `Station`, which three emulated boards then
             ran eight times, for 100 s of theirs at most, four times with a bit error rate of 0.001, twice with short
@@ -178,8 +178,8 @@ final class FirmwareMutants implements Part {
             while or never there, with a reset, a loss of power, and an attacker who repeats what was on the air, as it
             was or changed. *Refused*: the replay of a trace says that no board does this. *Only hosts*: the trace is
             accepted, but a message has no end, or has not come although it was reported so. *Not reached*: no board
-            comes to the line, or to the part of it in which the mistake is. No board is a relay here. Hosts run in wall
-            time: on a machine that has much else to do they say less, and fewer mistakes show.
+            comes to the line, or to the part of it that is changed. No board is a relay here. Hosts run in wall
+            time: on a machine that has much else to do they say less, and fewer mutants die.
             """.formatted(possible, judged.size()));
         Table table = new Table("folder", "drawn", "not built", "not reached", "refused", "only hosts", "neither",
                 "harmless", "refused of the others");
@@ -198,9 +198,9 @@ final class FirmwareMutants implements Part {
                 judged.stream().filter(each -> each.fate == Fate.SURVIVED)
                         .filter(each -> options.survivors().reason(each.mutant.toString()).isEmpty()).count());
         refused.forEach(why -> report.progress("genuine, but refused: %s", why));
-        report.never("runs without a mistake refused", refused.size());
-        failed.forEach(why -> report.progress("without a mistake, but hosts failed: %s", why));
-        report.text("Runs without a mistake, in which hosts did not get what they must: " + failed.size() + ".");
+        report.never("runs of unchanged firmware refused", refused.size());
+        failed.forEach(why -> report.progress("unchanged, but hosts failed: %s", why));
+        report.text("Runs of unchanged firmware in which hosts did not get what they must: " + failed.size() + ".");
     }
 
     private static void row(Table table, String name, List<Judged> judged, Options options) {
@@ -226,9 +226,9 @@ final class FirmwareMutants implements Part {
     }
 
     private static void survivors(List<Judged> judged, Survivors known, Report report) {
-        list("Accepted by the replay, but not by the hosts:\n\n| line and mistake | what hosts saw |", judged,
+        list("Accepted by the replay, but not by the hosts:\n\n| changed line | what hosts saw |", judged,
                 each -> each.fate == Fate.FAILED, each -> each.why, report);
-        list("Not noticed:\n\n| line and mistake | does no harm, since; or is unseen, since |", judged,
+        list("Survivors:\n\n| changed line | does no harm, since; or is unseen, since |", judged,
                 each -> each.fate == Fate.SURVIVED, each -> known.reason(each.mutant.toString()).orElse(""), report);
     }
 

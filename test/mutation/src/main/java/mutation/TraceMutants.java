@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 /**
  * All small changes of a trace: of its order, of times, of fields, and of the bytes on the air. Left out are those
  * after which it may still be genuine, as far as the trace tells that: a change that boards or hosts are free to make
- * is no mistake.
+ * is no mutant.
  */
 final class TraceMutants {
 

@@ -52,7 +52,7 @@ class DeliveryRunTest {
     }
 
     @Test
-    void run_mistakeThatTheModelKnows_isRefused() throws Exception {
+    void run_mutantThatTheModelKnows_isRefused() throws Exception {
         FirmwareMutant wrongOrder = mutant("radio/RadioEncoder.cpp", "packet[length + 1] =", "1 + 1");
         DeliveryRun.Result result = run(wrongOrder, new ArrayList<>());
         assertEquals(DeliveryRun.End.REFUSED, result.end());

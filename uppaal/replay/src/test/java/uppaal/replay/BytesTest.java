@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What boards must not put on the air: traces that firmware with a mistake would leave, and spoilt genuine ones. */
+/** What boards must not put on the air: traces that mutants of the firmware would leave, and spoilt genuine ones. */
 class BytesTest {
     private static final String FIRST = "000001000000";
     private static final String SECOND = "000001000001";
