@@ -45,7 +45,7 @@ local COUNTERS = {"serialRequests", "serialDamaged", "serialBadFrames", "serialR
   "radioMissed", "radioBadFrames", "radioReserved", "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed",
   "radioReplayFull", "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
   "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale", "radioMended",
-  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne", "radioOverheardDropped", "relayCopies",
+  "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated", "radioOverheardDropped", "relayCopies",
   "relayAnswers", "relayRefused", "memoryDamaged"}
 -- How a performative goes with a conversation.
 local PERFORMATIVES = {tell = "may", untell = "may", achieve = "never", unachieve = "never", signal = "never", askOne = "always",

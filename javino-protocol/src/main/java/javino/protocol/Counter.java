@@ -71,7 +71,7 @@ public enum Counter {
     RADIO_DOUBTFUL("radioDoubtful"),
 
     /** Acknowledgements that were taken though some bits of their proof were wrong. */
-    RADIO_ANSWERS_BORNE("radioAnswersBorne"),
+    RADIO_ANSWERS_TOLERATED("radioAnswersTolerated"),
 
     /** Packets that were overheard and did not fit the memory for them. */
     RADIO_OVERHEARD_DROPPED("radioOverheardDropped"),

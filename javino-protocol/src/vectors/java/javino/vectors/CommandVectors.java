@@ -18,7 +18,7 @@ final class CommandVectors {
             "radioNotForUs", "radioOwn", "radioNoKey", "radioBadTag", "radioReplayed", "radioReplayFull",
             "radioQueueFull", "radioSent", "perceptsLeftOut", "radioRepeats", "radioFragmentsDropped", "radioExpired",
             "radioAcknowledged", "radioUndelivered", "radioBadProofs", "radioResent", "radioDeferred", "radioStale",
-            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersBorne",
+            "radioMended", "radioBlocked", "radioAnswersDropped", "radioDoubtful", "radioAnswersTolerated",
             "radioOverheardDropped",
             "relayCopies", "relayAnswers", "relayRefused", "memoryDamaged");
 
