@@ -13,7 +13,7 @@ std::string nameOf(Address::Class addressClass) {
     case Address::SERIAL_LINE: return "serial";
     case Address::BROADCAST: return "broadcast";
     case Address::MULTICAST: return "multicast";
-    case Address::FRAGMENT: return "fragment";
+    case Address::PIECE: return "fragment";
     case Address::ACKNOWLEDGEMENT: return "acknowledgement";
     default: return "reserved";
   }
