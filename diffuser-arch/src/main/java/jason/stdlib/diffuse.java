@@ -69,7 +69,7 @@ public class diffuse extends BoardAction {
     }
 
     /** Has the message sent, as {@link #start}. */
-    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage letter) throws JasonException {
-        return diffuser.diffuse(letter);
+    protected CompletableFuture<?> send(Diffuser diffuser, OutgoingMessage outgoing) throws JasonException {
+        return diffuser.diffuse(outgoing);
     }
 }
